@@ -17,7 +17,7 @@ from plans.analytic.cam.contour import contour
 from plans.cam.course import Course, settled
 from plans.cam.study import CamStudy
 from plans.model.cam import MM, Cam
-from plans.model.cam_motion import CamFound, Contour, Points
+from plans.model.cam_motion import CamFound, Points
 from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import message
@@ -41,23 +41,21 @@ def turns(cam: Cam) -> Floats:
 
 def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
     """Hold written coordinates to the analysis: the same columns, each number rounded."""
-    exact = dict(_due(found, _analysed(found)))
-    seen = read(content)
-    for column in exact.keys() ^ seen.keys():
+    exact = dict(_due(found))
+    table = read(content)
+    for column in exact.keys() ^ table.keys():
         yield message("wrong.column", name=column, file=name)
-    for column in exact.keys() & seen.keys():
+    for column in exact.keys() & table.keys():
         off = _bends_off if column == CURVATURE else _off
-        if (row := _first(off, np.array(seen[column]), exact[column])) is not None:
+        if (row := _first(off, np.array(table[column]), exact[column])) is not None:
             yield message("wrong.coordinate", name=column, row=row + 1, file=name)
 
 
-def _analysed(found: CamFound) -> Contour:
-    return contour(found.cam, found.sizes, found.roller, turns(found.cam))
-
-
-def _due(found: CamFound, at: Contour) -> Iterator[tuple[str, Floats]]:
+def _due(found: CamFound) -> Iterator[tuple[str, Floats]]:
     """Give what the columns must say, (N,) each in mm or degrees: the follower's way, the curves, how they bend."""
-    cam, way = found.cam, at.travel.s
+    cam = found.cam
+    at = contour(cam, found.sizes, found.roller, turns(cam))
+    way = at.travel.s
     yield ("travel_mm", MM * at.turned) if cam.translates else ("turned_deg", np.degrees(at.turned))
     yield ("s_deg", np.degrees(way)) if cam.rocks else ("s_mm", MM * way)
     curves = {"": at.profile} | ({"pitch_": at.pitch} if at.profile is not at.pitch and not cam.flat else {})
@@ -77,29 +75,29 @@ def _turn(curve: Points) -> Floats:
     return np.degrees(np.unwrap(np.angle(curve)))
 
 
-def _first(off: Callable[[Floats, Floats], Floats], seen: Floats, exact: Floats) -> int | None:
+def _first(off: Callable[[Floats, Floats], Floats], table: Floats, exact: Floats) -> int | None:
     """Give the first row in which a number is off by more than is allowed."""
-    if seen.shape != exact.shape:
-        return min(len(seen), len(exact))
-    right = off(seen, exact) <= 0
+    if table.shape != exact.shape:
+        return min(len(table), len(exact))
+    right = off(table, exact) <= 0
     return None if right.all() else int(np.argmin(right))
 
 
-def _off(seen: Floats, exact: Floats) -> Floats:
+def _off(table: Floats, exact: Floats) -> Floats:
     """Give how far numbers are off, less what is allowed."""
-    return np.abs(seen - exact) - ROUNDED - KNOWN * np.abs(exact)
+    return np.abs(table - exact) - ROUNDED - KNOWN * np.abs(exact)
 
 
-def _bends_off(seen: Floats, exact: Floats) -> Floats:
+def _bends_off(table: Floats, exact: Floats) -> Floats:
     """Give it for radii by how the curve bends: where it is nearly straight either road may have any large radius.
 
     An edge, whose radius is no more than the rounding, bends by that: there it is the radii that are compared.
     """
-    bend, true = (np.copysign(1 / np.maximum(np.abs(radii), ROUNDED), radii) for radii in (seen, exact))
+    bend, true = (np.copysign(1 / np.maximum(np.abs(radii), ROUNDED), radii) for radii in (table, exact))
     bent = np.abs(bend - true) - ROUNDED * true**2 - KNOWN * np.abs(true).max()
     edge = np.abs(exact) <= ROUNDED
     with np.errstate(invalid="ignore"):  # of a straight place both are infinite
-        return np.where(edge, np.abs(seen) - ROUNDED - np.abs(exact), bent)
+        return np.where(edge, np.abs(table) - ROUNDED - np.abs(exact), bent)
 
 
 def _named(number: int) -> str:

@@ -42,8 +42,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     if name == EVERY:
         yield from chart(cam_rows([found.cam for found in study.comparison("cam").analysis.cams]))
     else:
-        told = (leaf.metadata["scales"] for leaf in leaves)
-        scales: Mapping[str, float] = next((named for named in told if SIZES in named), {})
+        facts = (leaf.metadata["scales"] for leaf in leaves)
+        scales: Mapping[str, float] = next((named for named in facts if SIZES in named), {})
         drawn = {
             group.data["name"]: group.data for leaf in leaves for group in groups(leaf.groups) if _is_length(group.data)
         }
@@ -172,35 +172,37 @@ class _Cam:
         yield from (Expected(Kind.DIRECTION, PROFILE, name, complex(sense)) for name, sense in senses.items())
         if cam.rocks and not cam.translates:
             initial = abs(found.sizes.initial)
-            row = Expected(Kind.ANGLE, PROFILE, "ψ_0", initial, self._off("ψ_0"), may_lack=True)
+            row = Expected(Kind.ANGLE, PROFILE, "ψ_0", initial, self.numbers.slack("ψ_0"), may_lack=True)
             yield from measured(row, DEGREES * initial, digits=4, unit=DEGREES)
-
-    def _off(self, name: str) -> float:
-        return self.numbers.slack(name)
 
     def _lengths(self) -> Iterator[Expected]:
         """Give the sizes in the figure of the profile; two of them go where there is room, or about a sharp place."""
         values, sizes, found = self.values, self.values.sizes, self.values.found
         true = {"R_0": complex(sizes.base), "e": complex(values.cam.sense * sizes.offset), "L": sizes.pivot}
         true = {} if values.cam.translates else true
-        told = {name: self.numbers.size(name) for name in true}
+        numbers = {name: self.numbers.size(name) for name in true}
         if found.sharpest is not None:
-            true["ρ_min"], told["ρ_min"] = complex(found.sharpest.value), self.numbers.radius("ρ_min", found.sharpest)
+            true["ρ_min"], numbers["ρ_min"] = (
+                complex(found.sharpest.value),
+                self.numbers.radius("ρ_min", found.sharpest),
+            )
         for name, value in true.items():
             way = cmath.phase(pair(self.drawn[name]["value"])) if name in self.drawn else 0.0
-            number, slack = told[name]
+            number, slack = numbers[name]
             row = Expected(Kind.VECTOR, PROFILE, name, value * cmath.rect(1.0, way), slack / MM, may_lack=True)
             yield from measured(row, number, digits=4)
         if sizes.pivot:
-            yield Expected(Kind.POINT, PROFILE, "O_1", sizes.pivot, self._off("O1"))
+            yield Expected(Kind.POINT, PROFILE, "O_1", sizes.pivot, self.numbers.slack("O1"))
 
     def sizes(self) -> Iterator[Expected]:
         """Give the diagram of the sizes: its curve and points, O, the sizes that are dimensioned, the limits."""
         values, cam = self.values, self.values.cam
         if cam.translates:
             return
-        slack = self.slack + max(self._off("S'") if not cam.flat else self._off("S''"), 0.0) * self._arm
-        yield Expected(Kind.POINT, SIZES, "O", -values.zero, self._off("R_0"))
+        slack = (
+            self.slack + max(self.numbers.slack("S'") if not cam.flat else self.numbers.slack("S''"), 0.0) * self._arm
+        )
+        yield Expected(Kind.POINT, SIZES, "O", -values.zero, self.numbers.slack("R_0"))
         if not (cam.flat and cam.rocks):
             yield Expected(Kind.CURVE, SIZES, "D", values.diagram, slack)
             for k, end in enumerate(values.ends(values.contour).tolist()):
@@ -214,7 +216,7 @@ class _Cam:
         elif cam.rocks:
             reaches["R_0"] = complex(values.contour.lever[0]) * values.turned_back * values.sizes.base
         for name, reach in reaches.items():
-            yield Expected(Kind.VECTOR, SIZES, name, reach, self._off("R_0"))
+            yield Expected(Kind.VECTOR, SIZES, name, reach, self.numbers.slack("R_0"))
         yield from self._dimensions()
 
     @property
@@ -242,11 +244,11 @@ class _Cam:
             title = self.drafting.letter(letter)
             name = f"{title}, {self.drafting.word(unit)}" if unit else title
             found = self.drafting.word("cam given") if given else (value, slack)
-            told: list[Cell] = [(value, slack), found]
+            row: list[Cell] = [(value, slack), found]
             if slips is not None:
                 error = math.nan if given else slips.get((letter, 0), math.nan)
-                told.append(by_hand(error, abs(value) or 1.0))
-            yield from cells(SIZES, name, told, digits=DIGITS)
+                row.append(by_hand(error, abs(value) or 1.0))
+            yield from cells(SIZES, name, row, digits=DIGITS)
 
     def _quantities(self) -> Iterator[tuple[str, str, Any, bool]]:
         """Give letter, unit, value with its slack, and whether the scene gives it, of every row."""
@@ -267,11 +269,16 @@ class _Cam:
                 yield mark, "mm", numbers.radius(name, extreme), False
                 yield self._at(mark, extreme.turned)
         for k, far in enumerate(found.face if cam.flat else (), 1):
-            yield f"b_{k}", "mm", (MM * abs(far), MM * self._off(f"face_{'back' if k == 1 else 'front'}")), False
+            yield (
+                f"b_{k}",
+                "mm",
+                (MM * abs(far), MM * self.numbers.slack(f"face_{'back' if k == 1 else 'front'}")),
+                False,
+            )
         for kind in (RISE, RETURN) if cam.rocks or not cam.flat else ():
             if kind in found.pressure:
                 mark, extreme = f"α_{{{kind}}}", found.pressure[kind]
-                yield mark, "°", (DEGREES * extreme.value, DEGREES * self._off(f"α_{kind}")), False
+                yield mark, "°", (DEGREES * extreme.value, DEGREES * self.numbers.slack(f"α_{kind}")), False
                 yield self._at(mark, extreme.turned)
         yield from self._motion()
 
@@ -281,12 +288,17 @@ class _Cam:
         for order, (name, peak) in enumerate(found.peaks.items() if cam.speed is not None else (), 1):
             speed = (cam.speed or 0.0) ** order
             unit = f"{'rad' if cam.rocks else 'm'}/s{'' if order == HARD else '2'}"
-            yield f"{way[order - 1]}_{{max}}", unit, (abs(peak.value) * speed, self._off(f"{name}_max") * speed), False
+            yield (
+                f"{way[order - 1]}_{{max}}",
+                unit,
+                (abs(peak.value) * speed, self.numbers.slack(f"{name}_max") * speed),
+                False,
+            )
         bare = "ψ" if cam.rocks else "S"
         for k, shock in enumerate(found.shocks, 1):
-            what = bare + "'" * shock.order if cam.speed is None else way[shock.order - 1]
-            yield f"Δ{what}_{{{k}}}", self.numbers.unit(shock), self.numbers.jump(shock), False
-            yield self._at(f"Δ{what}_{{{k}}}", shock.turned)
+            jumps = bare + "'" * shock.order if cam.speed is None else way[shock.order - 1]
+            yield f"Δ{jumps}_{{{k}}}", self.numbers.unit(shock), self.numbers.jump(shock), False
+            yield self._at(f"Δ{jumps}_{{{k}}}", shock.turned)
 
     def _at(self, letter: str, turned: float) -> tuple[str, str, Any, bool]:
         key, unit = ("cam travel at", "mm") if self.values.cam.translates else ("cam angle at", "°")

@@ -118,8 +118,8 @@ class CamNumbers:
 
     def notes(self) -> Iterator[Expected]:
         """Give the rows of all that may be told; what is not told of this cam may lack."""
-        told = ((f"{name} {self.cam.name}", *numbers) for name, numbers in dict(self._told()).items())
-        yield from phrases(NOTES, told, DIGITS, may_lack=True)
+        rows = ((f"{name} {self.cam.name}", *numbers) for name, numbers in dict(self._told()).items())
+        yield from phrases(NOTES, rows, DIGITS, may_lack=True)
 
     def _told(self) -> Iterator[tuple[str, tuple[float, float]]]:
         cam, found = self.cam, self.found
@@ -207,8 +207,8 @@ def made_curve(found: CamFound, at: Contour) -> Points:
 
 def made_profile(found: CamFound) -> MadeProfile:
     """Look at a cam at the turns that its sheet tells."""
-    told = stations(found.cam)
-    return MadeProfile(found, told, made_curve(found, contour(found.cam, found.sizes, found.roller, told.turned)))
+    turns = stations(found.cam)
+    return MadeProfile(found, turns, made_curve(found, contour(found.cam, found.sizes, found.roller, turns.turned)))
 
 
 def profile_cells(made: MadeProfile) -> Floats:
@@ -261,8 +261,8 @@ def _notes(found: CamFound, slack: float) -> Iterator[Expected]:
     name, roller, resting = found.cam.name, found.roller, dwells(found)
     sizes = {f"r_rol {name}": MM * roller, f"breadth {name}": 2 * MM * roller}
     sizes |= {f"r {k} {name}": MM * radius for k, (_, radius) in enumerate(resting)}
-    told = ((quantity, size, 2 * MM * slack) for quantity, size in sizes.items())
-    yield from phrases(NOTES, told, FINE, may_lack=True)
+    rows = ((quantity, size, 2 * MM * slack) for quantity, size in sizes.items())
+    yield from phrases(NOTES, rows, FINE, may_lack=True)
     for k, (phase, _) in enumerate(resting):
         for quantity, turn in ((f"start {k} {name}", phase.start), (f"end {k} {name}", phase.end)):
             yield Expected(Kind.PHRASE, NOTES, quantity, math.degrees(turn), digits=FINE, may_lack=True, period=TURN)

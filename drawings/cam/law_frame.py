@@ -211,9 +211,9 @@ class LawPlate(RowPlate[LawRow]):
         strips = self.shown.strips
         soft = [k for k in strips.jumps if k not in strips.hard]
         kinds = (("hard shocks", strips.hard), ("soft shocks", soft))
-        told = [self.drafting.word(key, places=_places(strips, edges)) for key, edges in kinds if edges]
-        if told:
-            yield ";  ".join(told)
+        sentences = [self.drafting.word(key, places=_places(strips, edges)) for key, edges in kinds if edges]
+        if sentences:
+            yield ";  ".join(sentences)
 
 
 def _places(strips: TurnStrips, edges: Iterable[int]) -> str:

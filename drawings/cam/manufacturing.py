@@ -95,9 +95,9 @@ class Manufacture(NamedTuple):
 
 def manufacture(found: CamFound) -> Manufacture:
     """Give what the drawing of a cam to be made shows of one that the construction found."""
-    told = stations(found.cam)
-    at = profile(Course(found.cam), found.sizes, found.roller, told.turned).contour
-    return Manufacture(profile_view(found), ToldProfile(found, told, made(found, at)))
+    turns = stations(found.cam)
+    at = profile(Course(found.cam), found.sizes, found.roller, turns.turned).contour
+    return Manufacture(profile_view(found), ToldProfile(found, turns, made(found, at)))
 
 
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
@@ -259,13 +259,13 @@ def _roller(shown: ToldProfile, drafting: Drafting) -> str:
 
 def _dwells(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
     """Tell the radii of the arcs, and between which turns they are."""
-    told = []
+    arcs = []
     for k, (phase, radius) in enumerate(dwells(shown)):
         turns = (("r", MM * radius), ("start", math.degrees(phase.start)), ("end", math.degrees(phase.end)))
         size, *ends = (drafting.slot(Slot(f"{name} {k} {shown.cam.name}", value, DIGITS)) for name, value in turns)
-        told.append(joined("", ("r = ", size, ", φ ", joined(" … ", ends), "°")))
-    if told:
-        yield drafting.phrase("dwells of cam", radii=joined(";  ", told))
+        arcs.append(joined("", ("r = ", size, ", φ ", joined(" … ", ends), "°")))
+    if arcs:
+        yield drafting.phrase("dwells of cam", radii=joined(";  ", arcs))
 
 
 NAME = "radii"

@@ -63,8 +63,8 @@ def phase_letter(cam: Cam, number: int, drafting: Drafting) -> Phrase:
     """Letter a phase with its angle in degrees, or with its travel in millimetres where the cam translates."""
     index, angle = phase_indices(cam)[number], cam.phases[number].angle
     letter, size, unit = ("x", MM * angle, "") if cam.translates else ("φ", math.degrees(angle), "°")
-    told = drafting.letter(f"{letter}_{{{index}}} = "), drafting.slot(Slot(f"φ_{number}", size, DIGITS)), unit
-    return joined("", told)
+    parts = drafting.letter(f"{letter}_{{{index}}} = "), drafting.slot(Slot(f"φ_{number}", size, DIGITS)), unit
+    return joined("", parts)
 
 
 def _kind(cam: Cam, phase: Phase) -> str:
@@ -120,8 +120,8 @@ class CamNotes(NamedTuple):
 
     def phases(self) -> Iterator[str]:
         """Tell the phases in their order, with their laws."""
-        told = ";  ".join(self._phase(k, phase) for k, phase in enumerate(self.cam.phases))
-        yield self.drafting.word("cam phases", phases=told)
+        phases = ";  ".join(self._phase(k, phase) for k, phase in enumerate(self.cam.phases))
+        yield self.drafting.word("cam phases", phases=phases)
 
     def _phase(self, number: int, phase: Phase) -> str:
         law = f" ({self.drafting.word(f'law {phase.law.name}')})" if phase.law is not None else ""
@@ -148,8 +148,8 @@ class CamNotes(NamedTuple):
         elif not cam.flat:
             parts += [self._mm("e", sizes.offset), self._mm("S_0", math.sqrt(sizes.base**2 - sizes.offset**2))]
         names = ("R_0", *(("L", "ψ_0") if cam.rocks else ("e", "S_0")))
-        told = (joined(" = ", pair) for pair in zip(names, parts, strict=False))
-        yield self.drafting.phrase("cam sizes", sizes=joined(",  ", told))
+        equations = (joined(" = ", pair) for pair in zip(names, parts, strict=False))
+        yield self.drafting.phrase("cam sizes", sizes=joined(",  ", equations))
         yield from self.face()
 
     def face(self) -> Iterator[str]:
@@ -175,12 +175,12 @@ class CamNotes(NamedTuple):
         for kind, found in self.found.pressure.items() if pressed else ():
             permitted = interval_of(self.cam, kind)
             parts = {"phase": self.drafting.word(f"cam on {kind}"), "phi": self.place(f"α {kind}", found.turned)}
-            told = {"angle": self._slot(f"α {kind}", math.degrees(found.value)), **parts}
+            numbers = {"angle": self._slot(f"α {kind}", math.degrees(found.value)), **parts}
             if permitted is None:
-                yield self.drafting.phrase("cam pressure", **told)
+                yield self.drafting.phrase("cam pressure", **numbers)
             else:
                 low, high = (self.drafting.number(math.degrees(limit), self.digits) for limit in permitted)
-                yield self.drafting.phrase("cam pressure limit", low=low, high=high, **told)
+                yield self.drafting.phrase("cam pressure limit", low=low, high=high, **numbers)
 
     def roller(self) -> Iterator[str]:
         """Say how sharply the pitch curve is bent, and how large the roller is."""

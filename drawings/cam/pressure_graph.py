@@ -50,8 +50,8 @@ class PressureView:
     @property
     def levels(self) -> tuple[tuple[str, float], ...]:
         """The limits with the kinds of phases that they hold on, degrees, signed: two on each that is limited."""
-        held = {kind: self.limits.interval(kind, self.cam.closure) for kind in (RISE, RETURN)}
-        return tuple((kind, math.degrees(end)) for kind, interval in held.items() if interval for end in interval)
+        intervals = {kind: self.limits.interval(kind, self.cam.closure) for kind in (RISE, RETURN)}
+        return tuple((kind, math.degrees(end)) for kind, interval in intervals.items() if interval for end in interval)
 
     @property
     def named(self) -> Iterator[tuple[str, float]]:

@@ -53,14 +53,9 @@ def follower(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     yield from _end(view, place, hand)
 
 
-def foot(view: ProfileView) -> complex:
-    """Give where the rod begins at the start, m: the tip, the roller's centre, the middle of a face."""
-    return complex(view.axis, view.curve.tip[0].imag)
-
-
 def _rod(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the rod as high as its guide, and the guide above the highest place that roller or face come to."""
-    start = place.on(foot(view))
+    start = place.on(complex(view.axis, view.curve.tip[0].imag))  # the tip, the roller's centre, the middle of a face
     low = highest(view, place, hand) if view.cam.translates else _above(view, place, hand)
     base, top = complex(start.real, low), complex(start.real, low + GUIDE * hand.symbol)
     yield Line(start, top + CLEAR * hand.symbol * 1j, hand.result)
@@ -80,9 +75,9 @@ def _rocker(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     radius = HINGE * hand.symbol
     yield from fixed_hinge(pivot, hand, radius, _downward(pivot - place.on(0j) or -1j, tip - pivot))
     if view.cam.flat:
-        held = place.on(view.sizes.pivot + view.cam.follower.face * complex(view.curve.lever[0]))
-        yield Line(held, tip, hand.result)
-        tip = held
+        root = place.on(view.sizes.pivot + view.cam.follower.face * complex(view.curve.lever[0]))
+        yield Line(root, tip, hand.result)
+        tip = root
     if abs(tip - pivot) > radius:
         yield Line(pivot + (tip - pivot) / abs(tip - pivot) * radius, tip, hand.result)
 

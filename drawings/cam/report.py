@@ -54,11 +54,11 @@ def remarks(study: Study) -> list[Message]:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell each cam: its task, its numbers, what is right and wrong with it."""
     drafting = drafting_of(study.scene)
-    told = [*zip(study.of(CamStudy).drawings.values(), _all(study, DIGITS), strict=True)]
+    pairs = [*zip(study.of(CamStudy).drawings.values(), _all(study, DIGITS), strict=True)]
     return Chapters(
-        subject=[*chain.from_iterable(_task(notes) for _, notes in told)],
-        values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in told)],
-        conditions=[*chain.from_iterable(_conditions(*pair, LAWS in study.plans) for pair in told)],
+        subject=[*chain.from_iterable(_task(notes) for _, notes in pairs)],
+        values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in pairs)],
+        conditions=[*chain.from_iterable(_conditions(*pair, LAWS in study.plans) for pair in pairs)],
         left_out=[word(drafting.language, "report.cam_left_out")],
     )
 
@@ -125,8 +125,8 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
     yield word(language, "report.cam_found", name=notes.cam.name)
     yield ""
     parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.pressing, notes.flaws)
-    told = (line for part in parts for line in part())
-    yield from map(entry, told)
+    lines = (line for part in parts for line in part())
+    yield from map(entry, lines)
     if laws:
         yield f"- {_chords(drawing, notes.drafting)}"
 

@@ -201,8 +201,8 @@ class Compared:
         for order, name in enumerate(("S", "S'", "S''")):
             yield self._row(LAWS, name, self._units[order], ours[order], theirs[order], self.slack.travel(order))
         for order, (name, extreme) in enumerate(self.ours.peaks.items(), 1):
-            size, its = abs(extreme.value), abs(self.theirs.peaks[name].value)
-            yield self._one(LAWS, f"{name}_max", self._units[order], size, its, self.slack.travel(order))
+            size, true = abs(extreme.value), abs(self.theirs.peaks[name].value)
+            yield self._one(LAWS, f"{name}_max", self._units[order], size, true, self.slack.travel(order))
 
     def diagrams(self) -> Iterator[Quantity]:
         """Compare the chords with the same chords by the ordinates of the analysis."""
@@ -273,8 +273,8 @@ class Compared:
         for kind, extreme in ours.pressure.items():
             angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
             yield self._one(PROFILE, f"α_{kind}", "rad", abs(extreme.value), abs(theirs.pressure[kind].value), angle)
-        for name, one_, its in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
-            yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(its), self.bent(one_))
+        for name, one_, true in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
+            yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(true), self.bent(one_))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):
             yield self._one(PROFILE, f"face_{side}", "m", ours.face[k], theirs.face[k], self.slack.lever)
 

@@ -144,12 +144,16 @@ class Verdicts:
             yield _pair(LAWS, "φ shocks", self._across, np.array([len(ours)]), np.array([UNKNOWN]), 0.0)
             return
         if ours:
-            place, its = (np.array([shock.turned for shock in road]) for road in (ours, theirs))
-            yield _pair(LAWS, "φ shocks", self._across, place, its, TERM * self.ours.cam.turn)
+            places, their_places = (np.array([shock.turned for shock in road]) for road in (ours, theirs))
+            yield _pair(LAWS, "φ shocks", self._across, places, their_places, TERM * self.ours.cam.turn)
         for order, name in enumerate(("ΔS'", "ΔS''"), 1):
-            place, its = (np.array([shock.jump for shock in road if shock.order == order]) for road in (ours, theirs))
-            if place.size:
-                yield _pair(LAWS, name, dimensions(self.ours.cam)[order], place, its, 2 * self.slack.travel(order))
+            jumps, their_jumps = (
+                np.array([shock.jump for shock in road if shock.order == order]) for road in (ours, theirs)
+            )
+            if jumps.size:
+                yield _pair(
+                    LAWS, name, dimensions(self.ours.cam)[order], jumps, their_jumps, 2 * self.slack.travel(order)
+                )
 
     @property
     def _across(self) -> str:
@@ -166,8 +170,8 @@ class Verdicts:
         ours, theirs, load = self.ours.pressing, self.theirs.pressing, self.ours.cam.load
         if ours is None or theirs is None or load is None:
             if ours is not theirs:  # one road alone tells of forces
-                force, its = (UNKNOWN if road is None else road.least.value for road in (ours, theirs))
-                yield _pair(PROFILE, "N_min", "N", force, its, 0.0)
+                force, their_force = (UNKNOWN if road is None else road.least.value for road in (ours, theirs))
+                yield _pair(PROFILE, "N_min", "N", force, their_force, 0.0)
             return
         for name, extreme, another in (("N_min", ours.least, theirs.least), ("N_max", ours.most, theirs.most)):
             yield _pair(PROFILE, name, "N", extreme.value, another.value, self._force(extreme, load)[0])
@@ -218,8 +222,8 @@ class Verdicts:
         """Compare R0 that mends, and the sizes that the limits alone would give."""
         ours, theirs = self.ours, self.theirs
         if any(flaw.kind in MENDED for flaw in ours.flaws) and (ours.mending, theirs.mending) != (None, None):
-            base, its = (UNKNOWN if road.mending is None else road.mending for road in (ours, theirs))
-            yield _pair(PROFILE, "R_0 mending", "m", base, its, self._mended + TERM * abs(base))
+            base, their_base = (UNKNOWN if road.mending is None else road.mending for road in (ours, theirs))
+            yield _pair(PROFILE, "R_0 mending", "m", base, their_base, self._mended + TERM * abs(base))
         if ours.advised is not None or theirs.advised is not None:
             yield from self._advised(ours.advised, theirs.advised)
 
@@ -235,11 +239,11 @@ class Verdicts:
     def _advised(self, ours: Sizes | None, theirs: Sizes | None) -> Iterator[Quantity]:
         """Compare the sizes that the limits alone would give: R_0, and the offset or the distance of centres."""
         if ours is None or theirs is None:
-            base, its = (sizes.base if sizes else UNKNOWN for sizes in (ours, theirs))
-            yield _pair(PROFILE, "R_0 advised", "m", base, its, 0.0)
+            base, their_base = (sizes.base if sizes else UNKNOWN for sizes in (ours, theirs))
+            yield _pair(PROFILE, "R_0 advised", "m", base, their_base, 0.0)
             return
         cam = replace(self.ours.cam, given=NO_SIZES)
         allowed = Slack(replace(self.ours, cam=cam, sizes=ours), sizing(Course(cam)), self.ours.contour).centre
         beside = ("L", ours.centre, theirs.centre) if cam.rocks else ("e", ours.offset, theirs.offset)
-        for name, value, its in (("R_0", ours.base, theirs.base), beside):
-            yield _pair(PROFILE, f"{name} advised", "m", value, its, allowed)
+        for name, value, true in (("R_0", ours.base, theirs.base), beside):
+            yield _pair(PROFILE, f"{name} advised", "m", value, true, allowed)

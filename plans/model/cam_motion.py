@@ -208,7 +208,6 @@ class Pressing(NamedTuple):
 class CamFound:
     """All that one road finds of one cam."""
 
-    by: str
     cam: Cam
     sizes: Sizes
     roller: float  # m; 0 of a pointed or flat follower

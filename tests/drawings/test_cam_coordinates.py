@@ -21,7 +21,7 @@ from plans.cam.course import Course
 from plans.cam.path import path
 from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, ROLLER, TRANSLATING
-from plans.model.cam_motion import ANALYSIS, CamFound, Contour
+from plans.model.cam_motion import CamFound, Contour
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import named
@@ -46,7 +46,7 @@ def drawn(case: Case) -> Contour:
 
 def told(content: bytes, case: Case) -> list[str]:
     cam, sizes = case
-    found = CamFound(ANALYSIS, cam, sizes, roller_of(cam), drawn(case))
+    found = CamFound(cam, sizes, roller_of(cam), drawn(case))
     return [str(one) for one in faults(content, found, "profile.csv")]
 
 

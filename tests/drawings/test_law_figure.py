@@ -62,8 +62,8 @@ def test_smoothing_is_never_silent(language: str, said: str) -> None:
     """Of a table that may be smoothed it is said by how much it is, and what was allowed: 0.01 of 30 mm."""
     cam, drafting = usual(Law("sine"), SMOOTH), Drafting(hand_of("A3"), language)
     contour = Contour(*(np.zeros(0),) * 9)  # type: ignore[arg-type]
-    (told,) = CamNotes(CamFound("construction", cam, Sizes(0.05), 0.0, contour), drafting).smoothed()
+    (told,) = CamNotes(CamFound(cam, Sizes(0.05), 0.0, contour), drafting).smoothed()
     off = drafting.number(30 * smoothing(SMOOTH)[0])
     assert f"{said} {off}" in told and drafting.number(0.3) in told
     plain = usual(Law("sine"), RULER)
-    assert not list(CamNotes(CamFound("construction", plain, Sizes(0.05), 0.0, contour), drafting).smoothed())
+    assert not list(CamNotes(CamFound(plain, Sizes(0.05), 0.0, contour), drafting).smoothed())

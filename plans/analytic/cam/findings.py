@@ -16,7 +16,7 @@ from plans.analytic.cam.laws import shocks
 from plans.analytic.cam.loops import Loops
 from plans.analytic.cam.sizes import sizes as sizes_of
 from plans.model.cam import FORCE, GROOVE, NO_SIZES, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import ANALYSIS, CamError, CamFlaw, CamFound, Extreme, Sizes
+from plans.model.cam_motion import CamError, CamFlaw, CamFound, Extreme, Sizes
 from plans.model.motion import Floats
 
 NEAR: Final = 1e-9  # of a limit: sizes found by it touch it but for rounding, and so may a roller a radius
@@ -128,14 +128,14 @@ class Flaws:
             yield from self._beyond("lift-off", lambda curve: -forces.along(curve), forces.normal, places)
 
     def _beyond(
-        self, kind: str, value: Value, told: Value, tops: Sequence[SidedTurn], turn: WholeTurn | None = None
+        self, kind: str, value: Value, reported: Value, tops: Sequence[SidedTurn], turn: WholeTurn | None = None
     ) -> Iterator[CamFlaw]:
         """Give the parts of the turn where a value is above 0, with the worst of what is told of it, at its tops."""
         turn = turn or self.turn
         places = (*tops, *(SidedTurn(root) for root in turn.roots(value)))
         for start, end in self._parts(turn, value, places):
             inside = [place for place in places if _inside(place, start, end)]
-            found = turn.read(told, inside)
+            found = turn.read(reported, inside)
             best = int(np.nanargmin(found) if kind in LEAST or kind == "hollow" else np.nanargmax(found))
             size = -found[best] if kind == "hollow" else found[best]
             yield CamFlaw(kind, start, end, Extreme(float(size), inside[best].turned))
@@ -183,7 +183,6 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
     forces = forces_of(cam, roller)
     flaws = Flaws(extremes, roller, forces).all()
     return CamFound(
-        by=ANALYSIS,
         cam=cam,
         sizes=sizes,
         roller=roller,

@@ -106,9 +106,9 @@ class Family(NamedTuple):
     def touching(self, share: Floats, centre: complex) -> tuple[float, float]:
         """Give a and da/dφ at one share: both vanish where the line is touched."""
         at = self.stretch.at(share)
-        seen = complex((centre / self._lean(at))[0])
-        z = self.length * (self.sense - float(at.slope[0])) - seen
-        drift = -self.length * float(at.bend[0]) + 1j * self.sense * float(at.slope[0]) * seen
+        away = complex((centre / self._lean(at))[0])
+        z = self.length * (self.sense - float(at.slope[0])) - away
+        drift = -self.length * float(at.bend[0]) + 1j * self.sense * float(at.slope[0]) * away
         return (self.weight.conjugate() * z).real, (self.weight.conjugate() * drift).real
 
 
@@ -207,8 +207,10 @@ def _nearest(cam: Cam, start: complex) -> complex:
     seeds = _apart(_seeds(lying, which, at))
     place, shares = _touched(seeds, at, cam, start)
     if len(seeds) == 2:
-        held = [seed for seed, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0]
-        return place if len(held) == 2 else _touched(held, place, cam, start)[0]
+        pressed = [
+            seed for seed, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0
+        ]
+        return place if len(pressed) == 2 else _touched(pressed, place, cam, start)[0]
     broken = _broken(place, normals, bounds)
     if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
         return place

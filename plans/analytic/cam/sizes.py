@@ -148,8 +148,8 @@ def least(sides: tuple[LimitLine, ...]) -> tuple[float, float]:
     corners += [_meeting(first, other) for first, other in pairwise(others)]
     places = [_foot(side) for side in sides] + [corner for corner in corners if corner is not None]
     slack = 1e-14 * max(abs(side.most) for side in sides)  # a few roundings of Q
-    held = [spot for spot in places if all(side.held(*spot) >= -slack for side in sides)]
-    return min(held, key=lambda spot: math.hypot(*spot))
+    inside = [spot for spot in places if all(side.held(*spot) >= -slack for side in sides)]
+    return min(inside, key=lambda spot: math.hypot(*spot))
 
 
 def _meeting(side: LimitLine, other: LimitLine) -> tuple[float, float] | None:

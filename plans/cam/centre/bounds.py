@@ -311,7 +311,7 @@ class CurvatureBound:
     def lines(self, motion: Instant) -> Lines:
         """Give the lines on which the radius is the least allowed."""
         cam, m = self.diagram.cam, self.diagram.cam.follower.sense * motion.slope
-        up, arm = self.axes(motion)
+        up, arm = self._axes(motion.s)
         normals = up * (1 - 2 * m) / (1 - m) ** 2 - arm * motion.bend / (1 - m) ** 3
         return Lines(normals, np.full_like(motion.s, cam.follower.face - self.radius))
 
@@ -319,7 +319,7 @@ class CurvatureBound:
         """Give how they turn."""
         cam, sense = self.diagram.cam, self.diagram.cam.follower.sense
         m, dm = sense * motion.slope, sense * motion.bend
-        up, arm = self.axes(motion)
+        up, arm = self._axes(motion.s)
         turn = 1j * cam.rising * motion.slope
         turning = (turn * (1 - 2 * m) - 2 * dm + 2 * dm * (1 - 2 * m) / (1 - m)) * up / (1 - m) ** 2
         rest = (turn * motion.bend + motion.jerk + 3 * dm * motion.bend / (1 - m)) * arm / (1 - m) ** 3
@@ -328,10 +328,10 @@ class CurvatureBound:
     @property
     def upright(self) -> tuple[complex, complex]:
         """The face's normal and the direction along the arm at the start."""
-        leaning = complex(self.diagram.leaning(np.zeros(1))[0])
-        return 1j * leaning, self.diagram.cam.rising * leaning
+        up, arm = self._axes(np.zeros(1))
+        return complex(up[0]), complex(arm[0])
 
-    def axes(self, motion: Instant) -> tuple[Points, Points]:
+    def _axes(self, s: Floats) -> tuple[Points, Points]:
         """Give the face's normal, out of the cam, and the direction along the arm."""
-        leaning = self.diagram.leaning(motion.s)
+        leaning = self.diagram.leaning(s)
         return 1j * leaning, self.diagram.cam.rising * leaning

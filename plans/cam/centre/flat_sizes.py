@@ -43,11 +43,6 @@ class FallBound(NamedTuple):
         return Lines(np.zeros_like(motion.s, dtype=complex), motion.slope + motion.jerk)
 
 
-def _rule(motion: Instant) -> tuple[Floats, Floats]:
-    """Give -(S + S''), and its derivative."""
-    return -(motion.s + motion.bend), -(motion.slope + motion.jerk)
-
-
 def _smooth(course: Course) -> None:
     """Refuse a law whose S' falls at once: the profile would have to lie on both sides of its own tangent."""
     for shock in course.shocks:
@@ -61,8 +56,7 @@ def flat_sizing(course: Course) -> Sizing:
     if cam.given.base is None:
         _smooth(course)
     start, _, along = axis(board)
-    turned = positions(cam)
-    travel = course.at(turned)
+    travel = course.at(positions(cam))
     tip, end = _laid(board, start, (travel.s, travel.bend), "")
     tangent = _fallen(board, cam, start)
     centre = _least(board, cam, along, tangent.line)
@@ -70,13 +64,13 @@ def flat_sizing(course: Course) -> Sizing:
     if sizes.base <= 0:
         raise no_radius(cam)
     bounds = (tangent.bound,)
-    return Sizing(cam, cam.limits, sizes, board, turned, start, start, tip, end, centre, (tangent,), bounds)
+    return Sizing(cam, cam.limits, sizes, board, start, start, tip, end, centre, (tangent,), bounds)
 
 
 def _fallen(board: Board, cam: Cam, start: Mark) -> SizeTangent:
     """Draw the ruler where it touches the curve of S over S''."""
     bound: Bound = FallBound(stretches(cam, {phase.kind for phase in cam.phases}))
-    found = touch(bound.along, _rule)
+    found = limit(bound, 0j).touch
     at = found.instant
     point = _laid(board, start, (at.s[0], at.bend[0]), "1")[1]
     direction = board.given("t_1", DOWN, because("cam_convex"))
@@ -119,7 +113,7 @@ def rocking_face_sizing(course: Course) -> Sizing:
     if base <= 0:
         raise no_radius(cam)
     sizes, bounds = rocker_sizes(cam, complex(centre.point), arm, base), (bound,)
-    return Sizing(cam, cam.limits, sizes, board, positions(cam), pivot, pivot, None, None, centre, lines, bounds)
+    return Sizing(cam, cam.limits, sizes, board, pivot, pivot, None, None, centre, lines, bounds)
 
 
 def _lowest(course: Course, board: Board, bound: CurvatureBound, arc: Mark) -> tuple[tuple[SizeTangent, ...], Mark]:

@@ -14,7 +14,6 @@ from geometry.meet import EPS, cross, dot
 from plans.cam.centre.bounds import Bound, Limit, PressureBound, RulerTouch, SlopeDiagram, limit, side_of
 from plans.model.cam import LEAST_BASE, Cam, Limits
 from plans.model.cam_motion import Sizes, no_region, vanishing
-from plans.model.motion import Floats
 from plans.words.words import because
 
 PARALLEL = 1e-9  # sine of the angle of two lines that touch one curve at one place: they have no meeting of their own
@@ -76,17 +75,14 @@ def _corners(limits: Sequence[Limit]) -> Iterator[CentrePlace]:
             yield CentrePlace(1j * (second.reach * first.normal - first.reach * second.normal) / sine, (first, second))
 
 
-def on_line(through: complex, along: complex, ahead: complex) -> Choice:
-    """Choose the place on a line nearest to a point of it, on the side `ahead`."""
+def under(top: complex) -> Choice:
+    """Choose the place nearest to a point of those below it."""
 
     def choice(limits: Sequence[Limit], slack: float) -> CentrePlace | None:
-        places = [CentrePlace(through, ())]
-        for line in limits:
-            rate = float(dot(line.normal, along))
-            if abs(rate) > PARALLEL:
-                places.append(CentrePlace(through - line.beyond(through) / rate * along, (line,)))
-        ahead_of = [spot for spot in places if dot(spot.centre - through, ahead) >= -slack]
-        return _best(ahead_of, limits, slack, lambda at: abs(at - through))
+        level = [line for line in limits if abs(line.normal.imag) > PARALLEL]
+        cuts = (CentrePlace(top - 1j * line.beyond(top) / line.normal.imag, (line,)) for line in level)
+        below = [spot for spot in (CentrePlace(top, ()), *cuts) if spot.centre.imag <= top.imag + slack]
+        return _best(below, limits, slack, lambda at: abs(at - top))
 
     return choice
 
@@ -129,11 +125,10 @@ class SizeTangent(NamedTuple):
 
 
 class Chord(NamedTuple):
-    """The book's construction on the chord of a rocker's arc: its two tangents, its centre, how far that is off."""
+    """The book's construction on the chord of a rocker's arc: its two tangents, its centre."""
 
     tangents: tuple[SizeTangent, ...]
     centre: Mark
-    error: Mark
 
 
 @dataclass(frozen=True)
@@ -142,14 +137,12 @@ class Sizing:
 
     The diagram has its own origin: the start A of a follower that translates, the pivot O1 of one that rocks. `centre`
     is O in it. K and D are of the numbered positions, (N,) each; None where the diagram is another or has no points.
-    A cam that translates has no sizes: `longer` tells how many times its phases would have to be longer for the limits.
     """
 
     cam: Cam
     limits: Limits
     sizes: Sizes
     board: Board
-    turned: Floats  # of the numbered positions, rad
     origin: Mark | None = None
     start: Mark | None = None  # K0
     tip: Mark | None = None  # K
@@ -158,7 +151,6 @@ class Sizing:
     tangents: tuple[SizeTangent, ...] = ()
     bounds: tuple[Bound, ...] = ()
     chord: Chord | None = None
-    longer: float = 1.0
 
     @property
     def binding(self) -> Iterator[SizeTangent]:
@@ -176,7 +168,17 @@ def tangents(
     """Draw the limiting lines through the points that rulers touch, numbered; those that O lies on come first."""
     bounds = [line.bound for line in binding]
     ordered = [*sorted(binding, key=_rise_first), *(line for line in limits if line.bound not in bounds)]
-    return tuple(_tangents(board, diagram, ordered, len(binding), laid, prime))
+    found = []
+    for number, edge in enumerate(ordered):
+        bound, name = edge.bound, f"{number + 1}{prime}"
+        assert isinstance(bound, PressureBound)
+        point, way = laid(edge.touch, name)
+        angle = f"{math.degrees(bound.side * bound.angle):.4g}"
+        by = diagram.limit(bound.side, bound.angle) / 1j
+        direction = board.turn(f"t_{name}", way, by, because("cam_limit_angle", angle=angle))
+        line = board.parallel(f"τ_{name}", point, direction, because("cam_ruler"))
+        found.append(SizeTangent(bound, edge.touch, point, direction, line, number < len(binding)))
+    return tuple(found)
 
 
 def _rise_first(line: Limit) -> int:
@@ -208,20 +210,6 @@ def touched(bounds: Sequence[Bound], found: CentrePlace) -> list[Limit]:
 def bound_by(cam: Cam, lines: Sequence[SizeTangent]) -> tuple[SizeTangent, ...]:
     """Give tangents as they bind O: with R0 given none does."""
     return tuple(line._replace(binding=line.binding and cam.given.base is None) for line in lines)
-
-
-def _tangents(
-    board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: int, laid: Laid, prime: str
-) -> Iterator[SizeTangent]:
-    for number, edge in enumerate(limits):
-        bound, name = edge.bound, f"{number + 1}{prime}"
-        assert isinstance(bound, PressureBound)
-        point, way = laid(edge.touch, name)
-        angle = f"{math.degrees(bound.side * bound.angle):.4g}"
-        by = diagram.limit(bound.side, bound.angle) / 1j
-        direction = board.turn(f"t_{name}", way, by, because("cam_limit_angle", angle=angle))
-        line = board.parallel(f"τ_{name}", point, direction, because("cam_ruler"))
-        yield SizeTangent(bound, edge.touch, point, direction, line, number < binding)
 
 
 def met(board: Board, name: str, lines: Sequence[SizeTangent], start: Mark, why: str) -> Mark:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.centre.bounds import Bound, RulerTouch, SlopeDiagram, pressure_bounds, stretches, touch
+from plans.cam.centre.bounds import Bound, RulerTouch, SlopeDiagram, pressure_bounds
 from plans.cam.centre.flat_sizes import flat_sizing, rocking_face_sizing
 from plans.cam.centre.place import (
     SIZES,
@@ -26,12 +26,12 @@ from plans.cam.centre.place import (
     met,
     nearest,
     on_circle,
-    on_line,
     place,
     required,
     rocker_sizes,
     tangents,
     touched,
+    under,
 )
 from plans.cam.course import Course, positions
 from plans.model.cam import Cam, Limits, limits_of
@@ -47,7 +47,7 @@ def sizing(course: Course) -> Sizing:
     """
     cam = course.cam
     if cam.translates:
-        return _unsized(course)
+        return Sizing(cam, cam.limits, Sizes(0.0), Board(SIZES))  # it has none
     if cam.given.base is None and not any(cam.moving()):
         raise still(cam)
     if cam.flat:
@@ -55,26 +55,15 @@ def sizing(course: Course) -> Sizing:
     return _rocking(course) if cam.rocks else _translating(course)
 
 
-def _unsized(course: Course) -> Sizing:
-    """Give what a cam that translates has instead of sizes: how much longer it would have to be (tan α = S')."""
-    cam, longer = course.cam, 1.0
-    for phase in cam.moving():
-        most = limits_of(cam).of(phase.kind)
-        if most is not None and not cam.rocks:
-            steepest = touch(stretches(cam, (phase.kind,)), lambda at: (np.abs(at.slope), np.sign(at.slope) * at.bend))
-            longer = max(longer, steepest.beyond / float(np.tan(most)))
-    return Sizing(cam, cam.limits, Sizes(0.0), Board(SIZES), positions(cam), longer=longer)
-
-
 def _translating(course: Course) -> Sizing:
     """Draw the diagram on the follower's way, push the rulers, and find O (figures 5.49, 5.50)."""
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
-    limits, turned = limits_of(cam), positions(cam)
+    limits = limits_of(cam)
     start, way, _ = axis(board)
-    tip, end = laid_end(board, diagram, start, course.at(turned)[:2])
+    tip, end = laid_end(board, diagram, start, course.at(positions(cam))[:2])
     bounds = tuple(pressure_bounds(diagram, limits))
     offset = cam.given.offset
-    choice = nearest(0j) if offset is None else on_line(complex(-cam.sense * offset), 1j, -1j)
+    choice = nearest(0j) if offset is None else under(complex(-cam.sense * offset))
     found = required(cam, limits, CentrePlace(0j, ()) if cam.sized else place(bounds, 0j, choice, cam.lift))
 
     def laid(touch: RulerTouch, name: str) -> tuple[Mark, Mark]:
@@ -84,7 +73,7 @@ def _translating(course: Course) -> Sizing:
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
     centre = _centre(board, cam, start, way, lines[: len(found.limits)])
     sizes = _sizes(cam, complex(centre.point))
-    return Sizing(cam, limits, sizes, board, turned, start, start, tip, end, centre, bound_by(cam, lines), bounds)
+    return Sizing(cam, limits, sizes, board, start, start, tip, end, centre, bound_by(cam, lines), bounds)
 
 
 def laid_end(
@@ -158,10 +147,10 @@ def _sizes(cam: Cam, centre: complex) -> Sizes:
 def _rocking(course: Course) -> Sizing:
     """Draw the diagram on the rocker's arc, push the rulers, and find O (figure 5.51)."""
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
-    limits, turned = limits_of(cam), positions(cam)
+    limits = limits_of(cam)
     pivot = board.given("O_1", 0j, because("cam_pivot"))
     circle = board.arc("l", pivot, diagram.length, because("cam_arm"))
-    tip, end = laid_end(board, diagram, circle, course.at(turned)[:2])
+    tip, end = laid_end(board, diagram, circle, course.at(positions(cam))[:2])
     start, _ = laid_end(board, diagram, circle, (0.0, 0.0), "0")
     first = complex(start.point)
     bounds = tuple(pressure_bounds(diagram, limits))
@@ -177,9 +166,7 @@ def _rocking(course: Course) -> Sizing:
     centre = _rocker_centre(board, cam, (pivot, start), lines[: len(found.limits)], found.centre)
     chord = _chord(board, diagram, limits, (pivot, start), centre, laid) if found.limits else None
     sizes = rocker_sizes(cam, complex(centre.point), first)
-    return Sizing(
-        cam, limits, sizes, board, turned, pivot, start, tip, end, centre, bound_by(cam, lines), bounds, chord
-    )
+    return Sizing(cam, limits, sizes, board, pivot, start, tip, end, centre, bound_by(cam, lines), bounds, chord)
 
 
 def _choice(cam: Cam, first: complex) -> tuple[complex, Choice]:
@@ -236,4 +223,5 @@ def _chord(
     way = board.join("K_0K_m", start, last, because("cam_chord"))
     lines = tangents(board, diagram, (), found.limits, lambda touch, name: (laid(touch, name)[0], way), "'")
     by_chord = met(board, "O'", lines, start, "cam_chord_centre")
-    return Chord(lines, by_chord, board.join("OO'", centre, by_chord, because("cam_error")))
+    board.join("OO'", centre, by_chord, because("cam_error"))
+    return Chord(lines, by_chord)

@@ -24,7 +24,7 @@ from plans.cam.profile.profile import Roller, curvature, profile, roller_of
 from plans.cam.profile.resting import ProfileEdge, crossings, loss
 from plans.cam.profile.touch import FaceTouch, Stretches, Tip, TurnSide, TurnSpan, Value
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import CONSTRUCTION, CamFlaw, CamFound, Extreme, Sizes
+from plans.model.cam_motion import CamFlaw, CamFound, Extreme, Sizes
 from plans.model.motion import Floats
 
 # Sizes that were found by a limit touch it, and a roller may be as large as a radius: the same within this share of the
@@ -163,8 +163,8 @@ class Search:
         """Make a flaw of a span with the place where a value is greatest, told as it is, over 1, or turned about."""
         ends = (TurnSide(span.start, False), TurnSide(span.end, True))
         found = self.stretches.most(value, (*span.places, *ends)) or Extreme(np.nan, span.start)
-        told = over / found.value if over else -found.value if least else found.value
-        return CamFlaw(kind, span.start, span.end, Extreme(told, found.turned))
+        worst = over / found.value if over else -found.value if least else found.value
+        return CamFlaw(kind, span.start, span.end, Extreme(worst, found.turned))
 
 
 def round_the_turn(found: Sequence[CamFlaw], turn: float) -> list[CamFlaw]:
@@ -204,7 +204,6 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
     contact = contact_of(course.cam, roller)
     flaws = Search(extremes, roller, contact).flaws()
     return CamFound(
-        by=CONSTRUCTION,
         cam=course.cam,
         sizes=sizes,
         roller=roller,
