@@ -45,12 +45,10 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         facts = (leaf.metadata["scales"] for leaf in leaves)
         scales: Mapping[str, float] = next((named for named in facts if SIZES in named), {})
         drawn = {
-            group.data["name"]: group.data for leaf in leaves for group in groups(leaf.groups) if _is_length(group.data)
+            mark.data["name"]: mark.data for leaf in leaves for mark in groups(leaf.groups) if _is_length(mark.data)
         }
         said = [mark.states for leaf in leaves for mark in stated(leaf.groups) if mark.states is not None]
-        axes = {
-            (statement.figure, statement.name): statement.scale for statement in said if statement.kind is Kind.AXIS
-        }
+        axes = {(axis.figure, axis.name): axis.scale for axis in said if axis.kind is Kind.AXIS}
         cam = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
         yield from chain(cam.laws(), cam.phases(), cam.pressure(), cam.profile(), cam.sizes(), cam.table())
     yield from every_cam(study)

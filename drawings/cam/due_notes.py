@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
@@ -15,7 +14,6 @@ from drawings.checks.expected import NOTES, Expected, cells, phrases
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
-from plans.analytic.cam.contour import contour
 from plans.cam.course import WorkshopTurns, stations
 from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.study import CamStudy
@@ -42,12 +40,8 @@ def numbers_of(study: Study, name: str) -> CamNumbers:
     comparison = study.comparison("cam")
     cams = {found.cam.name: found for found in comparison.analysis.cams}
     beside = f" {name}" if len(cams) > 1 else ""
-    quantities = {
-        quantity.name.removesuffix(beside): quantity
-        for quantity in comparison.findings
-        if quantity.name.endswith(beside)
-    }
-    return CamNumbers(CamValues(cams[name], study.of(CamStudy).drawings[name]), quantities)
+    rows = {row.name.removesuffix(beside): row for row in comparison.findings if row.name.endswith(beside)}
+    return CamNumbers(CamValues(cams[name], study.of(CamStudy).drawings[name]), rows)
 
 
 @dataclass(frozen=True)
@@ -183,19 +177,6 @@ FINE = 5
 TURN = 360.0
 
 
-class MadeProfile(NamedTuple):
-    """The profile by the analysis as a cam is made: the points at the stations that a workshop is told, m, (N,)."""
-
-    found: CamFound
-    stations: WorkshopTurns
-    spots: Points
-
-    @property
-    def cam(self) -> Cam:
-        """The cam as it is asked for."""
-        return self.found.cam
-
-
 def made_curve(found: CamFound, at: Contour) -> Points:
     """Give the curve that a workshop is told: the working profile, but of a groove where the centre of its mill goes.
 
@@ -205,60 +186,54 @@ def made_curve(found: CamFound, at: Contour) -> Points:
     return at.pitch if milled else at.profile
 
 
-def made_profile(found: CamFound) -> MadeProfile:
-    """Look at a cam at the turns that its sheet tells."""
-    turns = stations(found.cam)
-    return MadeProfile(found, turns, made_curve(found, contour(found.cam, found.sizes, found.roller, turns.turned)))
-
-
-def profile_cells(made: MadeProfile) -> Floats:
+def profile_cells(cam: Cam, spots: Points) -> Floats:
     """Give abscissas and ordinates, mm, (N, 2); of a cam that turns radii, and angles against the rotation, degrees."""
-    if made.cam.translates:
-        return MM * np.column_stack((made.spots.real, made.spots.imag))
-    angles = -made.cam.sense * np.degrees(np.unwrap(np.angle(made.spots / made.spots[0])))
-    return np.column_stack((MM * np.abs(made.spots), angles))
+    if cam.translates:
+        return MM * np.column_stack((spots.real, spots.imag))
+    angles = -cam.sense * np.degrees(np.unwrap(np.angle(spots / spots[0])))
+    return np.column_stack((MM * np.abs(spots), angles))
 
 
-def dwells(found: CamFound) -> list[tuple[Phase, float]]:
+def dwells(values: CamValues) -> list[tuple[Phase, float]]:
     """Give the dwells with the radii of their arcs, m."""
-    resting = [phase for phase in found.cam.phases if phase.kind == DWELL]
-    middles = np.array([(phase.start + phase.end) / 2 for phase in resting])
-    at = contour(found.cam, found.sizes, found.roller, middles)
-    return [*zip(resting, np.abs(made_curve(found, at)).tolist(), strict=True)]
+    resting = [phase for phase in values.cam.phases if phase.kind == DWELL]
+    at = values.at(np.array([(phase.start + phase.end) / 2 for phase in resting]))
+    return [*zip(resting, np.abs(made_curve(values.found, at)).tolist(), strict=True)]
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam (row of the table of sheets)."""
     values = numbers_of(study, leaves[0].metadata["cam"]).values
-    found = values.found
-    drafting, exact, slack = drafting_of(study.scene), made_profile(found), float(np.max(values.compared.slack.profile))
-    yield from _figure(values, exact, slack, drafting)
-    every, names = leaves[0].metadata["every"], exact.stations.names
-    for k, (first, second) in enumerate(profile_cells(exact)):
-        row = drafting.number(names[k], FINE)
-        far = float(np.abs(exact.spots[k]))
-        off = MM * slack if found.cam.translates else math.degrees(slack / far) if far else math.inf
-        told = (float(first), MM * slack), (float(second), off)
-        yield from cells(RADII, row, told, may_lack=k % every > 0)
-    yield from (*_notes(found, slack), *every_cam(study))
+    cam, drafting, turns = values.cam, drafting_of(study.scene), stations(values.cam)
+    spots, slack = made_curve(values.found, values.at(turns.turned)), float(np.max(values.compared.slack.profile))
+    yield from _figure(values, turns, spots, slack, drafting)
+    every = leaves[0].metadata["every"]
+    for k, (name, spot, (first, second)) in enumerate(zip(turns.names, spots, profile_cells(cam, spots), strict=True)):
+        far = float(np.abs(spot))
+        off = MM * slack if cam.translates else math.degrees(slack / far) if far else math.inf
+        row = (float(first), MM * slack), (float(second), off)
+        yield from cells(RADII, drafting.number(name, FINE), row, may_lack=k % every > 0)
+    yield from (*_notes(values, slack), *every_cam(study))
 
 
-def _figure(values: CamValues, exact: MadeProfile, slack: float, drafting: Drafting) -> Iterator[Expected]:
+def _figure(
+    values: CamValues, turns: WorkshopTurns, spots: Points, slack: float, drafting: Drafting
+) -> Iterator[Expected]:
     """Give the curves, the radii or ordinates, the sense of motion."""
     cam = values.cam
     for name, path in values.curves():
         yield Expected(Kind.CURVE, PLAN, name, path, slack + values.drawn)
-    for number, (k, turn) in enumerate(exact.stations.rays()):
+    for number, (k, turn) in enumerate(turns.rays()):
         said = drafting.number(turn, FINE)
         letter = f"x {said}" if cam.translates else f"φ {said}°"
-        spot = complex(exact.spots[k])
-        yield Expected(Kind.VECTOR, PLAN, "r", 1j * spot.imag if cam.translates else spot, slack, number, letter=letter)
+        end = 1j * spots[k].imag if cam.translates else complex(spots[k])
+        yield Expected(Kind.VECTOR, PLAN, "r", end, slack, number, letter=letter)
     yield Expected(Kind.DIRECTION, PLAN, *(("v", -cam.sense) if cam.translates else ("ω", cam.sense)))
 
 
-def _notes(found: CamFound, slack: float) -> Iterator[Expected]:
+def _notes(values: CamValues, slack: float) -> Iterator[Expected]:
     """Give the numbers that a workshop is told: roller, groove, arcs of the dwells."""
-    name, roller, resting = found.cam.name, found.roller, dwells(found)
+    name, roller, resting = values.cam.name, values.found.roller, dwells(values)
     sizes = {f"r_rol {name}": MM * roller, f"breadth {name}": 2 * MM * roller}
     sizes |= {f"r {k} {name}": MM * radius for k, (_, radius) in enumerate(resting)}
     rows = ((quantity, size, 2 * MM * slack) for quantity, size in sizes.items())

@@ -68,16 +68,10 @@ class CamValues:
         """The profile at the numbered positions."""
         return self.found.contour
 
-    def back(self, places: Complexes | complex, turned: Floats | float) -> Complexes:
-        """Carry places of the frame against the motion of the cam, m."""
-        if self.cam.translates:
-            return np.asarray(places + self.cam.sense * np.asarray(turned))
-        return np.asarray(places * np.exp(-1j * self.cam.sense * np.asarray(turned)))
-
     def ways(self, directions: Complexes | complex, turned: Floats | float) -> Complexes:
-        """Turn directions of the frame so."""
-        ways = self.back(directions, turned) if not self.cam.translates else directions + 0 * np.asarray(turned)
-        return np.asarray(ways)
+        """Turn directions of the frame against the motion of the cam."""
+        sense = 0 if self.cam.translates else self.cam.sense
+        return np.asarray(directions * np.exp(-1j * sense * np.asarray(turned)))
 
     def at(self, turned: Floats, before: bool = False) -> Contour:
         """Give the profile at turns of the cam."""

@@ -108,7 +108,7 @@ def test_flat_face_by_convexity(sense: int) -> None:
     assert printed(found.sizes.base, "0.04734155077")
     assert printed(turned_at(found, RETURN), "19.99470798")
     least = found.tangents[0].touch
-    assert printed(-least.beyond, "-0.04234155077")
+    assert printed(-least.beyond * math.sqrt(2), "-0.04234155077")  # along the axis, not square to the ruler
     assert same(found.sizes, sizes(cam))
 
 
