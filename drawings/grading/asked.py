@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, NamedTuple, TypeAlias
 
@@ -59,6 +59,11 @@ class Record(NamedTuple):
     boards: Mapping[Place, Board] = MappingProxyType({})
     subjects: Mapping[str, str] = MappingProxyType({})
     known: Mapping[str, Collection[str]] = MappingProxyType({})
+
+
+def lettered(plan: str, position: int | None, vectors: Iterable[Found]) -> dict[Letters, Found]:
+    """Give vectors that are lettered themselves by the letters of a plan."""
+    return {(plan, position, "", vector.name): vector for vector in vectors}
 
 
 # By technique: of a study and a leaf to the record of that sheet.

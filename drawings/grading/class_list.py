@@ -26,7 +26,7 @@ from plans.words.words import message
 def grade_own(originals: Originals, task: SheetTask, by: Allowances) -> Graded:
     """Grade the scene's own sheets; the first that is not right is told."""
     every = [grade(originals.drawn(sheet), task, by) for sheet in originals.sheets if sheet.name in task.sheets]
-    return next((one for one in every if one.outcome != PASS), Graded(PASS if every else UNREAD))
+    return next((sheet for sheet in every if sheet.outcome != PASS), Graded(PASS if every else UNREAD))
 
 
 # Seconds of work on one sheet: our own take under two, one of ten megabytes takes eight.
@@ -137,7 +137,7 @@ def _limit() -> None:
     import resource  # noqa: PLC0415  (only Unix has it)
 
     if _STATM.exists():
-        own = int(_STATM.read_text("ascii").split()[0]) * resource.getpagesize()
-        resource.setrlimit(resource.RLIMIT_AS, (own + MEMORY, own + MEMORY))
+        taken = int(_STATM.read_text("ascii").split()[0]) * resource.getpagesize()
+        resource.setrlimit(resource.RLIMIT_AS, (taken + MEMORY, taken + MEMORY))
     spent = int(time.process_time()) + int(SECONDS) + 1
     resource.setrlimit(resource.RLIMIT_CPU, (spent, spent + 1))  # the signal first, its end a second later

@@ -33,12 +33,12 @@ def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
     The headings of the plan's own group go first, then what the mark itself states where it is written anywhere.
     """
     marks = [mark for mark in seen.measured.marks if (mark.plan, mark.position) == asked.place]
-    here = [one for group in _around(seen.leaf, asked) for one in _scales((group,), asked)]
+    here = [mu for group in _around(seen.leaf, asked) for mu in _scales((group,), asked)]
     anywhere = _scales(seen.leaf.groups, asked)
     stated = marks[0].scale if marks else math.nan
     if here:
-        return stated if any(_same(one, stated) for one in here) else here[0]
-    return stated if any(_same(one, stated) for one in anywhere) else None
+        return stated if any(_same(mu, stated) for mu in here) else here[0]
+    return stated if any(_same(mu, stated) for mu in anywhere) else None
 
 
 def _around(leaf: Leaf, asked: PlanAsked) -> list[Group]:
@@ -46,21 +46,19 @@ def _around(leaf: Leaf, asked: PlanAsked) -> list[Group]:
     wanted = asked.plan, str(asked.position)
     found = []
     for group in leaf.groups:
-        own = {
-            (one.data.get("plan"), one.data.get("position", "None")) for one in groups((group,)) if "kind" in one.data
-        }
-        if wanted in own and len(own) == 1:
+        marks = (mark.data for mark in groups((group,)) if "kind" in mark.data)
+        if {(data.get("plan"), data.get("position", "None")) for data in marks} == {wanted}:
             found.append(group)
     return found
 
 
-def _scales(own: Sequence[Group], plan: PlanAsked) -> list[float]:
-    return [mu for _, mu in scales_written(texts(own), plan)]
+def _scales(strokes: Sequence[Group], plan: PlanAsked) -> list[float]:
+    return [mu for _, mu in scales_written(texts(strokes), plan)]
 
 
-def scales_written(own: Iterable[Text], plan: PlanAsked) -> list[tuple[Text, float]]:
+def scales_written(lettering: Iterable[Text], plan: PlanAsked) -> list[tuple[Text, float]]:
     """Give the scales of plans of one subject that are written, true units a mm."""
-    return [(text, mu) for text in own for mu in scales_of(text, plan.symbol, plan.unit)]
+    return [(text, mu) for text in lettering for mu in scales_of(text, plan.symbol, plan.unit)]
 
 
 def _same(written: float, stated: float) -> bool:
@@ -76,7 +74,7 @@ def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: Draw
     yield from gaps
     opened = {gap.name for gap in gaps}
     if upright:
-        yield from (one for one in _letters(labels, plan) if one.name not in opened)
+        yield from (letter for letter in _letters(labels, plan) if letter.name not in opened)
     yield from _outside(leaf, plan)
 
 
@@ -116,20 +114,20 @@ def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator
         for vector in plan.asked.vectors
         if vector.letter and vector.letters in plan.arrows
     ]
-    seen = [(one, arrow) for one, arrow in free if abs(arrow.vector) > 2 * SEEN]
-    for end in (ends, [_Bearer(one.name, spelled(one.letter), along(*arrow)) for one, arrow in seen]):
-        for one in end:
-            away = one.away(labels, one.letter)
-            if away > CLOSED and any(_takes(labels, one, other) for other in end):
-                yield _of(plan, verdict.SWAPPED, one.name, one.spots)
+    seen = [(vector, arrow) for vector, arrow in free if abs(arrow.vector) > 2 * SEEN]
+    for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), along(*arrow)) for vector, arrow in seen]):
+        for bearer in bearers:
+            away = bearer.away(labels, bearer.letter)
+            if away > CLOSED and any(_takes(labels, bearer, other) for other in bearers):
+                yield _of(plan, verdict.SWAPPED, bearer.name, bearer.spots)
             elif away > NEAR:
-                yield _of(plan, verdict.UNLETTERED, one.name, one.spots)
+                yield _of(plan, verdict.UNLETTERED, bearer.name, bearer.spots)
 
 
-def _takes(labels: Mapping[str, Sequence[Label]], one: _Bearer, other: _Bearer) -> bool:
+def _takes(labels: Mapping[str, Sequence[Label]], bearer: _Bearer, other: _Bearer) -> bool:
     """Tell whether two letters stand each close to what bears the other, and farther from its own."""
-    crossed = other.away(labels, one.letter), one.away(labels, other.letter)
-    kept = one.away(labels, one.letter), other.away(labels, other.letter)
+    crossed = other.away(labels, bearer.letter), bearer.away(labels, other.letter)
+    kept = bearer.away(labels, bearer.letter), other.away(labels, other.letter)
     return max(crossed) <= NEAR and all(there + BESIDE < here for there, here in zip(crossed, kept, strict=True))
 
 
@@ -137,8 +135,8 @@ def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters of arrows with an end off the paper; of one that is lettered itself its own."""
     off = dict[str, None]()
     for (start, end), arrow in plan.arrows.items():
-        own = start if end in plan.places else end
-        ends = ((own, arrow.start), (end, arrow.end))
+        begun = start if end in plan.places else end
+        ends = ((begun, arrow.start), (end, arrow.end))
         off |= {letter: None for letter, spot in ends if letter and not _is_on(leaf, spot)}
     yield from (_of(plan, verdict.OUTSIDE, letter) for letter in off)
 
@@ -148,6 +146,6 @@ def _is_on(leaf: Leaf, spot: complex) -> bool:
 
 
 def _of(plan: DrawnPlan, kind: str, letter: str = "", spots: Sequence[complex] = ()) -> Verdict:
-    own = spots or [spot for name, spot in plan.places.items() if name == letter]
-    middle = (own[0] + own[-1]) / 2 if own else None
+    places = spots or [spot for name, spot in plan.places.items() if name == letter]
+    middle = (places[0] + places[-1]) / 2 if places else None
     return Verdict(*plan.asked.place, letter, kind, at=None if middle is None else (middle, middle))

@@ -68,7 +68,7 @@ class DrawnPlan:
     @property
     def unread(self) -> Verdict | None:
         """What is said of a plan whose arrows nothing but letters tells, and these not of all of them."""
-        lost = [one.name for one in self.lacking if self.lettered and not self.is_small(one)]
+        lost = [vector.name for vector in self.lacking if self.lettered and not self.is_small(vector)]
         kind, names = (verdict.DOUBLED, self.doubled) if self.doubled else (verdict.UNNAMED, lost)
         plan, position = self.asked.place
         return Verdict(plan, position, "", kind, of=", ".join(dict.fromkeys(names))) if names else None
@@ -117,13 +117,13 @@ def _middle(ends: list[complex]) -> complex:
 
 def from_marks(asked: PlanAsked, measured: Measured, scale: float | None) -> DrawnPlan | None:
     """Give a plan by the marks of a sheet; None where none of them is of it. `scale` is the one that is written."""
-    own = [mark for mark in measured.marks if (mark.plan, mark.position) == asked.place]
-    if not own:
+    marks = [mark for mark in measured.marks if (mark.plan, mark.position) == asked.place]
+    if not marks:
         return None
     by = measured.moved
-    arrows = {ends_of(mark): _brought(_arrow(mark), by) for mark in own}
-    hung = {ends_of(mark): arrows[ends_of(mark)] for mark in own if not is_free(mark)}
-    mu, upright = (scale or own[0].scale) / abs(by.p), abs(by.p) / by.p
+    arrows = {ends_of(mark): _brought(_arrow(mark), by) for mark in marks}
+    hung = {ends_of(mark): arrows[ends_of(mark)] for mark in marks if not is_free(mark)}
+    mu, upright = (scale or marks[0].scale) / abs(by.p), abs(by.p) / by.p
     return DrawnPlan(asked, arrows, mu, places_of(hung), scale is not None, upright)
 
 
@@ -161,7 +161,7 @@ class _Side(NamedTuple):
             return True
         unit = self.arrow.vector / self.length
         lane = all(abs((gap * unit.conjugate()).real) <= near and abs(gap) <= LANE for gap in gaps)
-        return lane and max(abs(one - gaps[0]) for one in gaps) <= near
+        return lane and max(abs(gap - gaps[0]) for gap in gaps) <= near
 
 
 def open_sides(plan: DrawnPlan, near: float) -> Iterator[Verdict]:
@@ -181,7 +181,7 @@ def _apart(sides: Sequence[_Side], near: float) -> Iterator[_Side]:
     """Lay the sides one to another, the longest first; give those that do not fit."""
     left, spots = sorted(sides, key=lambda side: -side.length), dict[str, complex]()
     while left:
-        side = next((one for one in left if not spots.keys().isdisjoint(one.corners)), left[0])
+        side = next((side for side in left if not spots.keys().isdisjoint(side.corners)), left[0])
         left.remove(side)
         gaps = side.gaps(spots)
         if not side.fits(gaps, near):  # drawn back to front it meets the others too
@@ -200,12 +200,12 @@ def _chained(sides: Sequence[_Side], near: float) -> bool:
     return all(any(_joined(side, other, near) for other in sides if other is not side) for side in sides)
 
 
-def _joined(one: _Side, other: _Side, near: float) -> bool:
-    gap = other.arrow.start - one.arrow.end
-    return any(side.fits([gap], near) for side in (one, other) if side.length) or abs(gap) <= near
+def _joined(ahead: _Side, behind: _Side, near: float) -> bool:
+    gap = behind.arrow.start - ahead.arrow.end
+    return any(side.fits([gap], near) for side in (ahead, behind) if side.length) or abs(gap) <= near
 
 
-def own_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
+def drawn_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
     """Give where a student has the marks of the record, from the poles, true units."""
     found: dict[Mark, complex] = {}
     for plan in plans:
@@ -219,19 +219,19 @@ def own_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
     return found
 
 
-def scales_of(plan: DrawnPlan, beside: Iterable[DrawnPlan]) -> dict[str, float]:
+def scales_beside(plan: DrawnPlan, beside: Iterable[DrawnPlan]) -> dict[str, float]:
     """Give the scales of a student's plans by their names and by their boards, whose coarsest counts; its own last."""
     found: dict[str, float] = {}
-    for one in beside:
-        board = one.asked.board or one.asked.plan
-        found[board] = max(one.scale, found.get(board, 0.0))
+    for drawn in beside:
+        board = drawn.asked.board or drawn.asked.plan
+        found[board] = max(drawn.scale, found.get(board, 0.0))
     return found | {plan.asked.plan: plan.scale}
 
 
-def left_out(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
+def lacking_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
     """Give the free vectors that a student has left out: to him they are nothing."""
-    own = ((plan, one) for plan in plans for one in plan.lacking)
-    return {one.found.span.end: 0j for _, one in own if one.found is not None and one.letter}
+    lacking = ((plan, vector) for plan in plans for vector in plan.lacking)
+    return {vector.found.span.end: 0j for _, vector in lacking if vector.found is not None and vector.letter}
 
 
 def _of(plan: DrawnPlan, mark: Mark, letter: str) -> dict[Mark, complex]:

@@ -16,7 +16,7 @@ from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.curves.form_figure import empty_axes, every_axes
 from drawings.grading.drawing_faults import drawing_faults, written_scale
-from drawings.grading.drawn_plan import DrawnPlan, from_marks, left_out, own_places, scales_of
+from drawings.grading.drawn_plan import DrawnPlan, drawn_places, from_marks, lacking_places, scales_beside
 from drawings.grading.judgement import Judge
 from drawings.grading.onlooker import Onlooker, figures, legible, segments, spelled_labels
 from drawings.grading.plans_on_form import form_places, plans_on_form, redrawn
@@ -83,7 +83,7 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     if _is_bare(seen, found, task):
         return Graded(UNREAD, reason=message("grade.bare"))
     said = tuple(_verdicts(seen, found, task, by))
-    if not all(math.isfinite(one.off or 0.0) for one in said):
+    if not all(math.isfinite(found.off or 0.0) for found in said):
         return Graded(UNREAD, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
     scene = str(seen.leaf.metadata.get("scene", ""))
@@ -130,8 +130,8 @@ def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -
     allowed = partial(allowed_of, by=by, coarse=seen.measured.quantum)
     vectors, empty = dict(_vectors(read)), empty_axes(seen) if task.curves else frozenset()
     yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
-    own = [figure for figures in found.figures.values() for figure in figures]
-    shown = Shown(read, own, sheets)
+    drawn = [figure for figures in found.figures.values() for figure in figures]
+    shown = Shown(read, drawn, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, by, seen)
 
 
@@ -153,7 +153,7 @@ def _missing(plan: PlanAsked) -> Iterator[Verdict]:
 def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:
     """Find the plans that are asked for on a sheet: by its marks, or by their places on our form."""
     found = (from_marks(plan, seen.measured, written_scale(seen, plan)) for plan in plans)
-    marked = [one for one in found if one is not None]
+    marked = [plan for plan in found if plan is not None]
     if len(marked) == len(plans) and all(plan.whole for plan in marked):
         return tuple(marked)
     lines, places = segments(seen.leaf, onlooker.heads), form_places(seen.leaf)
@@ -171,8 +171,8 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:
     labels = spelled_labels(seen.leaf.groups)
     for plan in drawn:
-        beside = [one for one in drawn if one.asked.position == plan.asked.position]
-        may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
-        yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
+        beside = [other for other in drawn if other.asked.position == plan.asked.position]
+        may = by.of(plan.asked, scales_beside(plan, beside), seen.measured.quantum)
+        yield from Judge(plan, may, drawn_places(beside), lacking_places(beside)).verdicts()
         yield from arrow_verdicts(seen, plan, by)
         yield from drawing_faults(seen.leaf, labels, plan)

@@ -20,7 +20,7 @@ from geometry.replay import redraw
 SIMILARITIES = ("turn", "similar")  # verbs that carry a figure over
 
 
-def continued(target: Mark, own: Mapping[Mark, complex]) -> complex | None:
+def continued(target: Mark, drawn: Mapping[Mark, complex]) -> complex | None:
     """Give where a mark lies if it is drawn as the record draws it, from another's places of what is before it.
 
     >>> board = Board("velocities")
@@ -28,17 +28,17 @@ def continued(target: Mark, own: Mapping[Mark, complex]) -> complex | None:
     >>> continued(board.lay_off("b", a, ab), {a: 2j})
     3j
     """
-    givens = {mark: value for mark, value in own.items() if mark is not target}
+    givens = {mark: value for mark, value in drawn.items() if mark is not target}
     return _point(redraw([target], givens)[target])
 
 
-def mirrored(target: Mark, own: Mapping[Mark, complex]) -> complex | None:
+def mirrored(target: Mark, drawn: Mapping[Mark, complex]) -> complex | None:
     """Give where a mark lies whose figure is carried over mirrored; None of one that no figure gives."""
     if target.step.op != "lay_off" or target.step.inputs[1].step.op not in SIMILARITIES:
         return None
     origin, vector = target.step.inputs
     base = vector.step.inputs[0]
-    again = redraw([origin, base, vector], {mark: value for mark, value in own.items() if mark is not target})
+    again = redraw([origin, base, vector], {mark: value for mark, value in drawn.items() if mark is not target})
     start, along, there = (_point(again[mark]) for mark in (origin, base, vector))
     if start is None or along is None or there is None or along == 0:
         return None
@@ -62,7 +62,7 @@ def _point(mark: Mark) -> complex | None:
     return value if cmath.isfinite(value) else None
 
 
-def mistaken(force: Mark, own: Mapping[Mark, complex]) -> Iterator[Slip]:
+def mistaken(force: Mark, drawn: Mapping[Mark, complex]) -> Iterator[Slip]:
     """Give what a force found by moments is by one mistake in them, from what the student has drawn before.
 
     >>> from geometry.board import Board
@@ -77,11 +77,11 @@ def mistaken(force: Mark, own: Mapping[Mark, complex]) -> Iterator[Slip]:
     if force.step.op != "balance":
         return
     terms = force.step.inputs[2:]
-    again = redraw(list(terms), own)
+    again = redraw(list(terms), drawn)
     for term in terms:
         moment, name = np.ravel(again[term].point)[0], _named(term)
         for kind, value in ((_turned(term), -moment), (verdict.FORGOTTEN, 0 * moment)):
-            there = continued(force, {**own, term: complex(value)})
+            there = continued(force, {**drawn, term: complex(value)})
             if there is not None:
                 yield Slip(kind, there, name)
 
@@ -110,7 +110,7 @@ class Judge:
 
     drawn: DrawnPlan
     allowed: Mapping[tuple[str, str], float]
-    own: Mapping[Mark, complex]
+    places: Mapping[Mark, complex]
     without: Mapping[Mark, complex] = field(default_factory=dict)  # what he has left out
 
     def verdicts(self) -> Iterator[Verdict]:
@@ -169,14 +169,14 @@ class Judge:
         if slip is None and vector.found is not None:
             # What is simply turned round may lie near one of them: it is that one only where it is twice as near.
             than = abs(value + vector.true) / 2 if self._near(vector, -value) else math.inf
-            slip = self._nearest(vector, value, tuple(mistaken(vector.found.span.end, self.own)), than)
+            slip = self._nearest(vector, value, tuple(mistaken(vector.found.span.end, self.places)), than)
         if slip is not None:
             return self._said(slip.kind, vector, off)._replace(of=slip.of)
         return self._said(self._kind(vector, value), vector, off)
 
-    def _nearest(self, vector: Asked, value: complex, own: tuple[Slip, ...], than: float = math.inf) -> Slip | None:
+    def _nearest(self, vector: Asked, value: complex, slips: tuple[Slip, ...], than: float = math.inf) -> Slip | None:
         """Give the mistake that a vector is drawn by, the nearest of those that are known of it and nearer `than`."""
-        near = [slip for slip in own if abs(value - slip.value) <= min(self.allowed[vector.letters], than)]
+        near = [slip for slip in slips if abs(value - slip.value) <= min(self.allowed[vector.letters], than)]
         return min(near, key=lambda slip: abs(value - slip.value), default=None)
 
     def _kind(self, vector: Asked, value: complex) -> str:
@@ -204,22 +204,22 @@ class Judge:
         if self._near(vector, value) or vector.letter:
             return self._near(vector, value) or self._follows(vector, value)
         here = {mark for vector in self.drawn.asked.vectors if vector.found is not None for mark in vector.found.span}
-        before = {mark: place for mark, place in self.own.items() if mark not in here}
+        before = {mark: place for mark, place in self.places.items() if mark not in here}
         return any(abs(value - there) <= self.allowed[vector.letters] for there in self._going_on(vector, before))
 
     def _follows(self, vector: Asked, value: complex) -> bool:
         """Tell whether a vector is what its own construction gives from what the student drew before it."""
-        ways = (self.own, {**self.own, **self.without}) if self.without else (self.own,)
-        gone = (there for own in ways for there in self._going_on(vector, own))
+        ways = (self.places, {**self.places, **self.without}) if self.without else (self.places,)
+        gone = (there for places in ways for there in self._going_on(vector, places))
         return any(abs(value - there) <= self.allowed[vector.letters] for there in gone)
 
-    def _going_on(self, vector: Asked, own: Mapping[Mark, complex]) -> Iterator[complex]:
+    def _going_on(self, vector: Asked, places: Mapping[Mark, complex]) -> Iterator[complex]:
         """Give what a vector is where the later of its ends is found by its construction from the student's places."""
         if vector.found is None:
             return
         later, sign = max((vector.found.span.start, -1), (vector.found.span.end, 1), key=lambda end: end[0].number)
         earlier = vector.found.span.end if sign < 0 else vector.found.span.start
-        there, begun = continued(later, own), own.get(earlier, complex(np.ravel(earlier.point)[0]))
+        there, begun = continued(later, places), places.get(earlier, complex(np.ravel(earlier.point)[0]))
         if there is not None:
             yield sign * (there - begun)
 
@@ -227,8 +227,8 @@ class Judge:
         if vector.found is None:
             return False
         start, end = vector.found.span
-        there = mirrored(end, self.own)
-        return there is not None and abs(value - (there - self.own.get(start, 0j))) <= self.allowed[vector.letters]
+        there = mirrored(end, self.places)
+        return there is not None and abs(value - (there - self.places.get(start, 0j))) <= self.allowed[vector.letters]
 
     def _turned_over(self, vector: Asked, value: complex) -> bool:
         """Tell whether a point is at the other of the two places where its loci meet."""
@@ -238,23 +238,23 @@ class Judge:
     def _whole(self) -> tuple[str, Callable[[complex], complex]] | None:
         """Tell in what a plan is out as a whole, and how its vectors become right then."""
         pairs = [(vector, value) for vector in self.drawn.asked.vectors if (value := self.drawn.value(vector.letters))]
-        if sum(not self._near(one, value) for one, value in pairs) < SEVERAL:
+        if sum(not self._near(vector, value) for vector, value in pairs) < SEVERAL:
             return None
-        for kind, times in _wholes([(one.true, value) for one, value in pairs]):
-            fits = [one for one, value in pairs if self._near(one, times(value))]
-            telling = [one for one, value in pairs if one in fits and not self._is_due(one, value)]
+        for kind, times in _wholes([(vector.true, value) for vector, value in pairs]):
+            fits = [vector for vector, value in pairs if self._near(vector, times(value))]
+            telling = [vector for vector, value in pairs if vector in fits and not self._is_due(vector, value)]
             if len(telling) >= SEVERAL and 2 * len(fits) > len(pairs):
                 return kind, times
         return None
 
-    def _said(self, kind: str, one: Asked | None = None, off: float | None = None) -> Verdict:
+    def _said(self, kind: str, vector: Asked | None = None, off: float | None = None) -> Verdict:
         asked = self.drawn.asked
-        if one is None:
+        if vector is None:
             return Verdict(asked.plan, asked.position, "", kind, unit=asked.unit)
-        arrow = self.drawn.arrows.get(one.letters)
+        arrow = self.drawn.arrows.get(vector.letters)
         return Verdict(
-            asked.plan, asked.position, one.name, kind, off, self.allowed[one.letters], asked.unit,
-            arrow and (arrow.start, arrow.end), one.letters,
+            asked.plan, asked.position, vector.name, kind, off, self.allowed[vector.letters], asked.unit,
+            arrow and (arrow.start, arrow.end), vector.letters,
         )  # fmt: skip
 
 

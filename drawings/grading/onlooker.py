@@ -77,20 +77,20 @@ class Onlooker(Observer):
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
         """See the paper that a root lays what is drawn on, in the units that its editor meant."""
-        own = boxed_in(attributes, self.unit) if self.unit else stated(attributes)
-        self.boxless = "viewBox" not in own
-        self.box = "" if "viewBox" in attributes else own.get("viewBox", "")
-        return super().opened(own)
+        root = boxed_in(attributes, self.unit) if self.unit else stated(attributes)
+        self.boxless = "viewBox" not in root
+        self.box = "" if "viewBox" in attributes else root.get("viewBox", "")
+        return super().opened(root)
 
     def leave(self) -> None:
         """See the innermost element end; what an editor writes in a part of a text is of that text."""
-        one = self.open[-1]
-        if one.frame.tag == "text":
-            one.attributes = _begun(one)
+        ended = self.open[-1]
+        if ended.frame.tag == "text":
+            ended.attributes = _begun(ended)
         super().leave()
-        if one.frame.tag == "tspan" and self.open:
-            self.open[-1].heard += one.heard
-            placed = {name: one.attributes[name] for name in ("x", "y") if name in one.attributes}
+        if ended.frame.tag == "tspan" and self.open:
+            self.open[-1].heard += ended.heard
+            placed = {name: ended.attributes[name] for name in ("x", "y") if name in ended.attributes}
             self.open[-1].attributes = {**placed, **self.open[-1].attributes}
 
     def _add(self, outer: Opened, strokes: tuple[Stroke, ...], seen: Ink) -> None:
@@ -99,24 +99,24 @@ class Onlooker(Observer):
         super()._add(outer, strokes, seen)
 
 
-def _begun(one: Opened) -> Mapping[str, str]:
+def _begun(text: Opened) -> Mapping[str, str]:
     """Give the attributes of a text as if it were set from its beginning, wherever it is anchored."""
-    share, plain = SHARES.get(one.frame.look.text_anchor, 0.0), "".join(one.heard).strip()
+    share, plain = SHARES.get(text.frame.look.text_anchor, 0.0), "".join(text.heard).strip()
     if not share or lacking(plain):
-        return one.attributes
+        return text.attributes
     try:
-        start, size = number(one.attributes.get("x", "0")), length(one.frame.look.font_size) / EM
+        start, size = number(text.attributes.get("x", "0")), length(text.frame.look.font_size) / EM
     except SheetRefused:  # what is no number is told where the text itself is read
-        return one.attributes
-    return {**one.attributes, "x": f"{start - share * text_width(Text(0j, (Run(plain),), size)):.4f}"}
+        return text.attributes
+    return {**text.attributes, "x": f"{start - share * text_width(Text(0j, (Run(plain),), size)):.4f}"}
 
 
 def _heads(attributes: Mapping[str, str]) -> frozenset[str]:
     """Give the ends of an element that have a marker, by its attributes or its style."""
     if "marker" not in attributes.get("style", "") and not {BEGIN, END} & set(attributes):
         return frozenset()
-    own = {**attributes, **declarations(said(attributes))}
-    return frozenset(name for name in (BEGIN, END) if own.get(name, "none") != "none")
+    look = {**attributes, **declarations(said(attributes))}
+    return frozenset(name for name in (BEGIN, END) if look.get(name, "none") != "none")
 
 
 FORCE = "force"  # the kind of marks that are not to scale
@@ -144,15 +144,15 @@ def segments(leaf: Leaf, heads: Mapping[int, Collection[str]]) -> list[Segment]:
 
     Our own arrows of forces are left out: they are not to scale, and no side of a polygon that bears their letters.
     """
-    own = list(flat(leaf.groups))
-    tips = [spot for one in own for spot in _tips(one)]
+    strokes = list(flat(leaf.groups))
+    tips = [spot for stroke in strokes for spot in _tips(stroke)]
     unscaled = {
         id(stroke) for group in groups(leaf.groups) if group.data.get("kind") == FORCE for stroke in group.strokes
     }
-    straight = [one for one in own if (isinstance(one, Line) or _straight(one)) and id(one) not in unscaled]
-    double = [one for one in straight if {BEGIN, END} <= set(heads.get(id(one), ()))]
-    back = (Segment(end, start, True) for start, end, _ in (_segment(one, heads, tips) for one in double))
-    return [*(_segment(one, heads, tips) for one in straight), *back]
+    straight = [line for line in strokes if (isinstance(line, Line) or _straight(line)) and id(line) not in unscaled]
+    double = [line for line in straight if {BEGIN, END} <= set(heads.get(id(line), ()))]
+    back = (Segment(end, start, True) for start, end, _ in (_segment(line, heads, tips) for line in double))
+    return [*(_segment(line, heads, tips) for line in straight), *back]
 
 
 def _straight(stroke: Stroke) -> bool:
@@ -182,13 +182,13 @@ def _near(spot: complex, tips: Sequence[complex]) -> bool:
     return any(abs(spot - tip) <= TIP for tip in tips)
 
 
-def figures(own: Sequence[Segment]) -> list[list[Segment]]:
+def figures(lines: Sequence[Segment]) -> list[list[Segment]]:
     """Put together the segments with arrowheads that hang together by their ends."""
     found: list[list[Segment]] = []
-    for one in (one for one in own if one.headed):
-        touched = [figure for figure in found if any(_touch(one, other) for other in figure)]
+    for line in (line for line in lines if line.headed):
+        touched = [figure for figure in found if any(_touch(line, other) for other in figure)]
         found = [figure for figure in found if figure not in touched]
-        found.append([one, *(part for figure in touched for part in figure)])
+        found.append([line, *(part for figure in touched for part in figure)])
     return found
 
 

@@ -50,12 +50,12 @@ def plans_on_form(
 ) -> Iterator[DrawnPlan]:
     """Find plans by their places: all arrows that are drawn there are of the plan, laid upright by a `turn`."""
     due = {plan.place: plan for plan in asked if plan.lettered}
-    own: dict[FormPlace, list[Segment]] = {}
+    taken: dict[FormPlace, list[Segment]] = {}
     for joined in figures:
-        here = place_of([spot for one in joined for spot in (one.start, one.end)], places)
+        here = place_of([spot for line in joined for spot in (line.start, line.end)], places)
         if here is not None and here.plan in due:
-            own.setdefault(here, []).extend(joined)
-    for here, arrows in own.items():
+            taken.setdefault(here, []).extend(joined)
+    for here, arrows in taken.items():
         plan = due[here.plan]
         drawn = _drawn(plan, arrows, texts, labels, here, turn)
         free = all(vector.letter for vector in plan.vectors)
@@ -74,10 +74,10 @@ def _drawn(
     """Give the plan that arrows are."""
     scale = scale_at(place, texts, plan)
     found = _told(plan, arrows, labels, (scale or 0.0) * turn)
-    drawn = {letters: Arrow(one.arrow.start, one.arrow.end) for letters, one in found.items()}
-    hung = {letters: one.laid for letters, one in found.items() if letters[0]}
+    drawn = {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
+    hung = {letters: match.laid for letters, match in found.items() if letters[0]}
     bare = DrawnPlan(plan, drawn, 1.0, {}, False)
-    both = tuple(_both_ways([one.arrow for one in found.values()], drawn, arrows))
+    both = tuple(_both_ways([match.arrow for match in found.values()], drawn, arrows))
     mu, spots = scale or bare.fitted, places_of(hung)
     return DrawnPlan(plan, drawn, mu, spots, scale is not None, turn, lettered=True, doubled=both)
 
@@ -87,8 +87,8 @@ def _both_ways(
 ) -> Iterator[str]:
     """Name the vectors beside whose arrows others go back, one of which cannot be meant."""
     left = [arrow for arrow in arrows if not any(arrow is other for other in told)]
-    for letters, one in drawn.items():
-        if abs(one.vector) > JOINED and any(_joins(other, one.end, one.start) for other in left):
+    for letters, arrow in drawn.items():
+        if abs(arrow.vector) > JOINED and any(_joins(other, arrow.end, arrow.start) for other in left):
             yield " ".join(filter(None, letters))
 
 
@@ -115,18 +115,18 @@ def _told(
     for a letter that can be read in two ways.
     """
     named = [vector for vector in plan.vectors if vector.corners or not vector.letter]
-    rows = [[_match(one, arrow, labels, scale) for arrow in arrows] for one in named]
+    rows = [[_match(vector, arrow, labels, scale) for arrow in arrows] for vector in named]
     columns = paired([[match.away for match in row] + [NONE] * len(named) for row in rows])
     pairs = zip(named, rows, columns, strict=True)
-    return {one.letters: row[k] for one, row, k in pairs if k < len(arrows) and row[k].away < NONE}
+    return {vector.letters: row[k] for vector, row, k in pairs if k < len(arrows) and row[k].away < NONE}
 
 
 def _match(asked: Asked, arrow: Segment, labels: Mapping[str, Sequence[Label]], scale: complex) -> _Match:
     """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
     unsure = UNSURE if scale and abs((arrow.end - arrow.start) * scale - asked.true) > SHARE * abs(asked.true) else 0.0
     if asked.letter:
-        own = (_distance(one.place, arrow) for one in labels.get(spelled(asked.letter), ()))
-        away = min(own, default=math.inf)
+        distances = (_distance(label.place, arrow) for label in labels.get(spelled(asked.letter), ()))
+        away = min(distances, default=math.inf)
         return _Match(arrow, away + unsure if away <= FAR else NONE, False)
     first, last = (labels.get(spelled(letter), ()) for letter in asked.letters)
     ahead = distance(first, [arrow.start]), distance(last, [arrow.end])
@@ -187,10 +187,10 @@ def _exchange(
     owner[0] = row
     while owner[here]:
         used.add(here)
-        one = owner[here]
+        owning = owner[here]
         free = [k for k in range(1, len(columns)) if k not in used]
         for k in free:
-            cost = costs[one - 1][k - 1] - rows[one] - columns[k]
+            cost = costs[owning - 1][k - 1] - rows[owning] - columns[k]
             if cost < least[k]:
                 least[k], before[k] = cost, here
         there = min(free, key=lambda k: least[k])
@@ -243,7 +243,7 @@ def form_places(leaf: Leaf) -> tuple[FormPlace, ...]:
 def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace | None:
     """Give the place in which arrows were drawn: at whose pole one ends, else within whose corners, or hard by them."""
     begun = [(min(abs(spot - place.pole) for spot in spots), place) for place in places if place.pole is not None]
-    away, nearest = min(begun, key=lambda one: one[0], default=(JOINED + 1.0, None))
+    away, nearest = min(begun, key=lambda row: row[0], default=(JOINED + 1.0, None))
     if away <= JOINED:
         return nearest
     middle = sum(spots) / len(spots)
@@ -257,9 +257,9 @@ def _places(leaf: Leaf) -> Iterator[FormPlace]:
         if group.data.get("kind") != KIND or not lines:
             continue
         left, low, right, high = bounds(Group(lines))
-        poles = [one for one in groups(group.strokes) if one.data.get("kind") == "pole"]
-        own = (poles[0] if poles else group).data
-        plan = own.get("plan", ""), _position(own.get("position", ""))
+        poles = [mark for mark in groups(group.strokes) if mark.data.get("kind") == "pole"]
+        data = (poles[0] if poles else group).data
+        plan = data.get("plan", ""), _position(data.get("position", ""))
         pole = next(
             (stroke.centre for stroke in (poles[0].strokes if poles else ()) if isinstance(stroke, Circle)), None
         )

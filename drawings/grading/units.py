@@ -53,8 +53,8 @@ def boxed_in(attributes: Mapping[str, str], unit: float) -> Mapping[str, str]:
 def boxed(attributes: Mapping[str, str], size: tuple[float, float], unit: float) -> dict[str, str]:
     """Give a root of a size, mm, whose units are so many mm; a viewBox that it has stays."""
     wide, high = size
-    own = {"width": f"{wide:.9g}mm", "height": f"{high:.9g}mm", "viewBox": f"0 0 {wide / unit:.9g} {high / unit:.9g}"}
-    return {**attributes, **own, **({"viewBox": attributes["viewBox"]} if "viewBox" in attributes else {})}
+    paper = {"width": f"{wide:.9g}mm", "height": f"{high:.9g}mm", "viewBox": f"0 0 {wide / unit:.9g} {high / unit:.9g}"}
+    return {**attributes, **paper, **({"viewBox": attributes["viewBox"]} if "viewBox" in attributes else {})}
 
 
 def shown(source: bytes, box: str) -> bytes:
@@ -64,10 +64,10 @@ def shown(source: bytes, box: str) -> bytes:
 
 def in_millimetres(leaf: Leaf) -> bool:
     """Tell of a page without a viewBox whether its units are mm: all drawn in pixels it would lie in a corner of it."""
-    own = [bounds(stroke) for stroke in flat(leaf.groups)]
-    if not own:
+    boxes = [bounds(stroke) for stroke in flat(leaf.groups)]
+    if not boxes:
         return False
-    right, low = max(box[2] for box in own), min(box[1] for box in own)
+    right, low = max(box[2] for box in boxes), min(box[1] for box in boxes)
     corner = EDGE * PIXEL
     return right <= corner * leaf.width and leaf.height - low <= corner * leaf.height
 
@@ -75,7 +75,8 @@ def in_millimetres(leaf: Leaf) -> bool:
 def _is_standard(wide: float, high: float) -> bool:
     """Tell whether a page is one of a standard, laid either way, mm."""
     page = sorted((wide, high))
-    return any(all(abs(a - b) <= NEAR for a, b in zip(page, sorted(own), strict=True)) for own in SIZES.values())
+    sizes = (zip(page, sorted(standard), strict=True) for standard in SIZES.values())
+    return any(all(abs(side - edge) <= NEAR for side, edge in size) for size in sizes)
 
 
 def _size(text: str | None) -> tuple[float, str]:
@@ -90,10 +91,10 @@ def _size(text: str | None) -> tuple[float, str]:
 def _box(attributes: Mapping[str, str]) -> list[float] | None:
     """Give the width and height of a viewBox; None where there is none that can be read."""
     try:
-        own = numbers(attributes.get("viewBox", ""))
+        box = numbers(attributes.get("viewBox", ""))
     except SheetRefused:
         return None
-    return own[2:] if len(own) == 4 else None
+    return box[2:] if len(box) == 4 else None
 
 
 LONGEST = 24  # letters: no unit of ours has half as many
@@ -116,7 +117,7 @@ class Unit(NamedTuple):
 
     def times(self, other: Unit, power: int = 1) -> Unit:
         """Multiply it by a power of another."""
-        powers = (own + power * its for own, its in zip(self.powers, other.powers, strict=True))
+        powers = (ours + power * theirs for ours, theirs in zip(self.powers, other.powers, strict=True))
         return Unit(self.size * other.size**power, *powers)
 
 
@@ -151,7 +152,7 @@ _A_MINUTE: Final = tuple(folded(name) for name in ("1/min", "min-1", "1/мин",
 _POWER = re.compile(r"\^?([-+]?\d)")
 
 
-def in_unit(own: str, due: str) -> float | None:
+def in_unit(text: str, due: str) -> float | None:
     """Give how many of a due unit one that is written is; None where it is not understood, or of another quantity.
 
     Where none is written it is the due one.
@@ -161,23 +162,23 @@ def in_unit(own: str, due: str) -> float | None:
     >>> in_unit("", "N·m"), in_unit("N", "N·m"), round(in_unit("rpm", "rad/s"), 4)
     (1.0, None, 0.1047)
     """
-    written, wanted = _bare(own), _bare(due)
+    written, wanted = _bare(text), _bare(due)
     if written in ("", wanted):
         return 1.0
-    aims = [one for one in _readings(wanted) if written not in _A_MINUTE or one.powers == (0, 0, -1)]
+    aims = [reading for reading in _readings(wanted) if written not in _A_MINUTE or reading.powers == (0, 0, -1)]
     if written in _A_MINUTE:
         written = "rpm"
-    sizes = (one.size / aim.size for aim in aims[:1] for one in _readings(written) if one.powers == aim.powers)
-    return next(sizes, None)
+    alike = (reading for reading in _readings(written) if aims and reading.powers == aims[0].powers)
+    return next((reading.size / aims[0].size for reading in alike), None)
 
 
-def in_system(own: str) -> float | None:
+def in_system(unit: str) -> float | None:
     """Give what a unit is worth in metres, kilograms and seconds; None where it is not understood.
 
     >>> in_system("kN·m"), in_system("foot")
     (1000.0, None)
     """
-    return next((one.size for one in _readings(_bare(own))), None)
+    return next((reading.size for reading in _readings(_bare(unit))), None)
 
 
 def _bare(unit: str) -> str:
@@ -199,30 +200,30 @@ def _quotients(unit: str) -> Iterator[Unit]:
     """Read what is over and under strokes: all that is after one is under it, or its first factor alone."""
     over, *under = (list(map(_factor, _parts(part, "·"))) for part in _parts(unit, "/"))
     for top in _products(over):
-        for below in _products([one for part in under for one in part]):
+        for below in _products([factor for part in under for factor in part]):
             yield top.times(below, -1)
         if any(len(part) > 1 for part in under):
             for below in _products([part[0] for part in under]):
-                beside = _products([one for part in under for one in part[1:]])
-                yield from (top.times(one).times(below, -1) for one in beside)
+                beside = _products([factor for part in under for factor in part[1:]])
+                yield from (top.times(factor).times(below, -1) for factor in beside)
 
 
 def _parts(unit: str, sign: str) -> list[str]:
     """Take a unit apart at a sign that is in no brackets."""
     parts, depth = [""], 0
-    for one in unit:
-        depth += (one == "(") - (one == ")")
-        if one == sign and depth == 0:
+    for letter in unit:
+        depth += (letter == "(") - (letter == ")")
+        if letter == sign and depth == 0:
             parts.append("")
         else:
-            parts[-1] += one
+            parts[-1] += letter
     return parts
 
 
 def _products(factors: list[tuple[Unit, ...]]) -> Iterator[Unit]:
     found = [ONE]
     for factor in factors:
-        found = [one.times(other) for one in found for other in factor]
+        found = [product.times(other) for product in found for other in factor]
     yield from found
 
 
@@ -238,7 +239,7 @@ def _factor(text: str) -> tuple[Unit, ...]:
 def _raised(text: str, power: int) -> Iterator[Unit]:
     """Read what has a power: of units written together only the last one has it."""
     if text.startswith("("):
-        yield from (ONE.times(one, power) for one in _atoms(text))
+        yield from (ONE.times(atom, power) for atom in _atoms(text))
         return
     for row in _words(text, TOGETHER):
         yield reduce(Unit.times, row[:-1], ONE).times(row[-1], power)
@@ -253,9 +254,9 @@ def _atoms(text: str) -> Iterator[Unit]:
 
 def _words(text: str, most: int) -> Iterator[tuple[Unit, ...]]:
     """Read letters as one unit with its prefix or none, then as several."""
-    own = _named(text)
-    if own is not None:
-        yield (own,)
+    whole = _named(text)
+    if whole is not None:
+        yield (whole,)
     for k in range(1, len(text)) if most > 1 else ():
         first = _named(text[:k])
         if first is not None:

@@ -101,8 +101,8 @@ def number(texts: Sequence[Text], unit: str = "") -> Written | None:
 
 def plainly(text: str) -> str:
     """Write a text with one sign for each that is written in several ways, and powers after a ^."""
-    signed = _POWERS.sub(lambda one: f"^{one[0].translate(_LEVEL)}", text.translate(_SIGNS))
-    return _GAPS.sub(lambda one: re.sub(r"\s", "", one[0]), signed).strip()
+    signed = _POWERS.sub(lambda found: f"^{found[0].translate(_LEVEL)}", text.translate(_SIGNS))
+    return _GAPS.sub(lambda found: re.sub(r"\s", "", found[0]), signed).strip()
 
 
 def value_of(found: re.Match[str]) -> tuple[float, float]:
@@ -152,8 +152,8 @@ def stated_scales(texts: Iterable[Text], due: Mapping[str, str]) -> dict[str, fl
     """
     found: dict[str, float] = {}
     for text in texts:
-        own = ((letter, next(scales_of(text, letter, unit), None)) for letter, unit in due.items())
-        found = {letter: mu for letter, mu in own if mu is not None} | found
+        read = ((letter, next(scales_of(text, letter, unit), None)) for letter, unit in due.items())
+        found = {letter: mu for letter, mu in read if mu is not None} | found
     return found
 
 
@@ -188,15 +188,15 @@ def _worth(rest: str, unit: str, inverse: bool) -> float:
     return 1.0
 
 
-def _times(own: str, unit: str, inverse: bool) -> float | None:
+def _times(written: str, unit: str, inverse: bool) -> float | None:
     """Give what a unit is worth in that which is due, or in that of the system where none is known.
 
     Where it has no mm in it, it is of what one mm shows.
     """
     if unit:
-        told = in_unit(own, f"mm/({unit})" if inverse else f"({unit})/mm")
-        return in_unit(own, unit) if told is None and not inverse else told
-    worth = in_system(own)
-    if worth is None or not re.search("mm|мм", own):
+        told = in_unit(written, f"mm/({unit})" if inverse else f"({unit})/mm")
+        return in_unit(written, unit) if told is None and not inverse else told
+    worth = in_system(written)
+    if worth is None or not re.search("mm|мм", written):
         return worth
     return worth * METRE if inverse else worth / METRE

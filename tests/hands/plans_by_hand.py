@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import Asked, PlanAsked
-from drawings.grading.drawn_plan import Arrow, DrawnPlan, left_out, own_places, places_of, scales_of
+from drawings.grading.drawn_plan import Arrow, DrawnPlan, drawn_places, lacking_places, places_of, scales_beside
 from drawings.grading.judgement import Judge
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import QUANTUM
@@ -35,14 +35,14 @@ class PlansByHand(NamedTuple):
 
     def scales(self, plan: DrawnPlan) -> Mapping[str, float]:
         """Give the scales of the plans that one rests on, true units a mm."""
-        return {**plan.asked.scales, **scales_of(plan, self.true)}
+        return {**plan.asked.scales, **scales_beside(plan, self.true)}
 
     def allowed(self) -> dict[Key, float]:
         """Give what each vector may be out, true units; NaN of what is not graded."""
         return {(plan.asked.plan, letters): may for plan in self.true for letters, may in self._may(plan).items()}
 
     def _may(self, plan: DrawnPlan) -> dict[tuple[str, str], float]:
-        return Allowances().of(plan.asked, scales_of(plan, self.true), QUANTUM)
+        return Allowances().of(plan.asked, scales_beside(plan, self.true), QUANTUM)
 
     def slips(self, slip: float) -> dict[Key, Slips]:
         """Give what slips of so many mm move each vector by; none of one that they bend too much."""
@@ -80,7 +80,7 @@ class PlansByHand(NamedTuple):
     def verdicts(self, drawn: Sequence[DrawnPlan]) -> Iterator[Verdict]:
         """Grade a drawing."""
         for plan in drawn:
-            yield from Judge(plan, self._may(plan), own_places(drawn), left_out(drawn)).verdicts()
+            yield from Judge(plan, self._may(plan), drawn_places(drawn), lacking_places(drawn)).verdicts()
 
 
 def beside_one_another(plans: Sequence[PlanAsked]) -> list[PlansByHand]:

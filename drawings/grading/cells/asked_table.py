@@ -7,6 +7,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
+from plans.by_hand import SLIP
+
 from drawings.checks.expected import Expected
 from drawings.checks.plain import plain
 from drawings.form.laid import BESIDE
@@ -23,7 +25,6 @@ from drawings.reading.transform import Affine
 from drawings.redrawn.originals import Original, Originals
 from geometry.hand_error import POINT
 from geometry.steps import Reading
-from plans.by_hand import SLIP
 from plans.model.motion import ORDERS
 from plans.study import Study
 from plans.words.words import term
@@ -57,17 +58,17 @@ class CellAsked(NamedTuple):
 
     def allowed(self, by: Allowances, rough: float) -> float:
         """Give what it may be out, of a sheet that is written so roughly, mm."""
-        own = by.to(self.quantity)
-        if own.share is not None:
-            return own.share * self.largest + self.printed
-        return self._by_hand(own, rough) + self.printed
+        allowance = by.to(self.quantity)
+        if allowance.share is not None:
+            return allowance.share * self.largest + self.printed
+        return self._by_hand(allowance, rough) + self.printed
 
     def pricked(self, by: Allowances, rough: float, scale: float) -> float:
         """Give what it may be out that is read off a vector of some scale, true units a mm, both ends pricked."""
         return DEVIATIONS * PRICKED * max(by.to(self.quantity).slip, rough) * scale + self.printed
 
-    def _by_hand(self, own: Allowance, rough: float) -> float:
-        slip = max(own.slip, rough)
+    def _by_hand(self, by: Allowance, rough: float) -> float:
+        slip = max(by.slip, rough)
         if self.hand is not None:
             return self.hand * slip / SLIP * DEVIATIONS / POINT
         return DEVIATIONS * PRICKED * slip * max(self.coarse, self.largest / ROUGH)
@@ -152,8 +153,8 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Par
     corners = [(text, name) for name, text in bands if name and text is not None]
     if not corners:
         return
-    own = ((one.states.key, one) for one in stated(leaf.groups) if one.states is not None)
-    told = {id(text): due[key] for key, one in own if key in due for text in texts((one,))}
+    states = ((group.states.key, group) for group in stated(leaf.groups) if group.states is not None)
+    told = {id(text): due[key] for key, group in states if key in due for text in texts((group,))}
     for table in tables_seen(ruling(leaf, Affine()), {folded(text.plain) for text, _ in corners}):
         cells = {
             key: _Cell(" ".join(text.plain for text in cell.texts), told[id(cell.texts[0])], sheet)
@@ -210,7 +211,7 @@ class _Own:
             told=hand is not None or self._is_told(key),
             position=int(place) if self.sought[1] in POSITIONS and place.isdigit() else position,
             read=read,
-            reading=next((self.rates[one, position] for one in read if (one, position) in self.rates), None),
+            reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
             sheet=self.cells[key].sheet.name,
         )
 
@@ -235,7 +236,7 @@ class _Own:
         """Give the quantity of a cell and its unit."""
         label, head = self.labels[key[0]], self.heads[key[2]]
         named = head if self.across else label
-        unit = next((own for one in (head, label) if (own := _unit(one.plain))), "")
+        unit = next((unit for text in (head, label) if (unit := _unit(text.plain))), "")
         return _marked(named), unit
 
     def _value(self, key: Key) -> float | None:

@@ -16,7 +16,7 @@ from drawings.grading.cells.asked_table import CellAsked, TableAsked
 from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, ruling, tables_seen
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_records import ORDINATES
-from drawings.grading.drawn_plan import DrawnPlan, own_places
+from drawings.grading.drawn_plan import DrawnPlan, drawn_places
 from drawings.grading.verdict import Verdict
 from drawings.grading.written_number import Written, is_read, number
 from drawings.lettering.words import letter
@@ -32,36 +32,35 @@ from geometry.steps import Reading
 from plans.words.words import term
 
 
-@dataclass(frozen=True)
-class Readings:
-    """The plans and graphs that a student has drawn, and the language that the letters of his tables are in."""
+class Shown(NamedTuple):
+    """The plans and graphs that a student has drawn beside his tables, and which sheets of the task these are of."""
 
-    drawn: Sequence[DrawnPlan]
+    plans: Sequence[DrawnPlan]
     figures: Sequence[DrawnFigure]
-    language: str
+    sheets: Set[str]
 
-    def agrees(self, cell: CellAsked, written: Written, by: Allowances, rough: float) -> bool:
-        """Tell whether a number is what the student's own plans show."""
-        ordinates = self._ordinates(cell, cell.allowed(by, rough))
-        for size, scale in (*self._sizes(cell), *ordinates):
+    def agrees(self, cell: CellAsked, written: Written, by: Allowances, rough: float, language: str) -> bool:
+        """Tell whether a number is what the student's own plans show; his tables are lettered in a language."""
+        ordinates = self._ordinates(cell, cell.allowed(by, rough), language)
+        for size, scale in (*self._sizes(cell, language), *ordinates):
             if abs(written.value - size) <= cell.pricked(by, rough, scale) + written.rounding:
                 return True
         rate = None if cell.reading is None else self._rate(cell.reading, cell.position)
         return rate is not None and abs(written.value - rate) <= cell.allowed(by, rough) + written.rounding
 
-    def _sizes(self, cell: CellAsked) -> Iterator[tuple[float, float]]:
+    def _sizes(self, cell: CellAsked, language: str) -> Iterator[tuple[float, float]]:
         """Give the sizes of the vectors that a cell is read off, and the scales of their plans."""
         for plan in self._of(cell.position) if cell.read else ():
             for vector in plan.asked.vectors:
                 value = plan.value(vector.letters)
-                if value is not None and _seen(vector.name, self.language) in cell.read:
+                if value is not None and _seen(vector.name, language) in cell.read:
                     yield abs(value), plan.scale
 
-    def _ordinates(self, cell: CellAsked, near: float) -> Iterator[tuple[float, float]]:
+    def _ordinates(self, cell: CellAsked, near: float, language: str) -> Iterator[tuple[float, float]]:
         """Give the ordinates of graphs that show the quantity of a cell, and their scales."""
         for figure in self.figures:
             asked = figure.asked
-            if asked.kind != ORDINATES or folded(_written(asked.unit, self.language)) != folded(cell.unit):
+            if asked.kind != ORDINATES or folded(_written(asked.unit, language)) != folded(cell.unit):
                 continue
             for item in asked.items:
                 true, value = ((values[item.place] / asked.way).real for values in (asked.true, figure.values))
@@ -70,12 +69,12 @@ class Readings:
 
     def _rate(self, reading: Reading, position: int | None) -> float | None:
         """Give a rate as it is read off the student's own plans."""
-        again = redraw(list(reading), own_places(self._of(position)))
+        again = redraw(list(reading), drawn_places(self._of(position)))
         arm, turning = (_point(again[mark]) for mark in reading)
         return None if arm is None or turning is None or arm == 0 else (turning / arm).imag
 
     def _of(self, position: int | None) -> list[DrawnPlan]:
-        return [plan for plan in self.drawn if plan.asked.position == position]
+        return [plan for plan in self.plans if plan.asked.position == position]
 
 
 def _seen(name: str, language: str) -> str:
@@ -123,7 +122,7 @@ class CellJudge:
     moved: Affine
     by: Allowances
     rough: float  # mm, how finely the sheet is written
-    readings: Readings
+    shown: Shown
     doubled: Set[Key] = frozenset()
 
     def verdicts(self) -> Iterator[Verdict]:
@@ -155,7 +154,7 @@ class CellJudge:
         off = _apart(written.value, cell.true, cell.unit)
         if off <= self._allowed(cell, written):
             return self._said(key, verdict.RIGHT, off)
-        if self.readings.agrees(cell, written, self.by, self.rough):
+        if self.shown.agrees(cell, written, self.by, self.rough, self.asked.language):
             return self._said(key, verdict.FOLLOWS, off)
         guess = self._mistake(key, written)
         return self._said(key, verdict.WRONG if guess is None else guess.kind, off, guess.of if guess else "")
@@ -169,23 +168,23 @@ class CellJudge:
         if abs(written.value + cell.true) <= self._allowed(cell, written):
             return Guess(verdict.SIGN, -cell.true, 0.0)
         fitting = [
-            one for one in self._guesses(key)
-            if abs(one.value) > one.allowed and abs(written.value - one.value) <= one.allowed + written.rounding
+            guess for guess in self._guesses(key)
+            if abs(guess.value) > guess.allowed and abs(written.value - guess.value) <= guess.allowed + written.rounding
         ]  # fmt: skip
-        return min(fitting, key=lambda one: abs(written.value - one.value) / one.allowed, default=None)
+        return min(fitting, key=lambda guess: abs(written.value - guess.value) / guess.allowed, default=None)
 
     def _guesses(self, key: Key) -> Iterator[Guess]:
         """Give the mistakes that may be made in a cell."""
         cell = self.asked.cells[key]
         for kind, times, of in _factors(cell.unit):
             yield Guess(kind, cell.true * times, cell.allowed(self.by, self.rough) * abs(times), of)
-        for other, own in self.asked.cells.items():
-            if other != key and own.unit == cell.unit:
-                allowed = own.allowed(self.by, self.rough)
-                if own.quantity == cell.quantity and own.place != cell.place:
-                    yield Guess(verdict.PLACE, own.true, allowed, own.place)
-                elif own.place == cell.place and own.quantity != cell.quantity:
-                    yield Guess(verdict.ROW, own.true, allowed, own.quantity)
+        for other, beside in self.asked.cells.items():
+            if other != key and beside.unit == cell.unit:
+                allowed = beside.allowed(self.by, self.rough)
+                if beside.quantity == cell.quantity and beside.place != cell.place:
+                    yield Guess(verdict.PLACE, beside.true, allowed, beside.place)
+                elif beside.place == cell.place and beside.quantity != cell.quantity:
+                    yield Guess(verdict.ROW, beside.true, allowed, beside.quantity)
 
     def _said(self, key: Key, kind: str, off: float | None = None, of: str = "") -> Verdict:
         cell, box = self.asked.cells[key], self.seen[key].box
@@ -227,34 +226,26 @@ class TableDrawn(NamedTuple):
 Drawn = Sequence[TableDrawn]
 
 
-class Shown(NamedTuple):
-    """What else is on the sheet, and which sheets of the task that is."""
-
-    plans: Sequence[DrawnPlan]
-    figures: Sequence[DrawnFigure]
-    sheets: Set[str]
-
-
 def tables_drawn(seen: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
     """Find the tables that are asked for on a sheet; all parts of one are put together."""
-    corners = {one.corner for one in asked}
+    corners = {table.corner for table in asked}
     found: dict[int, dict[Key, SeenCell]] = {}
     doubled: dict[int, set[Key]] = {}
     parts = Counter[int]()
     for table in tables_seen(ruling(seen.leaf, seen.measured.moved), corners) if asked else ():
         fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], seen))
         if _fit(table, asked[fits], seen)[0] > 0:
-            own = found.setdefault(fits, {})
+            cells = found.setdefault(fits, {})
             parts[fits] += 1
-            doubled.setdefault(fits, set()).update(_doubled(asked[fits], own, table.cells))
-            own |= {key: cell for key, cell in table.cells.items() if key not in own or not own[key].texts}
+            doubled.setdefault(fits, set()).update(_doubled(asked[fits], cells, table.cells))
+            cells |= {key: cell for key, cell in table.cells.items() if key not in cells or not cells[key].texts}
     return [TableDrawn(asked[k], cells, parts[k], doubled[k]) for k, cells in sorted(found.items())]
 
 
-def _doubled(asked: TableAsked, own: Mapping[Key, SeenCell], other: Mapping[Key, SeenCell]) -> Iterator[Key]:
+def _doubled(asked: TableAsked, first: Mapping[Key, SeenCell], second: Mapping[Key, SeenCell]) -> Iterator[Key]:
     """Give the cells in which two copies of a table have numbers that differ."""
-    for key in (key for key in asked.cells if key in own and key in other):
-        ours, theirs = (" ".join(text.plain for text in cells[key].texts) for cells in (own, other))
+    for key in (key for key in asked.cells if key in first and key in second):
+        ours, theirs = (" ".join(text.plain for text in cells[key].texts) for cells in (first, second))
         if ours and theirs and ours != theirs:
             yield key
 
@@ -264,13 +255,13 @@ def answered(found: Drawn, others: Collection[str]) -> bool:
 
     `others` are the sheets that more is asked for on: where all of it is lost it is not marked down.
     """
-    return any(_filled(one, cells) or not set(one.sheets) & set(others) for one, cells, *_ in found)
+    return any(_filled(asked, cells) or not set(asked.sheets) & set(others) for asked, cells, *_ in found)
 
 
 def alone(found: Drawn, seen: SeenSheet) -> set[str]:
     """Give the sheets of tables that are written in on the only sheet of its kind, of which all is due then."""
-    own = (one for one, cells, *_ in found if _filled(one, cells) and seen.measured.metadata.get("of") == 1)
-    return {name for one in own for name in one.sheets}
+    written = (asked for asked, cells, *_ in found if _filled(asked, cells) and seen.measured.metadata.get("of") == 1)
+    return {name for asked in written for name in asked.sheets}
 
 
 def _filled(asked: TableAsked, cells: Mapping[Key, SeenCell]) -> bool:
@@ -279,9 +270,9 @@ def _filled(asked: TableAsked, cells: Mapping[Key, SeenCell]) -> bool:
 
 def _fit(table: SeenTable, asked: TableAsked, seen: SeenSheet) -> tuple[int, bool, int]:
     """Give how many cells of a table are asked for, whether its sheet is titled so, how many cells are as they must."""
-    own = [key for key in table.cells if key in asked.cells]
-    said = sum(_says(table.cells[key], asked.cells[key]) for key in own)
-    return len(own), seen.leaf.title in asked.titles, said
+    keys = [key for key in table.cells if key in asked.cells]
+    said = sum(_says(table.cells[key], asked.cells[key]) for key in keys)
+    return len(keys), seen.leaf.title in asked.titles, said
 
 
 def _says(seen: SeenCell, asked: CellAsked) -> bool:
@@ -293,15 +284,14 @@ def table_verdicts(
     found: Drawn, asked: Sequence[TableAsked], shown: Shown, by: Allowances, seen: SeenSheet
 ) -> Iterator[Verdict]:
     """Judge the tables of a sheet; what is due of them and not there is missing, or told where that is not sure."""
-    for one, cells, _, doubled in found:
-        readings = Readings(shown.plans, shown.figures, one.language)
-        yield from CellJudge(one, cells, seen.measured.moved, by, seen.measured.quantum, readings, doubled).verdicts()
-        yield from _missing(one, cells, shown.sheets, seen)
-    there = {one.asked.sought for one in found}
-    for one in asked:
-        if one.sought not in there and set(one.sheets) & shown.sheets:
-            lost = [] if _stands(one, found, seen) else list(_missing(one, {}, shown.sheets, seen))
-            yield from lost or [Verdict(one.name, None, "", verdict.UNTABLED)]
+    for table, cells, _, doubled in found:
+        yield from CellJudge(table, cells, seen.measured.moved, by, seen.measured.quantum, shown, doubled).verdicts()
+        yield from _missing(table, cells, shown.sheets, seen)
+    there = {found_.asked.sought for found_ in found}
+    for table in asked:
+        if table.sought not in there and set(table.sheets) & shown.sheets:
+            lost = [] if _stands(table, found, seen) else list(_missing(table, {}, shown.sheets, seen))
+            yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]
 
 
 def _missing(asked: TableAsked, cells: Mapping[Key, SeenCell], sheets: Set[str], seen: SeenSheet) -> Iterator[Verdict]:
@@ -315,7 +305,7 @@ def _missing(asked: TableAsked, cells: Mapping[Key, SeenCell], sheets: Set[str],
 def _stands(asked: TableAsked, found: Drawn, seen: SeenSheet) -> bool:
     """Tell whether the word in the corner of a table is still there: its lines are not read, and it is not missing."""
     words = sum(folded(text.plain) == asked.corner for text in texts(seen.leaf.groups))
-    return words > sum(one.parts for one in found if one.asked.corner == asked.corner)
+    return words > sum(table.parts for table in found if table.asked.corner == asked.corner)
 
 
 def _is_whole(seen: SeenSheet) -> bool:

@@ -22,7 +22,7 @@ SHORT = 2.0  # mm: no cell is smaller
 EITHER = MappingProxyType({"0": "0", "6": "9", "8": "8", "9": "6"})  # digits that are read on their heads too
 
 
-class Box(NamedTuple):
+class CellFrame(NamedTuple):
     """A box on paper, mm."""
 
     left: float
@@ -61,13 +61,13 @@ class Ruling(NamedTuple):
     texts: tuple[tuple[complex, Text], ...]
     ink: tuple[complex, ...]
 
-    def around(self, spot: complex) -> Box | None:
+    def around(self, spot: complex) -> CellFrame | None:
         """Give the cell about a place; None where no lines are about it."""
         columns, rows = self.columns(spot.imag), self.rows(spot.real)
         k, j = bisect(columns, spot.real), bisect(rows, spot.imag)
         if not 0 < k < len(columns) or not 0 < j < len(rows):
             return None
-        return Box(columns[k - 1], rows[j - 1], columns[k], rows[j])
+        return CellFrame(columns[k - 1], rows[j - 1], columns[k], rows[j])
 
     def columns(self, height: float) -> list[float]:
         """Give where upright lines pass by a height, from left to right."""
@@ -77,30 +77,30 @@ class Ruling(NamedTuple):
         """Give where level lines pass by a place along the sheet, upward."""
         return _once(rule.at for rule in self.levels if rule.passes(along))
 
-    def below(self, box: Box) -> float:
+    def below(self, box: CellFrame) -> float:
         """Give how far down the upright line on the left of a box goes."""
         return min(rule.low for rule in self.uprights if _on(rule, box.left) and rule.passes(box.low))
 
-    def right_of(self, box: Box) -> float:
+    def right_of(self, box: CellFrame) -> float:
         """Give how far to the right the level line under a box goes."""
         return max(rule.high for rule in self.levels if _on(rule, box.low) and rule.passes(box.right))
 
 
 def ruling(leaf: Leaf, moved: Affine) -> Ruling:
     """Read the ruling of a sheet that was `moved` as a whole."""
-    levels, uprights, own = list[Rule](), list[Rule](), list(flat(leaf.groups))
-    lines = [(one, ends) for one in own if (ends := _ends(one)) is not None]
+    levels, uprights, strokes = list[Rule](), list[Rule](), list(flat(leaf.groups))
+    lines = [(stroke, ends) for stroke in strokes if (ends := _ends(stroke)) is not None]
     for start, end in ([(spot - moved.t) / moved.p for spot in ends] for _, ends in lines):
         along, middle = end - start, (start + end) / 2
         if abs(along.imag) <= LEVEL and abs(along.real) >= SHORT:
             levels.append(Rule(middle.imag, *sorted((start.real, end.real))))
         elif abs(along.real) <= LEVEL and abs(along.imag) >= SHORT:
             uprights.append(Rule(middle.real, *sorted((start.imag, end.imag))))
-    ruled = {id(one) for one, _ in lines}
-    spots = [((_middle(one) - moved.t) / moved.p, one) for one in own if id(one) not in ruled]
-    texts = tuple((spot, _upright(one, moved)) for spot, one in spots if isinstance(one, Text))
+    ruled = {id(stroke) for stroke, _ in lines}
+    spots = [((_middle(stroke) - moved.t) / moved.p, stroke) for stroke in strokes if id(stroke) not in ruled]
+    texts = tuple((spot, _upright(stroke, moved)) for spot, stroke in spots if isinstance(stroke, Text))
     return Ruling(
-        tuple(levels), tuple(uprights), texts, tuple(spot for spot, one in spots if not isinstance(one, Text))
+        tuple(levels), tuple(uprights), texts, tuple(spot for spot, stroke in spots if not isinstance(stroke, Text))
     )
 
 
@@ -154,24 +154,24 @@ def frames(cells: Sequence[Quad]) -> tuple[Quad, ...]:
         return ()
     along = cells[0][1] - cells[0][0]
     way, gap = along / abs(along), abs(along)
-    found: list[Box] = []
+    found: list[CellFrame] = []
     for cell in cells:
-        own = _about([spot / way for spot in cell])
-        beside = [one for one in found if _apart(one, own) <= gap]
-        found = [one for one in found if one not in beside]
-        found.append(_about([spot for one in (*beside, own) for spot in one.corners]))
-    return tuple(tuple(spot * way for spot in one.corners) for one in found)
+        frame = _about([spot / way for spot in cell])
+        beside = [other for other in found if _apart(other, frame) <= gap]
+        found = [other for other in found if other not in beside]
+        found.append(_about([spot for other in (*beside, frame) for spot in other.corners]))
+    return tuple(tuple(spot * way for spot in other.corners) for other in found)
 
 
-def _about(spots: Sequence[complex]) -> Box:
+def _about(spots: Sequence[complex]) -> CellFrame:
     wide, high = [spot.real for spot in spots], [spot.imag for spot in spots]
-    return Box(min(wide), min(high), max(wide), max(high))
+    return CellFrame(min(wide), min(high), max(wide), max(high))
 
 
-def _apart(one: Box, other: Box) -> float:
+def _apart(box: CellFrame, other: CellFrame) -> float:
     """Give how far two boxes are from one another, across or up."""
-    across = max(one.left - other.right, other.left - one.right, 0.0)
-    return max(across, one.low - other.high, other.low - one.high)
+    across = max(box.left - other.right, other.left - box.right, 0.0)
+    return max(across, box.low - other.high, other.low - box.high)
 
 
 Key: TypeAlias = tuple[str, int | None, str]  # a row, the position of a column, and its heading, as they are seen
@@ -185,7 +185,7 @@ class SeenCell(NamedTuple):
 
     texts: tuple[Text, ...]
     inked: bool
-    box: Box
+    box: CellFrame
 
 
 class SeenTable(NamedTuple):
@@ -206,18 +206,18 @@ def tables_seen(sheet: Ruling, corners: Collection[str]) -> Iterator[SeenTable]:
                 yield found
 
 
-def _table(sheet: Ruling, corner: Text, box: Box) -> SeenTable | None:
-    whole = Box(box.left, sheet.below(box), sheet.right_of(box), box.high)
+def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
+    whole = CellFrame(box.left, sheet.below(box), sheet.right_of(box), box.high)
     inside = [(spot, text) for spot, text in sheet.texts if whole.holds(spot)]
     edges = [x for x in sheet.columns(box.low) if box.left <= x <= whole.right + 1e-9]
     floors = [y for y in sheet.rows((box.left + box.right) / 2) if whole.low - 1e-9 <= y <= box.low + 1e-9]
-    columns = _columns([one for one in inside if one[0].imag > box.low and one[0].real > box.right], edges)
+    columns = _columns([head for head in inside if head[0].imag > box.low and head[0].real > box.right], edges)
     if not columns or len(floors) < 2:
         return None
     heads = {folded(head.plain): head for head, _ in columns if head is not None}
     cells, labels = dict[Key, SeenCell](), dict[str, Text]()
     for low, high in pairwise(floors):
-        row = [_cell(sheet, inside, Box(left, low, right, high)) for left, right in pairwise(edges)]
+        row = [_cell(sheet, inside, CellFrame(left, low, right, high)) for left, right in pairwise(edges)]
         if not row[0].texts:
             continue
         label = folded(" ".join(text.plain for text in row[0].texts))
@@ -228,9 +228,9 @@ def _table(sheet: Ruling, corner: Text, box: Box) -> SeenTable | None:
     return SeenTable(corner, heads, labels, cells)
 
 
-def _cell(sheet: Ruling, inside: Sequence[tuple[complex, Text]], box: Box) -> SeenCell:
-    own = sorted((spot.real, k) for k, (spot, _) in enumerate(inside) if box.holds(spot))
-    return SeenCell(tuple(inside[k][1] for _, k in own), any(box.holds(spot) for spot in sheet.ink), box)
+def _cell(sheet: Ruling, inside: Sequence[tuple[complex, Text]], box: CellFrame) -> SeenCell:
+    within = sorted((spot.real, k) for k, (spot, _) in enumerate(inside) if box.holds(spot))
+    return SeenCell(tuple(inside[k][1] for _, k in within), any(box.holds(spot) for spot in sheet.ink), box)
 
 
 def _columns(heads: Sequence[tuple[complex, Text]], edges: Sequence[float]) -> list[tuple[Text | None, int | None]]:

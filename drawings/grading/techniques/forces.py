@@ -9,7 +9,7 @@ from drawings.forces.letters import letter_of
 from drawings.forces.lever import PLAN as LEVER
 from drawings.forces.lever import balance, hanging
 from drawings.grading import verdict
-from drawings.grading.asked import Found, Letters, Place, Record, Slip
+from drawings.grading.asked import Found, Letters, Place, Record, Slip, lettered
 from drawings.grading.scheme_arrows import arrows_on
 from drawings.linkage.due import mass_centres
 from drawings.page.scale import Drafting, drafting_of
@@ -66,11 +66,11 @@ def record_of_forces(study: Study, leaf: Leaf) -> Record:
     known = dict[str, list[str]]()
     for cut in drawn.plan.cuts:
         plan = f"scheme {cut.label}"
-        found |= {(f"forces-{cut.label}", k, "", name): one for name, one in _sides(drawn, cut)}
-        found |= {(plan, k, "", one.name): one for one in _arms(drawn, cut)}
+        found |= lettered(f"forces-{cut.label}", k, _sides(drawn, cut))
+        found |= lettered(plan, k, _arms(drawn, cut))
         acting = (load.name for load in (*cut.loads, *cut.couples) if load.name != BALANCING)
         known[plan] = [plain_name(letter_of(name, drafting)) for name in acting]
-    found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, drafting)}
+    found |= lettered(LEVER, k, _lever(drawn, drafting))
     known[LEVER] = [name for names in known.values() for name in names]
     shown = {plan: arrows_on(leaf, plan, k).keys() & names for plan, names in known.items()}
     scales, boards = _scales(leaf)
@@ -90,7 +90,7 @@ def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:
     return scales, boards
 
 
-def _sides(drawn: ForcePlans, cut: Cut) -> Iterator[tuple[str, Found]]:
+def _sides(drawn: ForcePlans, cut: Cut) -> Iterator[Found]:
     """Give the forces of a cut's polygon, each between its corners, and the whole reactions across it."""
     corners = {side.name: Span(side.start, side.end) for side in cut.sides}
     sides = set(corners)
@@ -100,7 +100,7 @@ def _sides(drawn: ForcePlans, cut: Cut) -> Iterator[tuple[str, Found]]:
     marks = dict(_marks(drawn, cut))
     for name, side in corners.items():
         if name in marks:
-            yield name, Found(name, Span(drawn.plan.pole, marks[name]), side, name not in sides)
+            yield Found(name, Span(drawn.plan.pole, marks[name]), side, name not in sides)
 
 
 def _marks(drawn: ForcePlans, cut: Cut) -> Iterator[tuple[str, Mark]]:

@@ -16,7 +16,7 @@ from drawings.bank.polygon import plan_of
 from drawings.bank.star import fanned
 from drawings.forces.report import drafting_of_forces
 from drawings.grading import verdict
-from drawings.grading.asked import Found, Letters, Record, Slip
+from drawings.grading.asked import Found, Letters, Record, Slip, lettered
 from drawings.lettering.vector_letters import CENTRE, RESULT
 from drawings.lettering.vector_letters import FORCE as FORCE_LETTER
 from drawings.paper.strokes import Leaf
@@ -36,14 +36,15 @@ SHOWN = (COUPLES, UNBALANCES, ALONG)
 
 def record_of_rotor(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a rotor's sheet."""
-    own: RotorStudy = study["rotor"]
-    arms = {f"h_{mass.name}": own.rotor.arm(mass.place) for mass in own.rotor.masses}
-    radii = {f"r_{mass.name}": mass.radius for mass in own.rotor.masses if mass.radius is not None}
-    couples = {moment_letters(mass.name): tuple(_of_arm(mass, arms)) for mass in own.rotor.masses}
-    unbalances = {unbalance_letters(mass.name): tuple(_of_radius(mass, radii)) for mass in own.rotor.masses}
-    found: dict[Letters, Found] = {(COUPLES, None, "", one.name): one for one in _polygon(own.drawing.moments, couples)}
-    found |= {(UNBALANCES, None, "", one.name): one for one in _polygon(own.drawing.forces, unbalances)}
-    found |= {(ALONG, None, "", one.name): one for one in _masses(own, study.comparison("rotor").analysis)}
+    rotor: RotorStudy = study["rotor"]
+    masses, drawing = rotor.rotor.masses, rotor.drawing
+    arms = {f"h_{mass.name}": rotor.rotor.arm(mass.place) for mass in masses}
+    radii = {f"r_{mass.name}": mass.radius for mass in masses if mass.radius is not None}
+    couples = {moment_letters(mass.name): tuple(_of_arm(mass, arms)) for mass in masses}
+    unbalances = {unbalance_letters(mass.name): tuple(_of_radius(mass, radii)) for mass in masses}
+    found = lettered(COUPLES, None, _polygon(drawing.moments, couples))
+    found |= lettered(UNBALANCES, None, _polygon(drawing.forces, unbalances))
+    found |= lettered(ALONG, None, _masses(rotor, study.comparison("rotor").analysis))
     return Record(found, {name: {None: mu} for name, mu in leaf.metadata["scales"].items() if name in SHOWN})
 
 
@@ -106,9 +107,9 @@ def record_of_bank(study: Study, leaf: Leaf) -> Record:
     scales, forces = leaf.metadata["scales"], dict[str, Mark]()
     for polygon in expected.polygons():
         plan = plan_of(polygon.kind, polygon.signed)
-        own = list(_order_polygon(expected, polygon, plan, forces))
+        vectors = list(_order_polygon(expected, polygon, plan, forces))
         if plan in scales:
-            found |= {(plan, None, "", one.name): one for one in own}
+            found |= lettered(plan, None, vectors)
             plans[plan] = {None: scales[plan]}
     return Record(found, plans)
 
@@ -154,9 +155,9 @@ def _slips(expected: Bank, polygon: OrderPolygon, member: Member) -> Iterator[Sl
 
 def _by(expected: Bank, polygon: OrderPolygon, member: Member, other: Harmonic) -> Iterator[complex]:
     """Give a vector turned by the angle of another order, of its size, or both."""
-    own, sign = expected.analysis.single[abs(polygon.signed)], 1 if polygon.signed > 0 else -1
-    sizes = (own.ahead, other.ahead) if sign > 0 else (own.back, other.back)
-    turns = [heading(sign * order * member.phase + member.axis) for order in (own.order, other.order)]
+    single, sign = expected.analysis.single[abs(polygon.signed)], 1 if polygon.signed > 0 else -1
+    sizes = (single.ahead, other.ahead) if sign > 0 else (single.back, other.back)
+    turns = [heading(sign * order * member.phase + member.axis) for order in (single.order, other.order)]
     arm = expected.arm(polygon.kind, member) * expected.turn
     for size, turn in ((sizes[0], turns[1]), (sizes[1], turns[0]), (sizes[1], turns[1])):
         yield size * turn * arm
@@ -167,27 +168,27 @@ NAMES = {BEFORE: FORCE_LETTER, AFTER: f"{FORCE_LETTER}'"}  # of the main vector 
 
 def record_of_balance(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a sheet of balancing."""
-    own, k = study["balance"], int(leaf.metadata["position"])
-    expected = Balanced(own, study.comparison("balance"), drafting_of_forces(own.statics), k)
+    balance, k = study["balance"], int(leaf.metadata["position"])
+    expected = Balanced(balance, study.comparison("balance"), drafting_of_forces(balance.statics), k)
     plans = {SCHEME + state: list(_scheme(expected, state)) for state in expected.states}
     plans |= {MOMENTS: list(_moments(expected)), SHAKING: list(_shaking(expected))}
-    found: dict[Letters, Found] = {(plan, k, "", one.name): one for plan, all_ in plans.items() for one in all_}
+    found = {letters: vector for plan in plans for letters, vector in lettered(plan, k, plans[plan]).items()}
     scales = {group.data["plan"]: float(group.data["scale"]) for group in groups(leaf.groups) if "scale" in group.data}
     return Record(found, {name: {k: scales[name]} for name in plans if name in scales})
 
 
 def _moments(expected: Balanced) -> Iterator[Found]:
     """Give the static moments of the links laid end to end, and their sum from the datum."""
-    masses = {one.link: one.mass for one in expected.solid(BEFORE)}
+    masses = {body.link: body.mass for body in expected.solid(BEFORE)}
     slips = {
         f"m_{link}r_S{link}": [(f"m_{other}", mass / masses[link]) for other, mass in masses.items() if other != link]
         for link in masses
     }
     laid = list(expected.moments())
     sides, corners = _laid(MOMENTS, laid)
-    for one, side, found in zip(laid, sides, corners, strict=True):
-        wrong = (Slip(verdict.PRODUCT, one.value * times, of) for of, times in slips[one.name])
-        yield Found(one.name, side, found, slips=tuple(wrong))
+    for moment, side, found in zip(laid, sides, corners, strict=True):
+        wrong = (Slip(verdict.PRODUCT, moment.value * times, of) for of, times in slips[moment.name])
+        yield Found(moment.name, side, found, slips=tuple(wrong))
     if corners:
         whole = Span(corners[0].start, corners[-1].end)
         yield Found(RESULT, whole, whole, diagonal=True)
@@ -199,8 +200,8 @@ def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
     sides, corners = _laid(SCHEME + state, laid)
     board = Board(SCHEME + state)
     datum = board.given("O", 0j)
-    for one, side, found in zip(laid, sides, corners, strict=True):
-        yield Found(one.name, side, found, slips=tuple(_lacking(expected, state, one)))
+    for vector, side, found in zip(laid, sides, corners, strict=True):
+        yield Found(vector.name, side, found, slips=tuple(_lacking(expected, state, vector)))
     if corners:
         yield Found(CENTRE, Span(corners[0].start, corners[-1].end))
     for name, place in expected.points.items():
@@ -216,8 +217,8 @@ def _laid(plan: str, laid: Sequence[Side]) -> tuple[list[Span], list[Span]]:
     board = Board(plan)
     pole = board.given("0", 0j)
     sides, corners, end = list[Span](), list[Span](), pole
-    for number, one in enumerate(laid, 1):
-        vector: Mark = board.given(one.name, one.value)
+    for number, side in enumerate(laid, 1):
+        vector: Mark = board.given(side.name, side.value)
         start, end = end, board.lay_off(f"{plan}:{number}", end, vector)
         sides.append(Span(pole, vector))
         corners.append(Span(start, end))
@@ -243,6 +244,6 @@ def _shaking(expected: Balanced) -> Iterator[Found]:
     """Give the main vectors of the inertia forces in the shown position, before and after."""
     board = Board(SHAKING)
     pole = board.given("0", 0j)
-    for state, one in expected.states.items():
-        name, value = NAMES[state], complex(one.centre.force[expected.shown])
+    for state, found in expected.states.items():
+        name, value = NAMES[state], complex(found.centre.force[expected.shown])
         yield Found(name, Span(pole, board.given(name, value)), back=verdict.INERTIA)
