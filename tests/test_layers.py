@@ -41,7 +41,7 @@ BOTH = tuple(
         ),
         *("cam.numbers", "cyclogram.quantities", "diagrams.quantities", "dynamics.quantities", "dynamics.numbers"),
         *("forces.quantities", "forces.friction_quantities", "forces.equilibrium", "forces.bill"),
-        *("linkage.quantities", "linkage.parts", "linkage.by_hand"),
+        *("linkage.quantities", "linkage.parts"),
     )
 )
 ROADS = "both roads"

@@ -29,7 +29,7 @@ from plans.bench.quantities import quantities
 from plans.bench.trial import BUDGET, Errors, Road, Row, Times, interleaved
 from plans.by_hand import SLIP
 from plans.forces.marks import forces_by_hand
-from plans.linkage.by_hand import MotionByHand
+from plans.linkage.parts import MotionByHand
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.techniques import named

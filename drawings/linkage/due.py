@@ -20,12 +20,11 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.analytic.points import placed
-from plans.linkage.by_hand import MotionByHand
-from plans.linkage.parts import alike
+from plans.linkage.parts import MotionByHand, alike
 from plans.linkage.plan import unnamed
-from plans.linkage.pressure import interval
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.linkage.sweep import interval
 from plans.linkage.travel import frame_slide, other_sliders
 from plans.model.mechanism import FRAME, Output
 from plans.model.motion import ORDERS, POSITIONS, Extremes

@@ -37,8 +37,7 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
 from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
-from plans.linkage.by_hand import MotionByHand
-from plans.linkage.parts import alike, spans
+from plans.linkage.parts import MotionByHand, alike, spans
 from plans.linkage.plan import unnamed
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy

@@ -13,10 +13,10 @@ from drawings.lettering.words import fixed, number, runs, span, word
 from drawings.report.report import share
 from drawings.report.table import Subject
 from plans.by_hand import SLIP
-from plans.linkage.pressure import interval
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.ram import law
 from plans.linkage.study import LinkageStudy
+from plans.linkage.sweep import interval
 from plans.linkage.travel import EQUAL, frame_slide
 from plans.model.dyad import Group, formula, mechanism_class
 from plans.model.machine import ways

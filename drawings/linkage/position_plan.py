@@ -32,7 +32,7 @@ from drawings.symbols.figure import Subject
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
-from plans.linkage.margin import Barrier
+from plans.linkage.assembly import Barrier
 from plans.model.motion import CHANGE_POINT, POSITIONS
 
 NAME = POSITIONS.plan

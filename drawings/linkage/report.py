@@ -20,12 +20,12 @@ from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline
 from drawings.report.report import gap_line, gap_lines, positions
 from drawings.report.table import chapter, header, row
-from plans.linkage.margin import Barrier
+from plans.linkage.assembly import Barrier
 from plans.linkage.parts import alike
-from plans.linkage.pressure import interval
 from plans.linkage.quantities import NOT_GRADED, MotionComparison, notches
 from plans.linkage.ram import law
 from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.linkage.sweep import interval
 from plans.linkage.travel import ExtremePositions
 from plans.model.dyad import Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Ram, Slide

@@ -12,11 +12,10 @@ import numpy as np
 from drawings.kinds.outlines import Poses
 from drawings.kinds.scheme import Joints
 from drawings.layout.picture import Place
-from plans.linkage.assembly_limits import NODES
-from plans.linkage.margin import angle
-from plans.linkage.plan import Plan, unnamed
+from plans.linkage.plan import Plan, angle, unnamed
 from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.linkage.sweep import NODES
 from plans.linkage.travel import ExtremePositions, other_strokes
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Motion

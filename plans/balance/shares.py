@@ -18,11 +18,11 @@ from geometry.precision import condition
 from plans.balance.mass_centre import EMPTY, Drawing, MainPoints, centre_drawing
 from plans.balance.weights import Tree
 from plans.forces.statics import Statics
-from plans.linkage.assembly_limits import at_angles
+from plans.linkage.assembly import meeting
 from plans.linkage.drafts import Drafts
-from plans.linkage.margin import meeting
 from plans.linkage.primary import CrankPositions
 from plans.linkage.study import BLOCK, LinkageStudy
+from plans.linkage.sweep import at_angles
 from plans.model.balance.linkage import CONSTRUCTION, EPS, SHARES, STEPS, Choice, MassCentre, Shares, State
 from plans.model.dyad import pair
 from plans.model.kinetostatics import Kinetostatics

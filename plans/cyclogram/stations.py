@@ -14,9 +14,8 @@ from geometry.precision import errors
 from plans.cyclogram import tool
 from plans.cyclogram import tool as watch
 from plans.cyclogram.tool import Notch, Path, Watch, go_back, watch_of, way_back
-from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
 from plans.linkage.plan import Plan
-from plans.linkage.pressure import pressure
+from plans.linkage.sweep import FAN, LOOKS, NODES, Sweep, at_angles, pressure
 from plans.linkage.travel import ExtremePositions, OutputTravel
 from plans.model import cyclogram as c
 from plans.model.cyclogram import BESIDE, TURN, Cyclogram, CyclogramTask, Position, Stop

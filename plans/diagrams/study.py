@@ -12,10 +12,10 @@ import numpy as np
 from geometry.board import Board
 from geometry.calculus import Derivative, derivative_by_chords
 from geometry.strips import ordinates
-from plans.linkage.assembly_limits import at_angles
 from plans.linkage.drafts import Drafts
 from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy
+from plans.linkage.sweep import at_angles
 from plans.linkage.travel import OutputTravel
 from plans.model.diagrams import MOST, TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
 from plans.model.motion import ORDERS, Floats

@@ -17,7 +17,7 @@ from geometry.calculus import Integral, integral
 from geometry.strips import middles, strips
 from plans.dynamics.reduction import Reducing, Reduction
 from plans.forces.loading import ROUNDING, Stroke, asks, working_of
-from plans.linkage.assembly_limits import NODES, at_angles, changes_of_sign
+from plans.linkage.sweep import NODES, at_angles, changes_of_sign
 from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Touch, Wheel, settled
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion

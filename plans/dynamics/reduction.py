@@ -21,10 +21,10 @@ from plans.forces.cut import INERTIA, LOAD, WEIGHT, Couple, ForcePlan, Load
 from plans.forces.lever import Lever, lever
 from plans.forces.loading import loading
 from plans.forces.statics import Statics
-from plans.linkage.assembly_limits import Sweep, at_angles
 from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy
+from plans.linkage.sweep import Sweep, at_angles
 from plans.model.dynamics import CONSTRUCTION, Cycle, Reduced, Speeds, settled
 from plans.model.mechanism import Mechanism
 from plans.model.motion import VELOCITIES, Floats

@@ -15,10 +15,10 @@ from plans.forces.force_template import ForceDrawing, ForcePattern, ForcePlans
 from plans.forces.loading import ROUNDING, NoStroke, OtherStroke, Stroke, counted, loading, strokes
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
-from plans.linkage.assembly_limits import RedrawnPlans, at_angles
 from plans.linkage.drafts import Drafts, near_edge
 from plans.linkage.motion_plans import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy, obstruction
+from plans.linkage.sweep import RedrawnPlans, at_angles
 from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Kinetostatics, Loading, without_forces

@@ -11,12 +11,11 @@ import numpy.typing as npt
 
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
-from plans.linkage.assembly_limits import RedrawnPlans, Sweep
-from plans.linkage.margin import Barrier, BarrierEdge, bounding, crossing, margins, undefined
+from plans.linkage.assembly import Assembly, Barrier, BarrierEdge, bounding, crossing, margins, undefined
 from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
-from plans.linkage.sketch import Assembly
+from plans.linkage.sweep import RedrawnPlans, Sweep
 from plans.model.dyad import Group
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,

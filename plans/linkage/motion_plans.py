@@ -12,8 +12,7 @@ from geometry.board import Mark
 from geometry.meet import Sizes
 from geometry.tracing import Tracing
 from plans.linkage.dyads import KINDS
-from plans.linkage.margin import heading
-from plans.linkage.plan import Plan
+from plans.linkage.plan import Plan, heading
 from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.model.dyad import Group
 from plans.model.mechanism import Mechanism

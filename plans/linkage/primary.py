@@ -13,8 +13,7 @@ import numpy.typing as npt
 
 from geometry.steps import Reading
 from plans.linkage import leads
-from plans.linkage.margin import heading
-from plans.linkage.plan import Image, Plan, Turning, Vector
+from plans.linkage.plan import Image, Plan, Turning, Vector, heading
 from plans.model.mechanism import CRANK, FRAME, SLIDER, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Pace, Rates, rates_at
 from plans.scene.units import within

@@ -17,8 +17,8 @@ from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.steps import Span
 from plans.analytic.kinematics import Analysis
+from plans.linkage.assembly import margins
 from plans.linkage.drafts import Drafts
-from plans.linkage.margin import margins
 from plans.linkage.ram import cylinder, length_of, ram_of, ways
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME, Mechanism

@@ -17,10 +17,10 @@ import numpy as np
 
 from geometry.board import Board
 from geometry.meet import EPS
-from plans.linkage.assembly_limits import NODES, Sweep, at_angles
+from plans.linkage.assembly import assembly
 from plans.linkage.primary import CrankPositions, divided, even
 from plans.linkage.reading.fields import StrokeTable
-from plans.linkage.sketch import assembly
+from plans.linkage.sweep import NODES, Sweep, at_angles
 from plans.model.dyad import Group, decompose
 from plans.model.mechanism import FRAME, Mechanism, Passage, Ram
 from plans.model.motion import Complexes, Floats, Motion, Pace, Rates, stroke_rates

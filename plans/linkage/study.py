@@ -12,14 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.errors import ConstructionError, DraftError
-from plans.linkage import assembly_limits, ram
-from plans.linkage.assembly_limits import FAN, Sweep, at_angles
+from plans.linkage import ram
+from plans.linkage.assembly import Assembly, Barrier, SketchError, assembly, margins
 from plans.linkage.drafts import Drafts, forget, gaps_of, reached, without_velocity
-from plans.linkage.margin import Barrier, margins
 from plans.linkage.primary import CrankPositions, even, from_direction, listed
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
-from plans.linkage.sketch import Assembly, SketchError, assembly
+from plans.linkage.sweep import FAN, NODES, Sweep, at_angles
 from plans.linkage.travel import ExtremePositions, extremes, output
 from plans.model.dyad import Group, decompose
 from plans.model.machine import NoWorkingStroke
@@ -265,7 +264,7 @@ class LinkageStudy:
     def nodes(self) -> Floats:
         """Crank angles, rad, close to each other, over the part of the drive's span that the mechanism reaches."""
         low, high = self.span
-        phi = np.linspace(low, high, assembly_limits.NODES + 1)
+        phi = np.linspace(low, high, NODES + 1)
         return phi[self.reached(phi)]
 
     def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> Drafts:

@@ -11,10 +11,10 @@ import numpy as np
 
 from geometry.board import Board, Mark, at
 from geometry.meet import dot
-from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles, changes_of_sign
 from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES, CrankPositions
+from plans.linkage.sweep import FAN, LOOKS, NODES, Sweep, at_angles, changes_of_sign
 from plans.model.dyad import Group
 from plans.model.machine import by_time, works
 from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output, Parting, Slide

@@ -12,9 +12,8 @@ import pytest
 from geometry.precision import condition
 from plans.analytic.ends import least, sharpness
 from plans.analytic.kinematics import Analysis, solve
-from plans.linkage.assembly_limits import Sweep, at_angles
-from plans.linkage.margin import meeting
-from plans.linkage.sketch import assembly
+from plans.linkage.assembly import assembly, meeting
+from plans.linkage.sweep import Sweep, at_angles
 from plans.linkage.travel import ExtremePositions
 from plans.model.dyad import decompose
 from plans.model.mechanism import Mechanism, StructureError

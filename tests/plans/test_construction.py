@@ -9,9 +9,8 @@ from math import radians, sqrt
 import numpy as np
 import pytest
 
-from plans.linkage.margin import rate
-from plans.linkage.plan import Plan
-from plans.linkage.pressure import interval, pressure
+from plans.linkage.plan import Plan, rate
+from plans.linkage.sweep import interval, pressure
 from plans.model.mechanism import Mechanism, Way
 from tests.plans import linkages
 from tests.plans.digits import printed

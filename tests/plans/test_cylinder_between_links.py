@@ -12,8 +12,8 @@ import pytest
 from geometry.errors import DraftError
 from plans.forces import drive as cylinder
 from plans.linkage import ram
-from plans.linkage.assembly_limits import at_angles
 from plans.linkage.primary import CrankPositions
+from plans.linkage.sweep import at_angles
 from plans.model.motion import Rates
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene

@@ -10,8 +10,7 @@ import pytest
 
 from geometry.steps import Reading
 from plans.linkage.dyads import KINDS
-from plans.linkage.margin import rate
-from plans.linkage.plan import Image, Plan
+from plans.linkage.plan import Image, Plan, rate
 from plans.model.dyad import Dyad
 from plans.model.mechanism import Drive, Slide, Way
 from tests.plans import linkages

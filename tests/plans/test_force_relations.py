@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from geometry.board import at
 from plans.forces.friction import rate
 from plans.forces.quantities import compare_forces
-from plans.linkage.assembly_limits import at_angles
 from plans.linkage.drafts import Drafts
 from plans.linkage.quantities import compare
+from plans.linkage.sweep import at_angles
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import FORCE, MOMENT
 from plans.model.mechanism import FRAME

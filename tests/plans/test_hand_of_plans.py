@@ -15,7 +15,7 @@ from geometry.steps import Reading, Span
 from plans.by_hand import SLIP
 from plans.forces.marks import forces_by_hand
 from plans.forces.statics import Statics
-from plans.linkage.by_hand import MotionByHand
+from plans.linkage.parts import MotionByHand
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Floats

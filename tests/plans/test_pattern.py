@@ -10,7 +10,7 @@ import pytest
 
 from geometry.meet import EPS
 from plans.linkage import study as studies
-from plans.linkage.margin import CLOSE, RUN, heading
+from plans.linkage.plan import CLOSE, RUN, heading
 from plans.linkage.primary import even, listed
 from plans.model.mechanism import Mechanism
 from tests.plans import linkages

@@ -13,7 +13,7 @@ from hypothesis import given
 
 from geometry.meet import EPS
 from geometry.precision import condition
-from plans.linkage.margin import rate
+from plans.linkage.plan import rate
 from tests.parts import examples, some
 from tests.plans import linkages
 from tests.plans.chains import chains, studied

@@ -18,9 +18,9 @@ from plans.linkage.dyads import KINDS
 from plans.linkage.leads import GroupKind
 from plans.linkage.parts import AnalysedVectors, findings
 from plans.linkage.plan import Plan, PlanLetters, Vector
-from plans.linkage.pressure import interval
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
+from plans.linkage.sweep import interval
 from plans.model.dyad import Dyad, Pair, decompose, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Link, Output, Slide, StructureError
 from plans.model.motion import Floats

@@ -14,8 +14,7 @@ import pytest
 
 from geometry.meet import dot
 from plans.analytic.kinematics import solve
-from plans.linkage.margin import rate
-from plans.linkage.plan import Plan
+from plans.linkage.plan import Plan, rate
 from plans.model.mechanism import Drive, Mechanism, Output, Slide, Way
 from plans.model.motion import Motion
 from tests.plans import linkages

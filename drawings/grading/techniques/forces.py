@@ -21,7 +21,7 @@ from plans.forces.cut import Cut
 from plans.forces.drive import BALANCING
 from plans.forces.force_template import ForcePlans
 from plans.forces.marks import FIGURES
-from plans.linkage.by_hand import MotionByHand
+from plans.linkage.parts import MotionByHand
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POSITIONS
 from plans.study import Study

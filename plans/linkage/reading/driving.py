@@ -10,12 +10,12 @@ from math import ceil, log2
 import numpy as np
 
 from geometry.meet import cross
+from plans.linkage.assembly import SketchError
 from plans.linkage.ram import cylinder, passage
 from plans.linkage.reading.fields import LineTable, StrokeTable
 from plans.linkage.reading.form import SlideTable
 from plans.linkage.reading.guides import Spot, plain
 from plans.linkage.reading.survey import LinkageSurvey
-from plans.linkage.sketch import SketchError
 from plans.model.mechanism import FRAME, SLIDER, Drive, Link, Mechanism, Ram, Slide, StructureError
 from plans.scene.faults import Path
 from plans.scene.units import WORKING
