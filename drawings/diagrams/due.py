@@ -10,19 +10,17 @@ import numpy as np
 
 from drawings.checks.expected import KNOWN, Expected
 from drawings.layout.table import cell_name
-from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf, Text
-from plans.diagrams.quantities import LETTERS, DiagramsComparison
+from drawings.paper.strokes import Leaf
+from plans.diagrams.quantities import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy
-from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
+from plans.model.diagrams import TURN, Axis, Course, Diagrams
 from plans.model.motion import Floats
 from plans.study import Study
 
 TABLE, DIGITS = "output", 4
 KEYS = ("travel", "velocity", "acceleration")
-AHEAD = ("Δψ", "Δω", "ε")
 TALLEST = 2.0  # times the largest at a position that a course may go
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale
 AFTER = 2  # values beyond either end of a turn that a smooth curve looks at
@@ -32,17 +30,12 @@ class ExpectedRow(NamedTuple):
     """A row: ordinates at the positions, the thick and the thin curve at any angle, values by chords."""
 
     key: str
-    letter: str
-    unit: str
     axis: Axis
     at: Floats  # (M,)
     result: Callable[[Floats], Floats]
     exact: Callable[[Floats], Floats]
     dense: Floats  # the thin curve, closely
     runs: tuple[tuple[float, float], ...]  # from where to where the thick curve goes
-    places: Floats  # of the values by chords
-    values: Floats
-    off: ChordError | None  # the largest error, a share of the largest, and where
     flat: bool
     allowed: float  # what both roads may differ by
 
@@ -82,20 +75,14 @@ def named(key: str) -> str:
 
 def expected_rows(comparison: DiagramsComparison) -> tuple[ExpectedRow, ...]:
     """Give the rows from the top."""
-    found, sliding = comparison.analysis, comparison.findings[0].name == LETTERS[True][0]
-    letters = LETTERS[True] if sliding else AHEAD if found.count.turns else LETTERS[False]
-    units = [finding.unit for finding in comparison.findings[:3]]
     slacks: dict[str, float] = {}
     for finding in comparison.findings:  # of a row those of the plans, of chords and between
         letter = finding.name.split(" ")[0]
         slacks[letter] = slacks.get(letter, 0.0) + float(np.nanmax(finding.allowed, initial=0.0))
-    return tuple(
-        _row(comparison, order, letter, unit, allowed)
-        for order, (letter, unit, allowed) in enumerate(zip(letters, units, slacks.values(), strict=True))
-    )
+    return tuple(_row(comparison, order, allowed) for order, allowed in enumerate(slacks.values()))
 
 
-def _row(comparison: DiagramsComparison, order: int, letter: str, unit: str, allowed: float) -> ExpectedRow:
+def _row(comparison: DiagramsComparison, order: int, allowed: float) -> ExpectedRow:
     found, axis = comparison.analysis, comparison.analysis.axis
 
     def of(course: Course) -> Floats:
@@ -107,36 +94,27 @@ def _row(comparison: DiagramsComparison, order: int, letter: str, unit: str, all
     dense = of(comparison.exact.dense)
     if order == 0:
         runs = tuple((float(axis.turned[run.start]), float(axis.turned[run.stop - 1])) for run in axis.runs)
-        nothing = np.zeros(0)
-        return ExpectedRow(
-            KEYS[0], letter, unit, axis, found.at.s, exact, exact, dense, runs, nothing, nothing, None, False, allowed
-        )
-    at, places, values, true = _chorded(found, order)
-    there = ~np.isnan(values)
+        return ExpectedRow(KEYS[0], axis, found.at.s, exact, exact, dense, runs, False, allowed)
+    at, places, values = _chorded(found, order)
     pieces = list(_pieces(axis, places, values))
     return ExpectedRow(
         key=KEYS[order],
-        letter=letter,
-        unit=unit,
         axis=axis,
         at=at,
         result=lambda turned: _followed(pieces, turned),
         exact=exact,
         dense=dense,
         runs=tuple(_spans(axis, pieces)),
-        places=places[there],
-        values=values[there],
-        off=chord_error(values, true),
         flat=_flat(comparison, values, order),
         allowed=allowed,
     )
 
 
-def _chorded(found: Diagrams, order: int) -> tuple[Floats, Floats, Floats, Floats]:
-    """Give the ordinates at the positions, where values by chords belong, these, and the exact ones there."""
+def _chorded(found: Diagrams, order: int) -> tuple[Floats, Floats, Floats]:
+    """Give the ordinates at the positions, where values by chords belong, and these."""
     if order == 1:
-        return found.at.v, found.axis.middles, found.speeds, found.true_speeds
-    return found.at.even(found.lead), found.axis.places, found.growths, found.true_growths
+        return found.at.v, found.axis.middles, found.speeds
+    return found.at.even(found.lead), found.axis.places, found.growths
 
 
 def _flat(comparison: DiagramsComparison, values: Floats, order: int) -> bool:
@@ -210,9 +188,3 @@ def columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, 
     sizes = [max(omega**power * size for power, size in enumerate(sizes[k::-1])) for k in range(len(sizes))]
     others = [(row, slack + KNOWN * size) for row, slack, size in zip(whole, slacks, sizes, strict=True)]
     return [(found.axis.turned * 360 / TURN, KNOWN), *others]
-
-
-def headings(comparison: DiagramsComparison, drafting: Drafting) -> list[str]:
-    """Give the headings of the columns: the crank angle, the output's own letters and units."""
-    heads = (f"{finding.name}, {drafting.word(finding.unit)}" for finding in comparison.findings[:3])
-    return [Text(0j, head).plain for head in ("φ, °", *heads)]

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 
 from drawings.diagrams import rows
-from drawings.diagrams import rows as diagrams
-from drawings.diagrams import rows as working
 from drawings.diagrams.report import diagram_notes, output_table
 from drawings.kinds.working import Working
 from drawings.layout import value_table
@@ -148,7 +146,7 @@ class _KinematicsSheet:
             if self._is_whole(subject, k):
                 yield plan_working(self._diagram(subject, k), f"{subject}-{k}", self.drafting)
         if self.output is not None and self.output.shown:
-            yield working.working(self.output, self.drafting)
+            yield rows.working(self.output, self.drafting)
 
     def _is_whole(self, subject: str, k: int) -> bool:
         """Tell whether a plan can be drawn."""
@@ -218,7 +216,7 @@ class _KinematicsSheet:
             "structure": formula(self.study.mechanism, self.study.groups),
             "positions": len(self.study.turn),
             "shown": self.shown if POSITIONS.plan in names else None,
-            "diagrams": diagrams.NAME in names,
+            "diagrams": rows.NAME in names,
             "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
             "vectors": [
                 (order.plan, k) for k in self.positions for order in ORDERS[1:] if f"{order.plan}-{k}" in names

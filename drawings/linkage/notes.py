@@ -75,7 +75,8 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     drive = study.mechanism.drive
     omega, epsilon = (span(np.ravel(rate) * drive.unit, language) for rate in rates)
     if drive.ram is not None:
-        return _cylinder(drive.ram, drive.link, (omega, epsilon), law(study.mechanism, study.turn.phi), language)
+        parts = {"link": drive.link, "omega": omega, "epsilon": epsilon}
+        return word(language, "cylinder", **parts, **cylinder_law(study, drive.ram))
     if not drive.pushed:
         key = "crank" if np.any(rates.epsilon) else "even crank"
         return word(language, key, link=drive.link, omega=omega, **({"epsilon": epsilon} if key == "crank" else {}))
@@ -83,12 +84,11 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
 
 
-def _cylinder(ram: Ram, link: int, rates: tuple[str, str], growth: tuple[Floats, Floats], language: str) -> str:
-    """Tell how a cylinder turns the crank: the law m/s, m/s2 of its length, and the crank's rates as written."""
-    stroke = " … ".join(number(1000 * way, language) for way in (ram.begin, ram.end))
-    v, a = (span(np.ravel(rate), language) for rate in growth)
-    parts = {"link": link, "omega": rates[0], "epsilon": rates[1], "line": f"{ram.foot}{ram.point}"}
-    return word(language, "cylinder", stroke=stroke, v=v, a=a, **parts)
+def cylinder_law(study: LinkageStudy, ram: Ram) -> dict[str, str]:
+    """Write the points of the cylinder that turns the crank, its lengths in mm, and how fast they grow."""
+    stroke = " … ".join(number(1000 * way, study.language) for way in (ram.begin, ram.end))
+    v, a = (span(np.ravel(rate), study.language) for rate in law(study.mechanism, study.turn.phi))
+    return {"line": f"{ram.foot}{ram.point}", "stroke": stroke, "v": v, "a": a}
 
 
 def lengths(study: LinkageStudy, language: str) -> list[str]:

@@ -150,7 +150,7 @@ def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> A
     spread = ends - ends.mean(axis=0)
     across = (np.abs(spread) ** 2).mean(axis=0), (spread**2).mean(axis=0)
     area = np.sqrt(np.maximum(across[0] ** 2 - np.abs(across[1]) ** 2, 0.0))  # of the ends' ellipse, times a constant
-    return np.sqrt(area) * np.abs(_output_rate(study, comparison, 1))
+    return np.sqrt(area) * np.abs(_output_speed(study, comparison))
 
 
 def _working(study: LinkageStudy) -> Any:
@@ -168,15 +168,11 @@ def _best(sizes: Any, preferred: Any, allowed: Any) -> int:
     return int(np.argmax(np.where(chosen & ~np.isnan(sizes), sizes, -1.0)))
 
 
-def _output_rate(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:
-    """Give the output's velocity or acceleration over the positions, of its pin or of its turning."""
+def _output_speed(study: LinkageStudy, comparison: MotionComparison) -> Any:
+    """Give the output's velocity over the positions, of its pin or of its turning."""
     out, motion = study.output, comparison.construction
     slide = frame_slide(study.mechanism, out.link)
-    if slide is not None:
-        point = motion.points[out.point or slide.point]
-        return point.v if order == 1 else point.a
-    turning = motion.links[out.link]
-    return turning.omega if order == 1 else turning.epsilon
+    return motion.links[out.link].omega if slide is None else motion.points[out.point or slide.point].v
 
 
 FOREMOST = 1.5  # it states the scale of the sheet

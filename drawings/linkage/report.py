@@ -14,7 +14,7 @@ import numpy as np
 from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
 from drawings.lettering.words import decimal, fixed, number, span
 from drawings.linkage.equations import drawn_scales, equations, shown_positions
-from drawings.linkage.notes import first_numbers, stroke_line
+from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line
 from drawings.page.scale import drafting_of
 from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline
@@ -23,12 +23,11 @@ from drawings.report.table import chapter, header, row
 from plans.linkage.assembly import Barrier
 from plans.linkage.parts import alike
 from plans.linkage.quantities import NOT_GRADED, MotionComparison, notches
-from plans.linkage.ram import law
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.linkage.sweep import interval
 from plans.linkage.travel import ExtremePositions
 from plans.model.dyad import Pair, formula, mechanism_class, pairs
-from plans.model.mechanism import FRAME, Ram, Slide
+from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import PLANS, POSITIONS, VELOCITIES
 from plans.quantity import Quantity
 from plans.study import Study
@@ -56,15 +55,7 @@ def data(study: LinkageStudy) -> Iterator[str]:
     told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
     yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **told)
     if drive.ram is not None:
-        yield _cylinder(study, drive.ram)
-
-
-def _cylinder(study: LinkageStudy, ram: Ram) -> str:
-    """Tell the law of the cylinder that turns the crank."""
-    ends = (number(MM * way, study.language) for way in (ram.begin, ram.end))
-    v, a = (span(rate, study.language) for rate in law(study.mechanism, study.turn.phi))
-    parts = {"line": f"{ram.foot}{ram.point}", "stroke": " … ".join(ends), "v": v, "a": a}
-    return word(study.language, "report.cylinder", **parts)
+        yield say("report.cylinder", **cylinder_law(study, drive.ram))
 
 
 def structure(study: LinkageStudy) -> Iterator[str]:

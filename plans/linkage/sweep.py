@@ -300,12 +300,10 @@ def _alike(first: Passed, second: Passed) -> bool:
 
 
 class PressureInterval(NamedTuple):
-    """The interval of a group's pressure angle over the turn, rad, and the crank angles of its ends."""
+    """The interval of a group's pressure angle over the turn, rad."""
 
     low: float
     high: float
-    at_low: float
-    at_high: float
 
 
 # The intervals of a sweep's groups over the nodes last asked for: the sheet and the report both tell them.
@@ -339,17 +337,14 @@ def _intervals(sweep: Sweep, nodes: Floats) -> list[PressureInterval]:
         return np.asarray(np.repeat(found, 2, axis=0) * np.tile((1.0, -1.0), len(found))[:, None])
 
     if not nodes.size:
-        return [PressureInterval(*4 * (float("nan"),))] * len(sweep.groups)
+        return [PressureInterval(*2 * (float("nan"),))] * len(sweep.groups)
     ends = [_Least(nodes, values) for values in seen(nodes)]
     for _ in range(LOOKS):
         fans = np.array([np.linspace(end.low, end.high, FAN) for end in ends])
         values = seen(fans.ravel()).reshape(len(ends), len(ends), FAN)
         for k, end in enumerate(ends):
             end.look(fans[k], values[k, k])
-    return [
-        PressureInterval(low.least, -high.least, low.where, high.where)
-        for low, high in zip(ends[::2], ends[1::2], strict=True)
-    ]
+    return [PressureInterval(low.least, -high.least) for low, high in zip(ends[::2], ends[1::2], strict=True)]
 
 
 class _Least:
@@ -357,7 +352,7 @@ class _Least:
 
     def __init__(self, nodes: Floats, values: Floats) -> None:
         self.low, self.high = float(nodes[0]), float(nodes[-1])
-        self.least = self.where = float("nan")
+        self.least = float("nan")
         self.look(nodes, values)
 
     def look(self, angles: Floats, values: Floats) -> None:
@@ -366,5 +361,5 @@ class _Least:
             return
         best = int(np.nanargmin(values))
         if not values[best] >= self.least:
-            self.least, self.where = float(values[best]), float(angles[best])
+            self.least = float(values[best])
         self.low, self.high = float(angles[max(best - 1, 0)]), float(angles[min(best + 1, len(angles) - 1)])
