@@ -41,7 +41,7 @@ def turns(cam: Cam) -> Floats:
 
 def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
     """Hold written coordinates to the analysis: the same columns, each number rounded."""
-    exact = dict(_due(found))
+    exact = dict(_columns(found))
     table = read(content)
     for column in exact.keys() ^ table.keys():
         yield message("wrong.column", name=column, file=name)
@@ -51,7 +51,7 @@ def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
             yield message("wrong.coordinate", name=column, row=row + 1, file=name)
 
 
-def _due(found: CamFound) -> Iterator[tuple[str, Floats]]:
+def _columns(found: CamFound) -> Iterator[tuple[str, Floats]]:
     """Give what the columns must say, (N,) each in mm or degrees: the follower's way, the curves, how they bend."""
     cam = found.cam
     at = contour(cam, found.sizes, found.roller, turns(cam))

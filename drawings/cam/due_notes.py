@@ -112,10 +112,10 @@ class CamNumbers:
 
     def notes(self) -> Iterator[Expected]:
         """Give the rows of all that may be told; what is not told of this cam may lack."""
-        rows = ((f"{name} {self.cam.name}", *numbers) for name, numbers in dict(self._told()).items())
+        rows = ((f"{name} {self.cam.name}", *numbers) for name, numbers in dict(self._numbers()).items())
         yield from phrases(NOTES, rows, DIGITS, may_lack=True)
 
-    def _told(self) -> Iterator[tuple[str, tuple[float, float]]]:
+    def _numbers(self) -> Iterator[tuple[str, tuple[float, float]]]:
         cam, found = self.cam, self.found
         yield from ((name, self.size(name)) for name in ("R_0", "e", "S_0", "L", "ψ_0", "r_rol"))
         yield from (("lift", (self.way * cam.lift, 0.0)), ("reach", (MM * (cam.follower.reach or 0.0), 0.0)))

@@ -45,49 +45,27 @@ def made(found: CamFound, at: Contour) -> Points:
     return at.pitch if grooved(found) else at.profile
 
 
-class ToldProfile(NamedTuple):
-    """The profile as a workshop is told it: its points at the stations, m, (N,)."""
+class Manufacture(NamedTuple):
+    """A cam to be made: its view, and the points of the profile at the tabled turns, m, (N,)."""
 
-    found: CamFound
+    view: ProfileView
     stations: WorkshopTurns
     spots: Points
 
     @property
     def cam(self) -> Cam:
         """The cam that was asked for."""
-        return self.found.cam
+        return self.view.cam
 
-
-def zero(shown: ToldProfile) -> complex:
-    """Give the unit direction of the zero ray: from O to the first told point."""
-    first = complex(shown.spots[0])
-    return first / abs(first)
-
-
-def angles(shown: ToldProfile) -> Floats:
-    """Give the polar angles of the told points from the zero ray, against the rotation, rad, (N,)."""
-    return np.asarray(-shown.cam.sense * np.unwrap(np.angle(shown.spots / zero(shown))))
-
-
-def dwells(shown: ToldProfile) -> Iterator[tuple[Phase, float]]:
-    """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
-    contour = shown.found.contour
-    spots = made(shown.found, contour)
-    for phase in shown.cam.phases:
-        if phase.kind == DWELL:
-            yield phase, float(abs(spots[int(np.argmin(abs(contour.turned - phase.start)))]))
-
-
-class Manufacture(NamedTuple):
-    """A cam to be made: its view, and the profile at the tabled turns."""
-
-    view: ProfileView
-    table: ToldProfile
+    @property
+    def found(self) -> CamFound:
+        """What the construction found of it."""
+        return self.view.found
 
     @property
     def corners(self) -> list[complex]:
         """The corners of what is drawn to scale, m."""
-        if self.view.cam.translates:
+        if self.cam.translates:
             left, right = self.view.body
             return [left, complex(right.real, float(self.view.curve.pitch.imag.max()))]
         return [complex(spot) for curve in (*self.view.outlines, self.view.curve.pitch) for spot in curve]
@@ -97,7 +75,27 @@ def manufacture(found: CamFound) -> Manufacture:
     """Give what the drawing of a cam to be made shows of one that the construction found."""
     turns = stations(found.cam)
     at = profile(Course(found.cam), found.sizes, found.roller, turns.turned).contour
-    return Manufacture(profile_view(found), ToldProfile(found, turns, made(found, at)))
+    return Manufacture(profile_view(found), turns, made(found, at))
+
+
+def zero(shown: Manufacture) -> complex:
+    """Give the unit direction of the zero ray: from O to the first told point."""
+    first = complex(shown.spots[0])
+    return first / abs(first)
+
+
+def angles(shown: Manufacture) -> Floats:
+    """Give the polar angles of the told points from the zero ray, against the rotation, rad, (N,)."""
+    return np.asarray(-shown.cam.sense * np.unwrap(np.angle(shown.spots / zero(shown))))
+
+
+def dwells(shown: Manufacture) -> Iterator[tuple[Phase, float]]:
+    """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
+    contour = shown.found.contour
+    spots = made(shown.found, contour)
+    for phase in shown.cam.phases:
+        if phase.kind == DWELL:
+            yield phase, float(abs(spots[int(np.argmin(abs(contour.turned - phase.start)))]))
 
 
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
@@ -113,7 +111,7 @@ ORIGIN = "O"
 def label(shown: Manufacture, name: float, drafting: Drafting) -> str:
     """Write the turn of a drawn radius in degrees, or a travel in millimetres."""
     number = drafting.number(name, 5)
-    return f"x {number}" if shown.view.cam.translates else f"φ {number}°"
+    return f"x {number}" if shown.cam.translates else f"φ {number}°"
 
 
 def measure(shown: Manufacture, drafting: Drafting) -> Picture:
@@ -142,7 +140,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
 
 def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Letter O, the sense of motion, the zero ray, each drawn radius with its turn outside the profile."""
-    hand, zero, translates = drafting.hand, place.on(0j), shown.view.cam.translates
+    hand, zero, translates = drafting.hand, place.on(0j), shown.cam.translates
     yield labels.beside(zero, ORIGIN, hand.letter, BESIDE, -math.pi / 4)
     if translates:
         yield labels.along(*_straight(shown, place, hand), "v", hand.letter, BESIDE, math.pi / 2)
@@ -150,8 +148,8 @@ def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Label
         end, (spot, turn) = _end(shown, place, hand), _arrow(shown, place, hand)
         yield labels.beside(end, drafting.word("zero ray"), hand.number, BESIDE, cmath.phase(end - zero))
         yield labels.beside(spot, "ω", hand.letter, BESIDE, turn)
-    for k, name in shown.table.stations.rays():
-        spot = place.on(complex(shown.table.spots[k]))
+    for k, name in shown.stations.rays():
+        spot = place.on(complex(shown.spots[k]))
         towards = math.pi / 2 if translates else cmath.phase(spot - zero)
         yield labels.beside(spot, label(shown, name, drafting), hand.number, BESIDE, towards)
     yield from lettered(shown.view, place, drafting, labels)
@@ -160,17 +158,17 @@ def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Label
 def _end(shown: Manufacture, place: Place, hand: Hand) -> complex:
     """Give the end of the zero ray, mm."""
     out = max(place.length(abs(complex(outline[0]))) for outline in shown.view.outlines)
-    return place.on(0j) + (out + PAST * hand.symbol) * zero(shown.table)
+    return place.on(0j) + (out + PAST * hand.symbol) * zero(shown)
 
 
 def _axes(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the axes of the shaft, and the zero ray; of a cam that translates the level of O."""
-    if shown.view.cam.translates:
+    if shown.cam.translates:
         left, right = (place.on(complex(corner.real)) for corner in shown.view.body)
         yield Line(left, right, fit(hand.axis, abs(right - left)))
         return
     centre, end = place.on(0j), _end(shown, place, hand)
-    along = zero(shown.table) * PAST * hand.symbol
+    along = zero(shown) * PAST * hand.symbol
     for start, stop in ((centre - along, end), (centre - 1j * along, centre + 1j * along)):
         yield Line(start, stop, fit(hand.axis, abs(stop - start)))
 
@@ -190,20 +188,20 @@ def _straight(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, co
     """Give the ends of the arrow of a cam that translates, within its body."""
     left, right = (place.on(corner) for corner in shown.view.body)
     middle, half = (
-        (left + right) / 2 + 0.25j * place.length(shown.view.cam.lift),
-        shown.view.cam.sense * PAST * hand.symbol,
+        (left + right) / 2 + 0.25j * place.length(shown.cam.lift),
+        shown.cam.sense * PAST * hand.symbol,
     )
     return middle + half, middle - half
 
 
 def _sense(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the arrow of rotation, or that of a cam that translates in its body."""
-    if shown.view.cam.translates:
+    if shown.cam.translates:
         yield pushed(PLAN, _straight(shown, place, hand), hand)
     else:
         spot, turn = _arrow(shown, place, hand)
         radius = abs(spot - place.on(0j))
-        sweep = shown.view.cam.sense * SWEEP * hand.symbol / radius
+        sweep = shown.cam.sense * SWEEP * hand.symbol / radius
         arrow = TurnArrow(place.on(0j), radius, turn - sweep / 2, sweep).draw(hand)
         yield stating(Statement(Kind.DIRECTION, PLAN, "ω"), *arrow)
 
@@ -211,22 +209,22 @@ def _sense(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
 def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Group]:
     """Draw the radii at even turns, or ordinates from the level of O; each can be measured."""
     hand = drafting.hand
-    for number, (k, name) in enumerate(shown.table.stations.rays()):
-        end = complex(shown.table.spots[k])
-        start = complex(end.real) if shown.view.cam.translates else 0j
+    for number, (k, name) in enumerate(shown.stations.rays()):
+        end = complex(shown.spots[k])
+        start = complex(end.real) if shown.cam.translates else 0j
         data = Subject(PLAN, QUANTITY, number).data("vector", "r", end - start, place.scale)
         yield Group((Line(place.on(start), place.on(end), hand.drafted),), "", data, label(shown, name, drafting))
 
 
 def _rows(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the points that the table tells."""
-    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.table.spots)
+    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.spots)
 
 
 DIGITS = 5
 
 
-def notes(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
+def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     """Say what a workshop must know beside the curve."""
     cam = shown.cam
     yield drafting.word(_moves(shown))
@@ -243,13 +241,13 @@ def notes(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
         yield drafting.word("profile flaws", flaws=", ".join(drafting.word(f"cam {kind}") for kind in wrong))
 
 
-def _moves(shown: ToldProfile) -> str:
+def _moves(shown: Manufacture) -> str:
     """Name the sense in which the cam moves."""
     names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
     return names[shown.cam.sense < 0]
 
 
-def _roller(shown: ToldProfile, drafting: Drafting) -> str:
+def _roller(shown: Manufacture, drafting: Drafting) -> str:
     radius = Slot(f"r_rol {shown.cam.name}", MM * shown.found.roller, DIGITS)
     if not grooved(shown.found):
         return drafting.phrase("roller of cam", radius=radius)
@@ -257,7 +255,7 @@ def _roller(shown: ToldProfile, drafting: Drafting) -> str:
     return drafting.phrase("groove of cam", radius=radius, breadth=breadth)
 
 
-def _dwells(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
+def _dwells(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     """Tell the radii of the arcs, and between which turns they are."""
     arcs = []
     for k, (phase, radius) in enumerate(dwells(shown)):
@@ -273,9 +271,9 @@ PLACES = 3  # of a millimetre and of a degree: finer than any machine divides
 POLAR, PLANE = ("polar radius, mm", "polar angle, °"), ("abscissa, mm", "ordinate, mm")
 
 
-def radii(shown: ToldProfile, every: int, drafting: Drafting) -> RuledTable:
+def radii(shown: Manufacture, every: int, drafting: Drafting) -> RuledTable:
     """Tell the profile, of a groove its middle, at every so many of the tabled turns."""
-    names, spots = shown.stations.names, told(shown)
+    names, spots = shown.stations.names, cells(shown)
     lines = [_row(names[k], *spots[k], drafting) for k in range(0, len(names), every)]
     words = PLANE if shown.cam.translates else POLAR
     first = drafting.word("x of cam, mm" if shown.cam.translates else "φ of cam, °")
@@ -283,11 +281,11 @@ def radii(shown: ToldProfile, every: int, drafting: Drafting) -> RuledTable:
 
 
 def _row(name: float, first: float, second: float, drafting: Drafting) -> TableRow:
-    cells = (fixed(value, drafting.language, PLACES) for value in (first, second))
-    return TableRow(drafting.number(name, 5), tuple(cells))
+    sizes = (fixed(value, drafting.language, PLACES) for value in (first, second))
+    return TableRow(drafting.number(name, 5), tuple(sizes))
 
 
-def told(shown: ToldProfile) -> list[tuple[float, float]]:
+def cells(shown: Manufacture) -> list[tuple[float, float]]:
     """Give what the rows tell: polar radii mm and angles in degrees, or coordinates of a cam that translates, mm."""
     if shown.cam.translates:
         return [(spot.real, spot.imag) for spot in (MM * shown.spots).tolist()]

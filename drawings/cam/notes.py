@@ -22,13 +22,15 @@ class TableUnit(NamedTuple):
     size: float
 
 
-TOLD = {
-    "m": TableUnit("mm", 1000.0),
-    "rad": TableUnit("°", math.degrees(1)),
-    RATIO: TableUnit("", 1.0),
-    "1/rad": TableUnit("", 1.0),
+MILLIMETRES, DEGREES, BARE = TableUnit("mm", MM), TableUnit("°", math.degrees(1)), TableUnit("", 1.0)
+TABLE_UNITS = {
+    "m": MILLIMETRES,
+    "m/rad": MILLIMETRES,
+    "m/rad2": MILLIMETRES,
+    "rad": DEGREES,
+    RATIO: BARE,
+    "1/rad": BARE,
 }
-TOLD |= {"m/rad": TOLD["m"], "m/rad2": TOLD["m"]}
 
 
 def letters(cam: Cam) -> tuple[str, str]:
@@ -41,9 +43,9 @@ def units(cam: Cam) -> dict[str, str]:
     return dict(zip((TRAVEL, VELOCITY, ACCELERATION), dimensions(cam), strict=True))
 
 
-def ways_told(cam: Cam) -> tuple[TableUnit, ...]:
+def table_units(cam: Cam) -> tuple[TableUnit, ...]:
     """Give how a table tells S, S' and S''."""
-    return tuple(TOLD.get(unit, TableUnit(unit, 1.0)) for unit in dimensions(cam))
+    return tuple(TABLE_UNITS.get(unit, TableUnit(unit, 1.0)) for unit in dimensions(cam))
 
 
 DIGITS = 5

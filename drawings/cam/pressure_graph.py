@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,7 +24,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK
 from plans.cam.diagrams import LawDiagrams
-from plans.model.cam import DWELL, RETURN, RISE, Cam, Limits
+from plans.model.cam import RETURN, RISE, Cam, Limits
 from plans.model.cam_motion import CamFound, Contour, Extreme
 from plans.model.motion import Floats
 
@@ -36,16 +36,27 @@ APART = 2.0  # sizes of a number from one numbered position to the next
 
 @dataclass(frozen=True)
 class PressureView:
-    """The pressure angle of a cam: densely, at its numbered positions, at its extremes; degrees, over rad or m."""
+    """The pressure angle of a cam: densely, at its numbered positions, at its extremes."""
 
-    cam: Cam
     limits: Limits  # rad
-    turned: Floats  # dense
-    angles: Floats  # degrees
-    stations: Floats  # of the numbered positions
-    ordinates: Floats  # degrees
-    extremes: Mapping[str, Extreme]  # rad: on each kind of phase
+    curve: Contour  # at many turns
+    found: CamFound  # with its contour at the numbered positions
     law: LawDiagrams | None = None  # what stands over it on one axis
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.found.cam
+
+    @property
+    def angles(self) -> Floats:
+        """The pressure angle at many turns, degrees."""
+        return np.degrees(self.curve.pressure)
+
+    @property
+    def ordinates(self) -> Floats:
+        """The pressure angle at the numbered positions, degrees."""
+        return np.degrees(self.found.contour.pressure)
 
     @property
     def levels(self) -> tuple[tuple[str, float], ...]:
@@ -61,26 +72,14 @@ class PressureView:
     @property
     def span(self) -> tuple[float, float]:
         """The least and the greatest angle, 0 and the limits among them, degrees."""
-        every = [*self.angles.tolist(), *(math.degrees(extreme.value) for extreme in self._moving), 0.0]
+        every = [*self.angles.tolist(), *(math.degrees(extreme.value) for extreme in self.found.pressure.values()), 0.0]
         every += [level for _, level in self.levels]
         return min(every), max(every)
 
     @property
-    def _moving(self) -> tuple[Extreme, ...]:
-        return tuple(extreme for kind, extreme in self.extremes.items() if kind != DWELL)
-
-    @property
     def marked(self) -> tuple[tuple[str, Extreme], ...]:
         """The extremes that are marked, with their phases."""
-        return tuple((kind, extreme) for kind, extreme in self.extremes.items() if kind != DWELL and extreme.value)
-
-
-def pressure_view(limits: Limits, curve: Contour, found: CamFound) -> PressureView:
-    """Give what the graph shows of a cam: its contour at many turns, and what is found at its numbered positions."""
-    contour, angles = found.contour, np.degrees(curve.pressure)
-    return PressureView(
-        found.cam, limits, curve.turned, angles, contour.turned, np.degrees(contour.pressure), found.pressure
-    )
+        return tuple((kind, extreme) for kind, extreme in self.found.pressure.items() if extreme.value)
 
 
 def measure(view: PressureView, drafting: Drafting) -> Picture:
@@ -127,7 +126,7 @@ def _graph(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) ->
         *_phases(view, axes, hand),
         *_levels(view, axes, hand),
         *_stations(view, graph),
-        graph.stated(LETTER, graph.curve(view.turned, view.angles, hand.result)),
+        graph.stated(LETTER, graph.curve(view.curve.turned, view.angles, hand.result)),
         *_marks(view, graph, drafting),
     )
     ends = graph.ends((turn, room.letter), (view.span[1], f"{LETTER}, {UNIT}"))
@@ -160,7 +159,7 @@ def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 def _stations(view: PressureView, graph: Graph) -> Iterator[Stroke]:
     """Draw the ordinates of the positions that bear numbers, which can be measured, and the points of all."""
     numbered = _roomy(view, graph)
-    for k, (turned, angle) in enumerate(zip(view.stations.tolist(), view.ordinates.tolist(), strict=True)):
+    for k, (turned, angle) in enumerate(zip(view.found.contour.turned.tolist(), view.ordinates.tolist(), strict=True)):
         yield from graph.station(turned, [angle], str(k), k, k in numbered)
 
 
@@ -205,9 +204,9 @@ def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Lette
 def _numbers(view: PressureView, graph: Graph) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate, those that have room."""
     for k in _roomy(view, graph):
-        yield graph.number(float(view.stations[k]), str(k), float(view.ordinates[k]))
+        yield graph.number(float(view.found.contour.turned[k]), str(k), float(view.ordinates[k]))
 
 
 def _roomy(view: PressureView, graph: Graph) -> tuple[int, ...]:
     """Choose the positions whose numbers have room."""
-    return spaced([graph.axes.on(turned) for turned in view.stations.tolist()], APART * graph.hand.number)
+    return spaced([graph.axes.on(turned) for turned in view.found.contour.turned.tolist()], APART * graph.hand.number)

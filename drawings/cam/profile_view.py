@@ -180,7 +180,7 @@ def _curves(found: CamFound) -> Iterator[ShownCurve]:
             yield ShownCurve(OUTER, away, path(cam, sizes, away))
 
 
-TOLD = 2  # digits of a stated deviation
+DEVIATION_DIGITS = 2  # digits of a stated deviation
 
 
 def profile_curve(
@@ -214,7 +214,7 @@ def upward(value: float) -> float:
     """
     if value == 0:
         return 0.0
-    digit = math.floor(math.log10(value)) + 1 - TOLD
+    digit = math.floor(math.log10(value)) + 1 - DEVIATION_DIGITS
     return float(f"{math.ceil(value * 10.0**-digit)}e{digit}")
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.cam.notes import CamNotes, letters, ways_told
+from drawings.cam.notes import CamNotes, letters, table_units
 from drawings.dynamics.report_tables import entry, plain
 from drawings.lettering.words import ROUNDING
 from drawings.page.scale import Drafting, drafting_of
@@ -86,7 +86,7 @@ def _values(found: CamFound, drafting: Drafting) -> Iterator[str]:
 def _head(name: str, found: CamFound, drafting: Drafting) -> str:
     """Head a column: the first bears the number of the position beside the turn, or the travel."""
     turn = letters(found.cam)[1]
-    ways = dict(zip(("S", "S'", "S''"), ways_told(found.cam), strict=True))
+    ways = dict(zip(("S", "S'", "S''"), table_units(found.cam), strict=True))
     units = {"φ": "mm" if found.cam.translates else "°", "α": "°", **{way: ways[way].unit for way in ways}}
     unit = units.get(name, "mm")
     said = f"{name.replace('φ', turn)}, {drafting.word(unit)}" if unit else name
@@ -97,7 +97,7 @@ def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
     contour, cam = found.contour, found.cam
     columns = (
         contour.turned * (MM if cam.translates else DEGREES),
-        *(way.size * column for way, column in zip(ways_told(cam), contour.travel, strict=True)),
+        *(way.size * column for way, column in zip(table_units(cam), contour.travel, strict=True)),
         MM * contour.pitch.real,
         MM * contour.pitch.imag,
         DEGREES * contour.pressure,

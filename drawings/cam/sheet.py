@@ -11,7 +11,7 @@ from drawings.cam import law_diagrams, law_frame, manufacturing, pressure_graph,
 from drawings.cam import profile as profile_figure
 from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
 from drawings.cam.notes import CamNotes
-from drawings.cam.pressure_graph import PressureView, pressure_view
+from drawings.cam.pressure_graph import PressureView
 from drawings.cam.profile_view import profile_view
 from drawings.cam.size_view import SizeView
 from drawings.cyclogram.notes import settings_of
@@ -70,7 +70,7 @@ def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], d
     """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
     contents = _contents(drawing, exact, compared, drafting)
-    first, *further = (_told(contents, drafting, way) for way in ways)
+    first, *further = (_variant(contents, drafting, way) for way in ways)
     return first._replace(instead=tuple(further))
 
 
@@ -79,14 +79,14 @@ def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity]
     by_hand = any(readings(drawing))
     return _Contents(
         drawing,
-        pressure_view(drawing.sizing.limits, drawing.curve, drawing.found),
+        PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
         _results(drawing, exact, by_hand, drafting),
         (*CamNotes(drawing.found, drafting).all, *agreed(compared, drafting, by_hand)),
     )
 
 
-def _told(contents: _Contents, drafting: Drafting, way: str) -> Draft:
+def _variant(contents: _Contents, drafting: Drafting, way: str) -> Draft:
     cam = contents.drawing.cam
     shows = (*_shows(contents, way, drafting), contents.profile)
     title = drafting.word("cam sheet title", name=cam.name)
@@ -159,10 +159,10 @@ def _workshop_draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Sc
     table as many rows as they take.
     """
     for small in _formats(scene):
-        draft = _workshop_told(shown, EVERY[0], several, drafting_of(small))
+        draft = _workshop_variant(shown, EVERY[0], several, drafting_of(small))
         if _true(small, draft):
             return small, draft
-    first, *further = (_workshop_told(shown, every, several, drafting_of(scene)) for every in EVERY)
+    first, *further = (_workshop_variant(shown, every, several, drafting_of(scene)) for every in EVERY)
     return scene, first._replace(instead=tuple(further))
 
 
@@ -195,17 +195,17 @@ def _true(scene: Scene, draft: Draft) -> bool:
     return not further and room.extent(composed.spots[room.name].scale) >= max(natural, room.least) * SMALLER
 
 
-def _workshop_told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
-    title = drafting.word("cam profile sheet title") + (f" {shown.view.cam.name}" if several else "")
+def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
+    title = drafting.word("cam profile sheet title") + (f" {shown.cam.name}" if several else "")
     figure = exhibit(manufacturing, shown, drafting)
-    table = manufacturing.radii(shown.table, every, drafting)
+    table = manufacturing.radii(shown, every, drafting)
     return Draft(
         KIND,
         title,
         (figure,),
         (table,),
-        tuple(manufacturing.notes(shown.table, drafting)),
-        partial(figures_facts, cam=shown.view.cam.name, every=every),
+        tuple(manufacturing.notes(shown, drafting)),
+        partial(figures_facts, cam=shown.cam.name, every=every),
         manufacturing.PLAN,
     )
 

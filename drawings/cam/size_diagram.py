@@ -167,9 +167,9 @@ def _reaches(view: SizeView, drafting: Drafting) -> Iterator[tuple[str, complex,
     sizes = view.sizing.sizes
     if not view.bent:
         end = view.face[2] if view.faced else view.start
-        yield "R_0", end, _told("R_0", sizes.base, drafting)
+        yield "R_0", end, _equation("R_0", sizes.base, drafting)
     if view.cam.rocks:
-        yield "L", 0j, _told("L", sizes.centre, drafting)
+        yield "L", 0j, _equation("L", sizes.centre, drafting)
 
 
 def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimension]:
@@ -203,10 +203,10 @@ def _long(letter: str, size: float, ends: Ends, off: complex, place: Place, draf
 
 def _dimension(letter: str, size: float, ends: Ends, off: complex, place: Place, drafting: Drafting) -> Dimension:
     said = Statement(Kind.LENGTH, NAME, letter, scale=place.scale.mu)
-    return Dimension(_told(letter, size, drafting), *ends, off, said)
+    return Dimension(_equation(letter, size, drafting), *ends, off, said)
 
 
-def _told(letter: str, size: float, drafting: Drafting) -> Phrase:
+def _equation(letter: str, size: float, drafting: Drafting) -> Phrase:
     return joined(" = ", (letter, drafting.slot(Slot(letter, MM * size))))
 
 
@@ -237,7 +237,7 @@ def _named(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]
 def _arm(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
     """Letter the start of the rocker's arc, and its arm."""
     if len(view.tips):
-        hand, text = drafting.hand, _told("l", abs(view.start), drafting)
+        hand, text = drafting.hand, _equation("l", abs(view.start), drafting)
         yield Letter(place.on(view.start), "A", hand.letter, math.pi / 2 * (1 - view.cam.rising), BESIDE)
         yield Letter((place.on(0j) + place.on(_top(view))) / 2, text, hand.number, math.pi / 2)
 

@@ -140,7 +140,7 @@ def rulers(view: SizeView, place: Place, drafting: Drafting) -> tuple[tuple[Stro
         if angle is not None:
             taken.append(angle.middle)
             lines += angle.draw(drafting.hand)
-            letters.append(Letter(angle.middle, _told(tangent, drafting), drafting.hand.number, angle.side, GAP))
+            letters.append(Letter(angle.middle, _limit_text(tangent, drafting), drafting.hand.number, angle.side, GAP))
         elif not view.cam.rocks:
             letters.append(Letter(past, "45°", drafting.hand.number, 0.0))
     lines += _chord(view, place, drafting.hand)
@@ -159,7 +159,7 @@ def _angle(
     return max(ways, key=lambda angle: min((CROWD, *(abs(angle.middle - spot) for spot in taken))))
 
 
-def _told(tangent: SizeTangent, drafting: Drafting) -> str:
+def _limit_text(tangent: SizeTangent, drafting: Drafting) -> str:
     """Write a limit of the pressure angle."""
     assert isinstance(tangent.bound, PressureBound)
     sign, minus = (-1, "−") if lower(tangent) else (1, "")

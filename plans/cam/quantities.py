@@ -121,10 +121,12 @@ def quantities_of(study: Study) -> tuple[Quantity, ...]:
     found: Comparison = study.comparison("cam")
     ours, theirs = found.construction.cams, found.analysis.cams
     names = ["" if len(ours) == 1 else f" {cam.cam.name}" for cam in ours]
-    return *found.findings, *(quantity for both in zip(ours, theirs, names, strict=True) for quantity in _told(*both))
+    return *found.findings, *(
+        quantity for both in zip(ours, theirs, names, strict=True) for quantity in _table_rows(*both)
+    )
 
 
-def _told(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Quantity]:
+def _table_rows(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Quantity]:
     pairs = zip(results(ours), results(theirs), strict=True)
     for result, exact in ((result, exact) for result, exact in pairs if not result.where):
         yield Quantity.of((SIZES, f"{result.letter}{of}", result.unit), (result.value, exact.value), np.inf)

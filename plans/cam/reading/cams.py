@@ -9,10 +9,10 @@ from fractions import Fraction
 from itertools import accumulate
 from typing import NamedTuple
 
+from plans.cam.reading.entry import CamEntry, Exact, misplaced, pace_of, proportions, shown
 from plans.cam.reading.fields import CYCLOGRAM, REST, TURNING_STIFFNESS
 from plans.cam.reading.form import AGAINST, CamForm
 from plans.cam.reading.laws import PhaseWay, law_of, ways_of
-from plans.cam.reading.misplaced import CamEntry, Exact, misplaced, pace_of, proportions, shown
 from plans.model.cam import DWELL, NO_LIMITS, Cam, Follower, FollowerLoad, GivenSizes, Limits, Phase
 from plans.model.cyclogram import Window
 from plans.scene import units

@@ -160,8 +160,13 @@ def likely_law(value: object) -> str:
     >>> likely_law("cycloidal"), likely_law("косинусоидальный"), likely_law("345"), likely_law("cosin")
     ('sine', 'cosine', '3-4-5', '')
     """
+    return _likely(value, OTHERWISE)
+
+
+def _likely(value: object, meant: Mapping[str, str]) -> str:
+    """Give what the first letters that a text has are meant for."""
     written = str(value).casefold()
-    return next((law for letters, law in OTHERWISE.items() if letters in written), "")
+    return next((name for letters, name in meant.items() if letters in written), "")
 
 
 # Beginnings of what a phase is called in other books and languages.
@@ -183,8 +188,7 @@ def likely_kind(value: object) -> str:
     >>> likely_kind("дальний выстой"), likely_kind("Возвращение")
     ('dwell', 'return')
     """
-    written = str(value).casefold()
-    return next((kind for letters, kind in KINDS.items() if letters in written), "")
+    return _likely(value, KINDS)
 
 
 SPEED = measure(units.SPEED, units.VELOCITY)

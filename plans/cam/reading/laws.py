@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
-from plans.cam.reading.misplaced import CamEntry, shown
+from plans.cam.reading.entry import CamEntry, shown
 from plans.cam.reading.phase_form import AccelerationShape, LawTable, PhaseTable, cancelled
 from plans.model.cam import CUBICS, DWELL, LINES, RETURN, RISE, SHAPE, TABLE, Law
 from plans.scene import units

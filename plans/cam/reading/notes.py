@@ -9,8 +9,8 @@ from fractions import Fraction
 from itertools import pairwise
 
 from plans.cam.reading.cams import WHOLE, entries_of
+from plans.cam.reading.entry import CamEntry, pace_of, shown
 from plans.cam.reading.fields import CYCLOGRAM, REST
-from plans.cam.reading.misplaced import CamEntry, pace_of, shown
 from plans.cam.reading.phase_form import LawTable
 from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, RISE, TABLE
 from plans.scene import units

@@ -1,4 +1,4 @@
-"""Keys of a cam that its follower, its phases or its closure have no use for (лишние данные)."""
+"""A cam of the scene while it is examined: its faults, its pace, keys that it has no use for (данные кулачка)."""
 
 from __future__ import annotations
 
