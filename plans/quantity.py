@@ -98,6 +98,14 @@ class Numbers(NamedTuple):
         return self.data
 
 
+class Told(Protocol):
+    """What a technique found by one road."""
+
+    @property
+    def flawed(self) -> bool: ...  # noqa: D102
+    def plain(self) -> dict[str, Any]: ...  # noqa: D102
+
+
 class Road(Protocol):
     """What one road found: by which it was found, and where it finds nothing."""
 

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from copy import copy
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
+from plans.quantity import Comparison, Quantity, Told
 from plans.scene.forms import resting
 from plans.scene.scene import Scene
-from plans.techniques import TECHNIQUES, Technique, named
+from plans.techniques import Technique, name_of, techniques
+
+if TYPE_CHECKING:
+    from plans.model.motion import Pace
 
 S = TypeVar("S")
+
+
+class Made(Protocol):
+    """What a technique made of a scene: its own study."""
+
+    @property
+    def made(self) -> Collection[str]: ...  # noqa: D102
+    def construct(self, plans: frozenset[str], /) -> None: ...  # noqa: D102
 
 
 class Study:
@@ -22,9 +34,9 @@ class Study:
         self.chosen = plans is not None  # asked for by name, not by the scene's sheets
         self.plans = frozenset(plans if plans is not None else plans_of(scene))  # what is asked for, by its name
         self.whole = False  # asked for with all that it rests on
-        self._made: dict[str, Any] = {}
-        self._compared: dict[str, Any] = {}
-        self._numbers: dict[tuple[str, str], Any] = {}
+        self._made: dict[str, Made] = {}
+        self._compared: dict[str, Comparison] = {}
+        self._numbers: dict[tuple[str, str], Told] = {}
 
     @classmethod
     def of_all(cls, scene: Scene, whole: bool = False) -> Study:
@@ -33,22 +45,23 @@ class Study:
         study.whole = whole
         return study
 
-    def __getitem__(self, technique: str) -> Any:
+    def __getitem__(self, technique: str) -> Made:
         """Give the study of a technique."""
         if technique not in self._made:
-            self._made[technique] = named(TECHNIQUES[technique].study)(self)
+            self._made[technique] = techniques()[technique].study(self)
         return self._made[technique]
 
     def of(self, kind: type[S]) -> S:
-        """Give the study of a technique by its kind, as a reader of the text and of its types can follow it."""
-        found = self[next(name for name, row in TECHNIQUES.items() if row.study.partition(":")[0] == kind.__module__)]
-        assert isinstance(found, kind)  # a row names the function that makes it beside it
+        """Give what a technique made of the scene by its kind: its study, or its comparison of the two roads."""
+        name = name_of(kind)
+        found = self.comparison(name) if issubclass(kind, Comparison) else self[name]
+        assert isinstance(found, kind)  # it is made in the folder of the technique
         return found
 
     @cached_property
     def techniques(self) -> tuple[str, ...]:
         """The techniques that make what is asked for, each after those that it rests on."""
-        asked = [name for name, row in TECHNIQUES.items() if not self.plans.isdisjoint(row.plans)]
+        asked = [name for name, row in techniques().items() if not self.plans.isdisjoint(row.plans)]
         return resting(asked)
 
     def anew(self, technique: str, constructed: bool = False) -> Study:
@@ -64,33 +77,31 @@ class Study:
         for technique in self.techniques:
             self[technique].construct(self.plans)
 
-    def comparison(self, technique: str) -> Any:
+    def comparison(self, technique: str) -> Comparison:
         """Give the comparison of the two roads of a technique."""
         if technique not in self._compared:
-            self._compared[technique] = named(TECHNIQUES[technique].comparison)(self)
+            self._compared[technique] = techniques()[technique].comparison(self)
         return self._compared[technique]
 
-    def quantities(self, technique: str) -> Any:
+    def quantities(self, technique: str) -> Sequence[Quantity]:
         """Give all quantities of a technique that tables tell, by both roads."""
-        row = TECHNIQUES[technique]
-        return named(row.quantities)(self) if row.quantities else self.comparison(technique).findings
+        return techniques()[technique].quantities(self)
 
     @property
-    def comparisons(self) -> tuple[Any, ...]:
+    def comparisons(self) -> tuple[Comparison, ...]:
         """The comparisons of all techniques that are asked for."""
         return tuple(self.comparison(technique) for technique in self.techniques)
 
-    def numbers(self, technique: str, by: str) -> Any:
+    def numbers(self, technique: str, by: str) -> Told:
         """Give the numbers of a technique by one road."""
         if (technique, by) not in self._numbers:
-            self._numbers[technique, by] = named(TECHNIQUES[technique].numbers)(self, by)
+            self._numbers[technique, by] = techniques()[technique].numbers(self, by)
         return self._numbers[technique, by]
 
     @property
-    def pace(self) -> Any:
+    def pace(self) -> Pace | None:
         """The rates of the drive in each position, by the technique that the scene asks for them; None: its own."""
-        rows = (TECHNIQUES[name] for name in self.scene.techniques)
-        paces = (named(row.pace)(self) for row in rows if row.pace)
+        paces = (techniques()[name].pace(self) for name in self.scene.techniques)
         return next((pace for pace in paces if pace is not None), None)
 
     @property
@@ -101,20 +112,20 @@ class Study:
     @property
     def rows(self) -> tuple[Technique, ...]:
         """The rows of the techniques that are asked for."""
-        return tuple(TECHNIQUES[technique] for technique in self.techniques)
+        return tuple(techniques()[technique] for technique in self.techniques)
 
 
 def rows_of(scene: Scene) -> Iterator[Technique]:
     """Give the techniques that a scene has tables of, or of what a technique without any rests on."""
-    return (row for row in TECHNIQUES.values() if any(scene.has((table,)) for table in _homes(row)))
+    return (row for row in techniques().values() if any(scene.has((table,)) for table in _homes(row)))
 
 
 def _homes(row: Technique) -> Iterable[str]:
     """Give the tables by which a scene has a technique."""
-    return row.tables or tuple(table for name in row.needs for table in TECHNIQUES[name].tables)
+    return row.tables or tuple(table for name in row.needs for table in techniques()[name].tables)
 
 
 def plans_of(scene: Scene) -> Iterable[str]:
     """Give the plans that the sheets of a scene need."""
-    sheets = {sheet: plans for row in TECHNIQUES.values() for sheet, plans in row.sheets.items()}
+    sheets = {sheet: plans for row in techniques().values() for sheet, plans in row.sheets.items()}
     return (plan for sheet in scene.sheets for plan in sheets[sheet])

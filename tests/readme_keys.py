@@ -12,7 +12,7 @@ from plans.scene.faults import Path as KeyPath
 from plans.scene.refusal import table_name
 from plans.scene.scene import Scene
 from plans.scene.tables import REQUIRED, Key, Table
-from plans.techniques import TECHNIQUES, named
+from plans.techniques import techniques
 
 PAGE = Path(__file__).parent.parent / "drawings/gallery/keys.md"
 HEAD = ("| key | value | default | meaning |", "|---|---|---|---|")
@@ -21,7 +21,7 @@ BLOCK = re.compile(r"(?<=<!-- )keys of (?P<part>[\w ]+) -->\n(?P<table>.*?)(?=<!
 
 def parts() -> Mapping[str, type[Table]]:
     """Give what is tabled together: what every scene has, and the form of each technique."""
-    return {"a scene": Scene, **{name: named(row.form) for name, row in TECHNIQUES.items()}}
+    return {"a scene": Scene, **{name: row.form() for name, row in techniques().items()}}
 
 
 def rows(kind: type[Table], path: KeyPath = ()) -> Iterator[str]:

@@ -45,6 +45,10 @@ BOTH = tuple(
     )
 )
 ROADS = "both roads"
+# What each technique is asked, which names the types of all rooms; at run time it knows none of them but for a default.
+CONTRACT = "plans/techniques.py"
+# Where a technique is an object: it knows all that its folder makes by either road.
+TECHNIQUES = tuple(f"plans/{name.rpartition('.')[2]}/__init__.py" for name in DRAWN)
 # Folder or file: what it must not import, anywhere in its text.
 FORBIDDEN = {
     "geometry/": ("plans", "drawings"),
@@ -220,8 +224,8 @@ ROOMS = (
     ("plans.model",),
     ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
-    ("plans.study", "plans.explanation"),
-    ("plans.quantity",),
+    ("plans.quantity", "plans.explanation"),
+    ("plans.study",),
     ("plans.by_hand",),
     ("plans.linkage", "plans.rotor", "plans.cam"),
     ("plans.forces",),
@@ -264,8 +268,10 @@ def room_of(module: str) -> str | None:
 
 def upward(path: str, text: str) -> Iterator[tuple[str, str]]:
     """Give the imports of a file from a room that does not stand in a row below its own."""
-    own = room_of(module_of(path))
-    for module, _, _ in parsed(text).imports:
+    own = ROADS if path in TECHNIQUES else room_of(module_of(path))
+    for module, _, late in parsed(text).imports:
+        if path == CONTRACT and late:
+            continue
         other = room_of(module)
         if own and other and own != other and ROWS[other] >= ROWS[own]:
             yield path, module
@@ -273,8 +279,12 @@ def upward(path: str, text: str) -> Iterator[tuple[str, str]]:
 
 def known_to(path: str) -> set[str]:
     """Give our own files that a file imports, late and for the types alike."""
-    places = (module.replace(".", "/") for module, _, _ in parsed((ROOT / path).read_text("utf-8")).imports)
-    return {file for place in places for file in (f"{place}.py", f"{place}/__init__.py") if file in FILES} - {path}
+    known = parsed((ROOT / path).read_text("utf-8")).imports
+    places = {module.replace(".", "/") for module, _, late in known if path != CONTRACT or not late}
+    files = {file for place in places for file in (f"{place}.py", f"{place}/__init__.py") if file in FILES} - {path}
+    # `from drawings.rotor import along` asks for a file of the folder, and not for what the folder itself says
+    asked = {Path(file).parent for file in files if not file.endswith("__init__.py")}
+    return {file for file in files if not file.endswith("__init__.py") or Path(file).parent not in asked}
 
 
 def circles(knows: dict[str, set[str]]) -> set[str]:

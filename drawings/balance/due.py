@@ -188,11 +188,11 @@ CHANGE = 0.05000001  # per cent: changes are told to a tenth
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of a scene's balanced mechanism (row of the table of sheets)."""
+    """Give what must stand on the sheets of a scene's balanced mechanism."""
     own = study.of(BalanceStudy)
     for leaf in leaves[:1]:
         balanced = Balanced(
-            own, study.comparison("balance"), drafting_of_forces(own.statics), leaf.metadata["position"]
+            own, study.of(BalanceComparison), drafting_of_forces(own.statics), leaf.metadata["position"]
         )
         sheet = _Sheet(balanced)
         yield from chain(sheet.schemes(), sheet.polygon(), sheet.shaking(), sheet.rocking())

@@ -14,12 +14,12 @@ from drawings.forces.report import drafting_of_forces
 from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweight
 from drawings.page.scale import Drafting
 from drawings.report.formula import Chapters
-from drawings.report.table import chapter, header, row
+from drawings.report.table import Report, chapter, header, row
 from plans.balance.study import BalanceStudy
 from plans.model.balance.linkage import Counterweight, Shares, State
 from plans.model.motion import NOTHING
 from plans.study import Study
-from plans.words.words import Message, word
+from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -115,11 +115,6 @@ def headline(study: Study) -> str:
     return "; ".join(map(plain, (*notes.counterweights(), *notes.price())))
 
 
-def remarks(study: Study) -> list[Message]:
-    """Find nothing that is not whole but the gaps, which are told with the positions."""
-    return []
-
-
 def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
     """Give the notes on what the construction finds."""
     own = study.of(BalanceStudy)
@@ -177,3 +172,6 @@ def _centres(notes: BalanceNotes) -> Iterator[str]:
 
 def _lines(notes: Iterable[str]) -> Iterator[str]:
     return (f"- {plain(note)}" for note in notes)
+
+
+REPORT = Report(chapters, headline)

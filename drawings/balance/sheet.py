@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
+from typing import Final
 
 from drawings.balance import graphs, hodograph, scheme, static_polygon
 from drawings.balance.costs import Nothing, costs, counterweights, nothing
+from drawings.balance.due import due
 from drawings.balance.report import notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
 from drawings.forces.letters import REACTION
+from drawings.forces.sheet import of_forces
 from drawings.kinds import curve_graph, polygon
 from drawings.kinds.polygon import Polygon, ShownVector
 from drawings.kinds.working import Working
@@ -22,6 +25,7 @@ from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.linkage.vector_plan import link_working
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit, figures_facts
 from geometry.board import at
@@ -69,8 +73,8 @@ class Balanced:
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
-    motion: MotionComparison = study.comparison("linkage")
+    """Lay out the sheets of a scene's balanced mechanism."""
+    motion = study.of(MotionComparison)
     if study.of(LinkageStudy).lost.all():
         gap = motion.construction.gaps[0]
         where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
@@ -218,3 +222,7 @@ class _BalancingSheet:
         if not weights:
             return (table,)
         return table, counterweights(weights, shown.bones.mechanism, drafting)
+
+
+SCALES: Final = {"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"}
+SHEETS: Final = {"balancing": SheetKind(leaves, due, SCALES, of_forces)}

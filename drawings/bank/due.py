@@ -279,7 +279,7 @@ FAR = 1e-9  # of a place: both roads take it from one length and one angle
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of a scene's bank (row of the table of sheets)."""
+    """Give what must stand on the sheets of a scene's bank."""
     task, comparison = study.of(BankStudy).task, study.comparison("bank")
     own = _Sheet(Bank(task, comparison, crank_of(study)), drafting_of(study.scene))
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})

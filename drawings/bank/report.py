@@ -14,7 +14,7 @@ from drawings.dynamics.report_tables import listed, plain
 from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
-from drawings.report.table import Subject, chapter, header, row
+from drawings.report.table import Report, Subject, chapter, header, row
 from drawings.rotor.report import ANGLE
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
@@ -308,11 +308,6 @@ def headline(study: Study) -> str:
     return "; ".join(map(plain, [*notes.compensators()] or [*notes.vanishing()]))
 
 
-def remarks(study: Study) -> list[str]:
-    """Find nothing that is not whole: the crank of every bank turns fully."""
-    return []
-
-
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a bank, its orders and its compensators."""
     drafting, notes = drafting_of(study.scene), _notes(study)
@@ -345,3 +340,6 @@ def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
 
 def _notes(study: Study) -> BankNotes:
     return BankNotes(study.of(BankStudy).balance, drafting_of(study.scene), DIGITS)
+
+
+REPORT = Report(chapters, headline, subject=subject)

@@ -5,11 +5,13 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Sequence
 from functools import partial
+from typing import Final
 
 import numpy as np
 
 from drawings.bank import compensators, polygon, shaft, star, turn_graph
 from drawings.bank.compensators import COUPLED, MASS, Layout
+from drawings.bank.due import due
 from drawings.bank.report import ORDER_HEADS, BankNotes, crank_of, direction, order_rows, straight
 from drawings.bank.star import BankView
 from drawings.bank.turn_graph import FORCE as ACTING
@@ -24,6 +26,7 @@ from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
@@ -118,12 +121,8 @@ AFTER = "'"  # behind the letter of what is left
 LIKE = 0.3  # of the force before: what is left is drawn to the same scale, unless it is much less
 
 
-def admit(scene: Scene) -> None:
-    """See nothing more: a bank's author names nothing, and any number of mechanisms can be shown."""
-
-
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a scene's bank (row of the table of sheets)."""
+    """Lay out the sheets of a scene's bank."""
     return sheets(study.scene, view_of(study), study.comparison("bank"))
 
 
@@ -206,3 +205,7 @@ def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
         layout = Layout(found, shown.turn, shown.task.speed)
         if any(layout.weights()):
             yield exhibit(compensators, layout, drafting)
+
+
+SCALES: Final = {"star": "scheme", "shaft": "scheme", "order_forces-": "force", "order_moments-": "moment"}
+SHEETS: Final = {"bank": SheetKind(leaves, due, SCALES)}

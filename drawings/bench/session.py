@@ -16,6 +16,7 @@ from plans.bench.motion import NothingToMeasure, turns, with_positions
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.quantities import ANALYSIS, CONSTRUCTION, DEFINED, follows, quantities, roads
 from plans.bench.trial import BUDGET, DRAWN, Bench, Goal, Order, Ratio, Road, Row, machine, orders, timed
+from plans.linkage.study import LinkageStudy
 from plans.scene.forms import resting
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -83,7 +84,7 @@ class Session:
 
     def _study(self, count: int | None) -> Study:
         study = Study(with_positions(self.scene, count) if count else self.scene)
-        if "linkage" in study.techniques and study["linkage"].lost.all():
+        if "linkage" in study.techniques and study.of(LinkageStudy).lost.all():
             raise NothingToMeasure(f"{self.scene.file}: no position can be assembled, so there is nothing to measure")
         return study
 

@@ -24,15 +24,17 @@ from drawings.pens import letters
 from drawings.pens.svg import svg
 from drawings.reading.sheet import SeenSheet, see
 from drawings.redrawn.originals import leaves_of
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.bench.quantities import quantities
 from plans.bench.trial import BUDGET, Errors, Road, Row, Times, interleaved
 from plans.by_hand import SLIP
 from plans.forces.marks import forces_by_hand
+from plans.forces.statics import Statics
 from plans.linkage.parts import MotionByHand
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import Scene
 from plans.study import Study
-from plans.techniques import named
 
 MEASURED, NUMBERS = "sheets: measured back", "sheets: their numbers"
 BY_HAND = "{}: by hand to {:g} mm"
@@ -88,7 +90,7 @@ def errors(drawn: Drawn, read: Callable[[hold.Seen, Mapping[Any, Expected]], Pai
     found: dict[str, float] = {}
     for kind, leaf, seen in drawn.sheets:
         alike = [own for other, own, _ in drawn.sheets if other == kind and subject(own) == subject(leaf)]
-        due = {row.key: row for row in named(SHEETS[kind].due)(drawn.study, alike)}
+        due = {row.key: row for row in sheet_kind(kind).due(drawn.study, alike)}
         told = [*read(hold.seen(seen.measured, leaf), due)]
         most: dict[str, float] = {}
         for _, whole, _, size in told:
@@ -130,15 +132,15 @@ Hand = Callable[[Drawn], Mapping[tuple[str, int], float]]
 
 
 def _linkage(drawn: Drawn) -> Mapping[tuple[str, int], float]:
-    study = drawn.study["linkage"]
-    hand = MotionByHand(study, drawn.study.comparison("linkage"), {})
+    study = drawn.study.of(LinkageStudy)
+    hand = MotionByHand(study, drawn.study.of(MotionComparison), {})
     return hand.on_sheet(range(len(study.turn)), drawn.scales)
 
 
 def _forces(drawn: Drawn) -> Mapping[tuple[str, int], float]:
     found: dict[tuple[str, int], float] = {}
     for leaf in (leaf for kind, leaf, _ in drawn.sheets if kind == "forces"):
-        found |= forces_by_hand(drawn.study["forces"], int(leaf.metadata["position"]), leaf.metadata["scales"])
+        found |= forces_by_hand(drawn.study.of(Statics), int(leaf.metadata["position"]), leaf.metadata["scales"])
     return found
 
 

@@ -37,7 +37,7 @@ NEAREST = 1e-9  # of the largest value: chords that are exact but for the roundi
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of one cam, or of the shaft of several (row of the table of sheets)."""
+    """Give what must stand on the sheets of one cam, or of the shaft of several."""
     name = subject(leaves[0])
     if name == EVERY:
         yield from chart(cam_rows([found.cam for found in study.comparison("cam").analysis.cams]))

@@ -202,7 +202,7 @@ def dwells(values: CamValues) -> list[tuple[Phase, float]]:
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of one cam (row of the table of sheets)."""
+    """Give what must stand on the sheets of one cam."""
     values = numbers_of(study, leaves[0].metadata["cam"]).values
     cam, drafting, turns = values.cam, drafting_of(study.scene), stations(values.cam)
     spots, slack = made_curve(values.found, values.at(turns.turned)), float(np.max(values.compared.slack.profile))

@@ -14,7 +14,7 @@ from drawings.dynamics.report_tables import entry, plain
 from drawings.lettering.words import ROUNDING
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
-from drawings.report.table import Subject, header, row
+from drawings.report.table import Report, Subject, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
 from plans.model.cam import MM
 from plans.model.cam_motion import CamFound
@@ -137,3 +137,6 @@ def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
     slope, travel = (drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
     strips = len(drawing.diagrams.strips.edges) - 1
     return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
+
+
+REPORT = Report(chapters, headline, remarks, subject)

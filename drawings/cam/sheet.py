@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from drawings.cam import law_diagrams, law_frame, manufacturing, pressure_graph, size_diagram, size_view
 from drawings.cam import profile as profile_figure
+from drawings.cam.coordinates import enclosures
+from drawings.cam.due import due
+from drawings.cam.due_notes import due as workshop_due
 from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
 from drawings.cam.notes import CamNotes
 from drawings.cam.pressure_graph import PressureView
@@ -25,6 +28,7 @@ from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.report import agreed
 from drawings.sheets.documents import letter
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import compositions, lay_out, lay_out_each
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.cam.numbers import cam_by_hand, readings, results
@@ -45,7 +49,7 @@ JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axi
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a scene's cams, each on sheets of its own (row of the table of sheets)."""
+    """Lay out the sheets of a scene's cams, each on sheets of its own."""
     scene, cams = study.scene, study.of(CamStudy).drawings.values()
     comparison, drafting = study.comparison("cam"), drafting_of(scene)
     pairs = [
@@ -143,7 +147,7 @@ EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them
 
 
 def workshop_leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a scene's cams, one for each (row of the table of sheets)."""
+    """Lay out the sheets of a scene's cams, one for each."""
     return workshop_sheets(study.scene, [manufacture(found) for found in study.of(CamStudy).found])
 
 
@@ -213,3 +217,9 @@ def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: D
 def of_cams(scene: Scene) -> None:
     """See that the names of a scene's cams can be lettered; whatever else is read of them can be shown."""
     letter(scene, [(("cam", k, "name"), cam.name) for k, cam in enumerate(scene.of(CamForm).cam)])
+
+
+SHEETS: Final = {
+    "cam": SheetKind(leaves, due, {"sizes": "cam", "profile": "cam"}, of_cams),
+    "profile": SheetKind(workshop_leaves, workshop_due, {"manufacturing": "cam"}, of_cams, enclosures=enclosures),
+}

@@ -18,11 +18,11 @@ from drawings.files.sheet_set import output_folder, placed_sheets, publish, shee
 from drawings.lettering.lettering import lettered
 from drawings.report.report import headlines, lines, remarks, summary, written
 from drawings.sheets.documents import of_scales, of_title
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.scene.forms import resting
 from plans.scene.scene import Scene, read_scene
 from plans.study import Study
-from plans.techniques import makers_of, named
+from plans.techniques import makers_of
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ def admit(scene: Scene) -> None:
     of_title(scene)
     of_scales(scene)
     for kind in scene.sheets:
-        named(SHEETS[kind].admit)(scene)
+        sheet_kind(kind).admit(scene)
 
 
 def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
@@ -178,19 +178,18 @@ def _held(
     for path, one in seen.items():
         groups.setdefault((sheets[path][0], subject(one.leaf)), {})[path] = one
     for (kind, _), group in groups.items():
-        due = {row.key: row for row in named(SHEETS[kind].due)(study, [one.leaf for one in group.values()])}
+        due = {row.key: row for row in sheet_kind(kind).due(study, [one.leaf for one in group.values()])}
         wrong |= zip(group, verify.wrongs([*group.values()], due, study.scene.sheet), strict=True)
         rows |= due
     for path, one in seen.items():
-        wrong[path] += verify.scale_wrongs(one, SHEETS[sheets[path][0]].scales, study.scene.sheet)
+        wrong[path] += verify.scale_wrongs(one, sheet_kind(sheets[path][0]).scales, study.scene.sheet)
     return {path: one.seen for path, one in seen.items() if not isinstance(one.seen, SheetRefused)}, wrong, rows
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:
     """Give the files that are written beside the sheets."""
     for kind in study.scene.sheets:
-        if SHEETS[kind].enclosures:
-            yield from named(SHEETS[kind].enclosures)(study)
+        yield from sheet_kind(kind).enclosures(study)
 
 
 def _strangers(scene: Scene, folder: Path) -> Iterator[Message]:

@@ -13,7 +13,7 @@ import numpy as np
 from drawings.commands.talk import noted
 from drawings.files.file_error import print_json
 from drawings.lettering.words import letter
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from geometry.board import Arc, Line, Mark, at
 from geometry.precision import condition
 from geometry.steps import Reading, Span, behind
@@ -22,7 +22,7 @@ from plans.model.motion import ORDERS, POSITIONS
 from plans.quantity import Quantity
 from plans.scene.scene import read_scene
 from plans.study import Study
-from plans.techniques import TECHNIQUES, named, technique_of
+from plans.techniques import techniques
 from plans.words.words import ALONE, Message, languages, message, said, term, word, words, written
 
 SIGNS: Final = str.maketrans({"{": "", "}": "", "−": "-", "′": "'"})  # of lettering, and of the names of marks
@@ -69,7 +69,7 @@ def _as_asked(found: Explanation, name: str) -> Explanation:
 def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
     """Ask the techniques for a letter until one explains it."""
     for technique in reversed(study.techniques):
-        answer: Explanation | NoMark = named(TECHNIQUES[technique].marks)(study, position, name)
+        answer = techniques()[technique].marks(study, position, name)
         yield answer
         if isinstance(answer, Explanation):
             return
@@ -77,8 +77,8 @@ def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | N
 
 def _of_sheets(study: Study, position: int, name: str) -> Iterator[str]:
     """Give what a letter is on the record that a sheet alone gives, such as the number of an arm."""
-    for sheet in (one for kind, one in SHEETS.items() if one.letters and technique_of(kind) in study.techniques):
-        yield from (found for own in own_names(name) if (found := named(sheet.letters)(study, position, own)))
+    for kind in (sheet_kind(sheet) for row in study.rows for sheet in row.sheets):
+        yield from (found for own in own_names(name) if (found := kind.letters(study, position, own)))
 
 
 def own_names(name: str) -> list[str]:

@@ -206,9 +206,9 @@ def _command(commands: Commands, name: str, text: str) -> argparse.ArgumentParse
 
 def _orders(text: str) -> list[str]:
     names = [name.strip() for name in text.split(",")]
-    from plans.techniques import TECHNIQUES  # only this option asks for the table
+    from plans.techniques import techniques  # only this option asks for the table
 
-    known = [plan for row in TECHNIQUES.values() for plan in row.plans]
+    known = [plan for row in techniques().values() for plan in row.plans]
     wrong = [name for name in names if name not in known]
     if wrong or not names:
         raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(known)}")

@@ -14,7 +14,9 @@ from drawings.page.scale import drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.points import placed
+from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.study import CyclogramStudy
+from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.cyclogram import BEGIN, END, Cyclogram
 from plans.model.mechanism import FRAME
@@ -29,14 +31,14 @@ INFINITE = "∞"
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of a scene's cyclogram (row of the table of sheets)."""
-    found: Cyclogram = study.comparison("cyclogram").analysis
+    """Give what must stand on the sheets of a scene's cyclogram."""
+    found: Cyclogram = study.of(CyclogramComparison).analysis
     rows = machine_rows(found, study.of(CyclogramStudy).cams)
     yield from chart(rows, found.positions[0].turned)
     yield from _table(study, found)
     for leaf in leaves[:1]:
         yield from _plan(study, found, leaf.metadata["characteristic"])
-        for one in measures(study.of(LinkageStudy), study.comparison("linkage"), drafting_of(study.scene)):
+        for one in measures(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene)):
             yield one._replace(may_lack=True)
 
 
@@ -46,7 +48,7 @@ def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
     mechanism, turned = own.pictured.mechanism, [one.turned for one in found.positions]
     # The sketch is of the first position of the scene: there the analysis is assembled, and goes on to the others.
     phi = np.concatenate([own.linkage.turn.phi[:1], found.sense * np.array(turned)])
-    motion = study.comparison("linkage").road.around(phi, 0)
+    motion = study.of(MotionComparison).road.around(phi, 0)
     drive, fixed = mechanism.drive, mechanism.links[FRAME].points
     places = {name: complex(one.r[1 + shown]) for name, one in motion.points.items()} | dict(fixed)
     size = max(abs(place) for place in places.values())

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from drawings.cyclogram.notes import CyclogramNotes
 from drawings.dynamics.report_tables import plain
-from drawings.linkage import notes as linkage_subject
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
-from drawings.report.table import Subject, chapter
+from drawings.report.table import Report, chapter
+from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.study import Study
-from plans.words.words import word
+from plans.words.words import Message, message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -24,24 +24,16 @@ DIGITS = 10
 SHARE = 6  # digits
 
 
-def subject(study: Study) -> Subject:
-    """Tell the main mechanism and the window that it leaves, for the gallery's page."""
-    linkage, found = linkage_subject.subject(study), study.of(CyclogramStudy).cyclogram
-    rise = f"{math.degrees(found.window.angle):.4g}"
-    output = f"{linkage.output}, tool off the work for {rise}°"
-    return Subject(linkage.structure, output, f"{linkage.sentence} The tool is off the work for {rise}° of the turn.")
-
-
 def headline(study: Study) -> str:
     """Say when an auxiliary mechanism may move."""
     return "; ".join(map(plain, _notes(study, drafting_of(study.scene)).window()))
 
 
-def remarks(study: Study) -> list[str]:
+def remarks(study: Study) -> list[Message]:
     """Warn of what no notches lead back from."""
     found = study.of(CyclogramStudy)
     trial = not all(one.notched for one in found.cyclogram.positions)
-    return [word(study.scene.sheet.language, "sheet.cyclogram by trial")] if trial else []
+    return [message("sheet.cyclogram by trial")] if trial else []
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -54,7 +46,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
     """Give a line for each characteristic position, by both roads."""
-    comparison = study.comparison(CYCLOGRAM)
+    comparison = study.of(CyclogramComparison)
     pairs = zip(comparison.construction.positions, comparison.analysis.positions, strict=True)
     for number, (one, other) in enumerate(pairs):
         angles = {"plan": one.turned, "analysis": other.turned}
@@ -66,3 +58,6 @@ def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
 def _notes(study: Study, drafting: Drafting) -> CyclogramNotes:
     found = study.of(CyclogramStudy)
     return CyclogramNotes(found.cyclogram, found.cams, drafting, DIGITS)
+
+
+REPORT = Report(chapters, headline, remarks)

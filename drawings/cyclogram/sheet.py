@@ -5,16 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import partial
+from typing import Final
 
 from drawings.cyclogram import characteristic_plan
+from drawings.cyclogram.due import due
 from drawings.cyclogram.notes import CyclogramNotes
 from drawings.kinds import bar_chart, circular_chart
 from drawings.kinds.bar_chart import Chart
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
+from drawings.linkage.positions import of_linkage
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from plans.cyclogram.quantities import CyclogramComparison
@@ -63,8 +67,8 @@ FOREMOST = 1.5  # the plan is the figure from which angles are read
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a scene's cyclogram (row of the table of sheets)."""
-    return sheets(study.of(CyclogramStudy), study.comparison(CYCLOGRAM))
+    """Lay out the sheets of a scene's cyclogram."""
+    return sheets(study.of(CyclogramStudy), study.of(CyclogramComparison))
 
 
 def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf, ...]:
@@ -97,3 +101,6 @@ def _charts(study: CyclogramStudy, drafting: Drafting) -> Iterator[Exhibit]:
 def _table(comparison: CyclogramComparison, drafting: Drafting) -> Caption:
     table = characteristic(comparison, drafting)
     return Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
+
+
+SHEETS: Final = {"cyclogram": SheetKind(leaves, due, {"characteristic": "length"}, of_linkage)}

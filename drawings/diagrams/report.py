@@ -14,13 +14,13 @@ from drawings.lettering.extent import every
 from drawings.lettering.words import decimal, fixed, number
 from drawings.page.scale import Drafting
 from drawings.report.formula import Chapters
-from drawings.report.table import chapter, header, heading, row
+from drawings.report.table import Report, chapter, header, heading, row
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Course, Diagrams, chord_error
 from plans.model.motion import Floats
 from plans.quantity import Quantity
 from plans.study import Study
-from plans.words.words import Message, said, word
+from plans.words.words import said, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -147,16 +147,6 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     return Chapters(left_out=(word(language, "report.no_diagrams", why=diagrams.left_out),))
 
 
-def headline(study: Study) -> str:
-    """Say nothing: the output is told with the motion."""
-    return ""
-
-
-def remarks(study: Study) -> list[Message]:
-    """Warn of nothing: diagrams that are left out are told on the sheet and in the report."""
-    return []
-
-
 def _values(found: Diagrams, findings: Sequence[Quantity], language: str) -> Iterator[str]:
     """Tabulate the course; v by a chord stands with the position from which it goes on."""
     yield chapter(language, "diagrams")
@@ -193,3 +183,6 @@ def _errors(found: Diagrams, told: Sequence[Quantity], language: str) -> Iterato
             place = f"{numbers[error.at]}–{numbers[error.at + 1]}" if fast else str(numbers[error.at])
             off = number(100 * error.share, language, 3)
             yield word(language, "report.chords", name=finding.name.split(" ")[0], off=off, place=place)
+
+
+REPORT = Report(chapters)

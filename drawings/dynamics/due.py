@@ -23,6 +23,7 @@ from plans.analytic.dynamics.flywheel import flywheel_of_points, wheel
 from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy
 from plans.forces.statics import Statics
+from plans.linkage.quantities import MotionComparison
 from plans.model.dynamics import THICKEST, TURN, Cycle, Flywheel, Task, Wheel, edge_names, settled
 from plans.model.motion import Floats
 from plans.model.run import Account
@@ -40,9 +41,9 @@ METHODS = (("by Mertsalov", "mertsalov"), ("by Gutyar", "gutyar"), ("without Î´Â
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of a scene's machine (row of the table of sheets)."""
-    statics, comparison, drafting = study.of(Statics), study.comparison("dynamics"), drafting_of(study.scene)
-    strokes = statics.over(study.comparison("linkage").road.extremes)
+    """Give what must stand on the sheets of a scene's machine."""
+    statics, comparison, drafting = study.of(Statics), study.of(DynamicsComparison), drafting_of(study.scene)
+    strokes = statics.over(study.of(MotionComparison).road.extremes)
     yield from diagrams(statics.machine.loads, strokes)
     if comparison.analysis.cycle is None:
         yield from phrases(NOTES, _rates(study.of(DynamicsStudy).task), DIGITS, may_lack=True)

@@ -17,9 +17,10 @@ from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.lettering.words import decimal
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
-from drawings.report.table import chapter, header, row
+from drawings.report.table import Report, chapter, header, row
 from plans.dynamics.cycle import methods, rim_of
 from plans.dynamics.loop import loop
+from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy
 from plans.forces.statics import Statics
 from plans.model.dynamics import TURN, Cycle, Flywheel, Task, Wheel, settled
@@ -211,7 +212,7 @@ def headline(study: Study) -> str:
 
 def remarks(study: Study) -> list[Message]:
     """Say that the machine would stop, or where a run ends before its time; gaps are told with the positions."""
-    found = study.comparison("dynamics").construction.run
+    found = study.of(DynamicsComparison).construction.run
     if found is not None and found.failure is not None:
         return [found.failure.message]
     return [message("dynamics.stops")] if notes_of(study).stops else []
@@ -219,26 +220,27 @@ def remarks(study: Study) -> list[Message]:
 
 def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
     """Give the notes on what the construction finds, with the exact flywheel beside it."""
-    own, comparison = study.of(DynamicsStudy), study.comparison("dynamics")
+    own, comparison = study.of(DynamicsStudy), study.of(DynamicsComparison)
     account, exact = comparison.construction, comparison.exact.flywheel
     rim = rim_of(account.flywheel.inertia, own.task.rim) if account.flywheel is not None else None
     true = exact.inertia if exact is not None else None
     return DynamicsNotes(own.task, account, _at(account.cycle, own.task), drafting_of(study.scene), rim, true, digits)
 
 
-def _at(cycle: Cycle, task: Task) -> partial[Flywheel]:
+def _at(cycle: Cycle | None, task: Task) -> partial[Flywheel]:
     """Give the flywheel of another fluctuation by the same loop."""
     return partial(_flywheel, cycle, task)
 
 
-def _flywheel(cycle: Cycle, task: Task, delta: float) -> Flywheel:
+def _flywheel(cycle: Cycle | None, task: Task, delta: float) -> Flywheel:
+    assert cycle is not None  # of a machine without one no other fluctuation is told
     return loop(cycle, task._replace(delta=delta)).flywheel
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the motion of a machine."""
     language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
-    account: Account = study.comparison("dynamics").construction
+    account: Account = study.of(DynamicsComparison).construction
     return Chapters(
         subject=[*listed(chapter(language, "dynamics"), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
         values=[
@@ -286,7 +288,7 @@ def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     wheel, language, drafting = notes.account.flywheel, notes.drafting.language, notes.drafting
     if wheel is None:
         return
-    exact = study.comparison("dynamics").exact.flywheel
+    exact = study.of(DynamicsComparison).exact.flywheel
     yield from listed(chapter(language, "flywheel"), [*notes.reasons(), *notes.other(), *notes.sizes()])
     yield ""
     yield from tables.tangents(wheel, exact, drafting)
@@ -320,10 +322,13 @@ def _motion(notes: DynamicsNotes) -> list[str]:
 
 def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     """Tell the run from rest by the table and by the solver, of a machine with a motor."""
-    comparison, language = study.comparison("dynamics"), notes.drafting.language
+    comparison, language = study.of(DynamicsComparison), notes.drafting.language
     pairs = {"report.by_table": comparison.construction.run, "report.by_solver": comparison.exact.run}
     runs = {name: run for name, run in pairs.items() if run is not None}
     if runs:
         yield from listed(chapter(language, "run"), report_tables.told(runs, notes.drafting))
         yield ""
         yield from report_tables.stages(runs, notes.drafting)
+
+
+REPORT = Report(chapters, headline, remarks)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from drawings.dynamics import flywheel_sketch, plate, tachogram, working
+from drawings.dynamics.due import due
 from drawings.dynamics.graphs import Strips, strips
 from drawings.dynamics.plate import Plate, bare_speeds
 from drawings.dynamics.plate_frame import PlateFrame
@@ -24,13 +25,16 @@ from drawings.layout.room import room_of
 from drawings.layout.slicing import GAP
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
+from drawings.linkage.positions import of_linkage
 from drawings.page.page import Page, page_of
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
+from plans.dynamics.quantities import DynamicsComparison
 from plans.forces.statics import Statics
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
@@ -161,8 +165,8 @@ class Machine(NamedTuple):
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of the motion of a scene's machine (row of the table of sheets)."""
-    found, statics, said = study.comparison("dynamics"), study.of(Statics), notes_of(study)
+    """Lay out the sheets of the motion of a scene's machine."""
+    found, statics, said = study.of(DynamicsComparison), study.of(Statics), notes_of(study)
     loads = tuple(courses(statics.machine, statics.strokes))
     own = Machine(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
     return sheets(study.scene, own)
@@ -307,3 +311,7 @@ class _DynamicsSheet:
         room = plate.measure(shown)
         room = room if least is None else room._replace(least=least * SMALLER)
         return Exhibit(Panel(room), lambda spot: PlateFrame(shown, spot).figure)
+
+
+SCALES: Final = {"flywheel_sketch": "wheel", "load_diagram-": "way"}
+SHEETS: Final = {"dynamics": SheetKind(leaves, due, SCALES, of_linkage)}

@@ -144,8 +144,8 @@ TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the force sheets of a scene (row of the table of sheets)."""
-    comparison, statics = study.comparison("forces"), study.of(Statics)
+    """Give what must stand on the force sheets of a scene."""
+    comparison, statics = study.of(ForceComparison), study.of(Statics)
     shown = tuple(dict.fromkeys(int(leaf.metadata["position"]) for leaf in leaves))
     for k in shown:
         drawn = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from drawings.forces import report
 from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import PLAN as LEVER
 from drawings.linkage.equations import in_position
+from drawings.page.scale import Drafting
 from drawings.paper.walk import groups
-from drawings.report.formula import DIRECTION, FULL, Chapters, Formula, display, inline, total
+from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.table import chapter, header, row
 from geometry.board import Mark, at
 from geometry.meet import cross
@@ -21,7 +21,6 @@ from plans.forces.lever import Lever
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.motion import NOTHING
-from plans.study import Study
 from plans.words.words import word
 
 if TYPE_CHECKING:
@@ -250,10 +249,10 @@ def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, fl
     return found
 
 
-def equations(statics: Statics, comparison: ForceComparison, scales: Scales) -> Iterator[str]:
+def equations(statics: Statics, comparison: ForceComparison, drafting: Drafting, scales: Scales) -> Iterator[str]:
     """Write the equations of forces in the positions of the force sheets."""
     language, plans = statics.study.language, statics.drafts().plans
-    formula = Formula(report.drafting_of_forces(statics))
+    formula = Formula(drafting)
     if scales:
         yield chapter(language, "force_equations")
         yield word(language, "report.underlines")
@@ -274,10 +273,3 @@ def _cut(cut: Cut, written: CutEquations) -> Iterator[str]:
     yield from (f"- {line}" for line in written.given(cut))
     for line in written.lines(cut):
         yield f"\n{line}\n" if line.startswith("$$") else line
-
-
-def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
-    """Tell the forces of a linkage."""
-    tables = report.chapters(study, leaves)
-    written = equations(study.of(Statics), study.comparison("forces"), drawn_scales(leaves))
-    return tables._replace(values=[*written, *tables.values])

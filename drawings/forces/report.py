@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from drawings.forces.note import drawn_scales, equations
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.linkage.notes import DIGITS as FEW_DIGITS
@@ -15,7 +16,7 @@ from drawings.linkage.notes import greatest, stroke_line
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters, Formula
 from drawings.report.report import gap_line, gap_lines
-from drawings.report.table import chapter, header, row
+from drawings.report.table import Report, chapter, header, row
 from plans.forces.cut import indices
 from plans.forces.drive import BalancingQuantity, balancing_quantity
 from plans.forces.loading import asks
@@ -106,10 +107,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     )
     shown_in = ", ".join(map(str, shown))
     language = study.scene.sheet.language
-    comparison, statics = study.comparison("forces"), study.of(Statics)
+    comparison, statics = study.of(ForceComparison), study.of(Statics)
+    told = equations(statics, comparison, drafting_of_forces(statics), drawn_scales(leaves))
     return Chapters(
         subject=[*_bodies(statics.machine, language), *counted_strokes(statics, language)],
-        values=forces(comparison, statics, language),
+        values=[*told, *forces(comparison, statics, language)],
         left_out=[word(language, "report.forces_drawn", positions=shown_in)],
     )
 
@@ -119,7 +121,7 @@ def headline(study: Study) -> str:
     language = study.scene.sheet.language
     return "\n".join(
         [
-            *_greatest(study.of(Statics), study.comparison("forces").construction, language),
+            *_greatest(study.of(Statics), study.of(ForceComparison).construction, language),
             *_reversals(study.of(Statics), language),
         ]
     )
@@ -146,7 +148,7 @@ def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator
 
 def remarks(study: Study) -> list[Message]:
     """Say which positions have no forces, and which pairs jam by friction, and where."""
-    comparison, friction = study.comparison("forces"), study.of(Statics).friction
+    comparison, friction = study.of(ForceComparison), study.of(Statics).friction
     lines = gap_lines([gap for gap in comparison.construction.gaps if gap.plan == FORCES])
     jams = friction.jams if friction is not None else ()
     for pair in dict.fromkeys(jam.pair for jam in jams):
@@ -275,3 +277,6 @@ def friction_lines(comparison: ForceComparison, found: Friction, language: str) 
     for jam in found.jams:
         parts = {"pair": jam.pair, "position": jam.position, "advice": jam.advice}
         yield say("report.jam", **parts, ratio=write(jam.ratio))
+
+
+REPORT = Report(chapters, headline, remarks)

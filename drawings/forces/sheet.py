@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
 from drawings.forces import lever, load_diagram, loading_scheme, polygon
+from drawings.forces.due import due
 from drawings.forces.equations import Equations, LeverEquation, forces_of_masses
 from drawings.forces.letters import LAID, force_letter, letter_of
+from drawings.forces.lever import of_arm
 from drawings.forces.load_diagram import courses
 from drawings.forces.notes import notes
 from drawings.forces.report import drafting_of_forces
@@ -32,6 +34,7 @@ from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.documents import letter as lettered
 from drawings.sheets.documents import unknown
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, see_ordinates
 from geometry.board import at
@@ -86,7 +89,7 @@ STEPS = 720  # of a graph over a turn: half a degree, less than the width of a l
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the force sheets of a scene."""
-    return sheets(study.of(LinkageStudy), study.comparison("forces"), study.of(Statics))
+    return sheets(study.of(LinkageStudy), study.of(ForceComparison), study.of(Statics))
 
 
 def sheets(study: LinkageStudy, comparison: ForceComparison, statics: Statics) -> tuple[Leaf, ...]:
@@ -273,3 +276,13 @@ class _ForceSheet:
             "position": self.position,
             "groups": [name.removeprefix(POLYGON) for name in names if name.startswith(POLYGON)],
         }
+
+
+SCALES: Final = {
+    "scheme-": "scheme",
+    "forces-": "force",
+    "lever": "lever",
+    "balancing": "moment",
+    "load_diagram-": "way",
+}
+SHEETS: Final = {"forces": SheetKind(leaves, due, SCALES, of_forces, of_arm)}

@@ -22,7 +22,7 @@ from drawings.page.scale import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
 from plans.scene.scene import Scene
-from plans.techniques import TECHNIQUES
+from plans.techniques import techniques
 
 NUMERAL = re.compile(r"\d+(?:[.,]\d+)?")
 TOLD = 3  # digits: a number of fewer counts or names something, and tells no value
@@ -77,7 +77,8 @@ def given(scene: Scene) -> Given:
 def data(scene: Scene) -> list[str]:
     """Write the tables of a scene's techniques, key by key as its file has them."""
     tables = tomllib.loads(_text(scene))
-    names = dict.fromkeys(name for technique in scene.techniques for name in TECHNIQUES[technique].tables)
+    known = techniques()
+    names = dict.fromkeys(name for technique in scene.techniques for name in known[technique].tables)
     told = [line for name in names if name in tables for line in _lines(name, tables[name])]
     return [word(scene.sheet.language, "form given"), *told]
 

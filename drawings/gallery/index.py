@@ -9,9 +9,8 @@ from typing import NamedTuple
 
 from drawings.gallery.catalogue import Entry
 from drawings.gallery.engines import engines
-from drawings.report.table import REPORTS, Subject
+from drawings.report.table import Subject, report_of
 from plans.study import Study
-from plans.techniques import named
 from plans.words.words import word
 
 PAGE = "README.md"
@@ -71,8 +70,7 @@ def section(exhibit: GalleryScene) -> str:
 
 def subject_of(study: Study) -> Subject:
     """Tell what is studied: the first technique of a scene says it."""
-    subject: Subject = named(REPORTS[study.techniques[0]].subject)(study)
-    return subject
+    return report_of(study.techniques[0]).subject(study)
 
 
 def _sheet(study: Study) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from importlib import import_module
 from types import MappingProxyType
-from typing import Final, NamedTuple, TypeAlias
+from typing import Any, Final, NamedTuple, TypeAlias
 
 from drawings.checks.expected import Expected
 from drawings.checks.hold import MARKS
@@ -16,7 +17,7 @@ from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.redrawn.originals import Original, Originals
 from geometry.board import Board
 from geometry.steps import Span
-from plans.techniques import named, technique_of
+from plans.techniques import technique_of
 from plans.words.words import Message, message
 
 Place: TypeAlias = tuple[str, int | None]  # a plan and its position
@@ -64,6 +65,12 @@ class Record(NamedTuple):
 def lettered(plan: str, position: int | None, vectors: Iterable[Found]) -> dict[Letters, Found]:
     """Give vectors that are lettered themselves by the letters of a plan."""
     return {(plan, position, "", vector.name): vector for vector in vectors}
+
+
+def named(text: str) -> Any:
+    """Import what a row of a table of this room names: "module:name"."""
+    module, _, name = text.partition(":")
+    return getattr(import_module(module), name)
 
 
 # By technique: of a study and a leaf to the record of that sheet.

@@ -37,8 +37,8 @@ TURNED = 1e-3  # rad: the resolution of the paper over an arrow
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of a scene's linkage (row of the table of sheets)."""
-    linkage = _Linkage(study.of(LinkageStudy), study.comparison("linkage"), drafting_of(study.scene), leaves)
+    """Give what must stand on the sheets of a scene's linkage."""
+    linkage = _Linkage(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene), leaves)
     yield from chain(linkage.positions(), linkage.plans(), linkage.values(), linkage.notes())
     if any("diagrams" in leaf.metadata for leaf in leaves):
         yield from diagrams.due(study, leaves)

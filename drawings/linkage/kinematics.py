@@ -35,6 +35,8 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
 from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
+from plans.forces.quantities import ForceComparison
+from plans.forces.statics import Statics
 from plans.linkage.parts import MotionByHand, alike, spans
 from plans.linkage.plan import unnamed
 from plans.linkage.quantities import MotionComparison
@@ -49,7 +51,7 @@ SHARE = 1 / 3  # of its sheet
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheets of a scene."""
-    return sheets(study.of(LinkageStudy), study.comparison("linkage"), study.of(DiagramsStudy), _loaded(study))
+    return sheets(study.of(LinkageStudy), study.of(MotionComparison), study.of(DiagramsStudy), _loaded(study))
 
 
 def sheets(
@@ -75,7 +77,7 @@ def _loaded(study: Study) -> tuple[int, ...]:
     if "forces" not in study.scene.sheets:
         return ()
     try:
-        return force_positions(study["forces"], study.comparison("forces"))
+        return force_positions(study.of(Statics), study.of(ForceComparison))
     except SheetError:
         return ()  # the force sheets say why there are none
 

@@ -182,7 +182,7 @@ SHARE = 1 / 3  # of its sheet
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheet of the plan of positions."""
     linkage, drafting = study.of(LinkageStudy), drafting_of(study.scene)
-    comparison, shown = study.comparison("linkage"), _shown(linkage)
+    comparison, shown = study.of(MotionComparison), _shown(linkage)
     bones = skeletons(linkage, comparison.construction, shown)
     room = position_plan.measure(bones, POSITIONS.plan, drafting)
     figure = Exhibit(Panel(room, FOREMOST, share=SHARE), partial(position_plan.draw, bones, room, drafting=drafting))

@@ -14,12 +14,12 @@ import numpy as np
 from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
 from drawings.lettering.words import decimal, fixed, number, span
 from drawings.linkage.equations import drawn_scales, equations, shown_positions
-from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line
+from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, subject
 from drawings.page.scale import drafting_of
 from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline
 from drawings.report.report import gap_line, gap_lines, positions
-from drawings.report.table import chapter, header, row
+from drawings.report.table import Report, chapter, header, row
 from plans.linkage.assembly import Barrier
 from plans.linkage.parts import alike
 from plans.linkage.quantities import NOT_GRADED, MotionComparison, notches
@@ -137,7 +137,7 @@ NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the structure and the motion of a linkage."""
-    linkage, comparison = study.of(LinkageStudy), study.comparison("linkage")
+    linkage, comparison = study.of(LinkageStudy), study.of(MotionComparison)
     passage = _passage(linkage, comparison)
     return Chapters(
         chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
@@ -157,12 +157,12 @@ def _equations(
 def headline(study: Study) -> str:
     """Say which link is the output, and who chose it; then its stroke and its greatest velocity and acceleration."""
     linkage = study.of(LinkageStudy)
-    return "\n".join(filter(None, (shown(linkage), first_numbers(linkage, study.comparison("linkage").construction))))
+    return "\n".join(filter(None, (shown(linkage), first_numbers(linkage, study.of(MotionComparison).construction))))
 
 
 def remarks(study: Study) -> list[Message]:
     """Say why a motion is not whole: gaps, else barriers between positions; and positions not for grading."""
-    linkage, gaps = study.of(LinkageStudy), study.comparison("linkage").construction.gaps
+    linkage, gaps = study.of(LinkageStudy), study.of(MotionComparison).construction.gaps
     lines = gap_lines(gaps)
     if not gaps:
         lines += [message("verdict.between", reason=barrier.kind, where=barrier.where) for barrier in linkage.met]
@@ -355,3 +355,6 @@ def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence
 
 def _turning(study: LinkageStudy) -> set[int]:
     return set(study.drafts().velocities.readings) if "velocities" in study.made else set(study.mechanism.links)
+
+
+REPORT = Report(chapters, headline, remarks, subject)

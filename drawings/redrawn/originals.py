@@ -25,16 +25,15 @@ from drawings.reading.sheet import SeenSheet, see, without
 from drawings.sheet_diff.items import items
 from drawings.sheet_diff.matching import match
 from drawings.sheets.documents import bind
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import Scene, read_scene
 from plans.study import Study
-from plans.techniques import named
 
 
 def leaves_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
     """Lay out the sheets of a study, by kind; the data of each say of which scene it is, and of which version."""
     scene = study.scene
-    leaves = bind({kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}, scene)
+    leaves = bind({kind: sheet_kind(kind).leaves(study) for kind in scene.sheets}, scene)
     return {kind: tuple(_signed(leaf, scene) for leaf in own) for kind, own in leaves.items()}
 
 
@@ -102,7 +101,7 @@ class Originals:
         of = sheet.kind, subject(sheet.leaf)
         if of not in self._due:
             own = [one.leaf for one in self.sheets if (one.kind, subject(one.leaf)) == of]
-            self._due[of] = {row.key: row for row in named(SHEETS[sheet.kind].due)(self.study, own)}
+            self._due[of] = {row.key: row for row in sheet_kind(sheet.kind).due(self.study, own)}
         return self._due[of]
 
     def wrongs(self, sheet: Original, seen: SeenSheet) -> list[Wrong]:

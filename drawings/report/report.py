@@ -10,35 +10,17 @@ import numpy as np
 
 from drawings.lettering.words import decimal, fixed, runs
 from drawings.page.scale import Drafting
-from drawings.report.formula import Chapters
-from drawings.report.table import REPORTS, chapter, header, heading, quantity, row
+from drawings.report.table import chapter, header, heading, quantity, report_of, row
 from plans.by_hand import SLIP
 from plans.model.mechanism import Drive
 from plans.model.motion import Gap
 from plans.quantity import Comparison, Quantity, together
-from plans.scene.scene import Scene
 from plans.study import Study
-from plans.techniques import TECHNIQUES, named
+from plans.techniques import TECHNIQUES, techniques
 from plans.words.words import Message, message, term, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
-
-
-def of_forces(scene: Scene) -> list[str]:
-    """Say what a scene gives of forces that its sheets do not need."""
-    given = scene.has(("masses",)) or scene.has(("loads",))
-    return [word(scene.sheet.language, "report.idle_loads" if given else "report.no_loads")]
-
-
-def of_dynamics(scene: Scene) -> list[str]:
-    """Say that a scene's motion under its loads is not shown by the sheets that it asks for."""
-    return [word(scene.sheet.language, "report.idle_dynamics")] if scene.has(("dynamics",)) else []
-
-
-def nothing(scene: Scene) -> list[str]:
-    """Say nothing: a scene without it has nothing of it to leave out."""
-    return []
 
 
 NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
@@ -108,7 +90,7 @@ def written(lines: Iterable[str]) -> str:
 
 def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
     """Give the lines of the report; phrases among them say which quantities their numbers are."""
-    told: list[Chapters] = [named(REPORTS[name].chapters)(study, leaves) for name in study.techniques]
+    told = [report_of(name).chapters(study, leaves) for name in study.techniques]
     language = study.scene.sheet.language
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
     return [
@@ -119,25 +101,25 @@ def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
         *(line for one in told for line in one.conditions),
         chapter(language, "left_out"),
         *(line for one in told for line in one.left_out),
-        *(line for name in _idle(study) for line in named(REPORTS[name].idle)(study.scene)),
+        *(said.worded(language) for name in _idle(study) for said in techniques()[name].idle(study.scene)),
     ]
 
 
 def _idle(study: Study) -> Iterator[str]:
     """Give the techniques that rest on what is studied, and are neither asked for nor read by those that are."""
-    told = {*study.techniques, *(one for name in study.techniques for one in TECHNIQUES[name].borrows)}
-    rest = (name for name in REPORTS if name not in told)
-    return (name for name in rest if not set(TECHNIQUES[name].needs).isdisjoint(study.techniques))
+    told = {*study.techniques, *(one for name in study.techniques for one in techniques()[name].borrows)}
+    rest = (name for name in TECHNIQUES if name not in told)
+    return (name for name in rest if not set(techniques()[name].needs).isdisjoint(study.techniques))
 
 
 def headlines(study: Study) -> Iterator[str]:
     """Give what each technique says first of a study."""
-    yield from filter(None, (named(REPORTS[name].headline)(study) for name in study.techniques))
+    yield from filter(None, (report_of(name).headline(study) for name in study.techniques))
 
 
 def remarks(study: Study) -> list[Message]:
     """Give what is not whole about a study: gaps, positions that are not for grading, pairs that jam."""
-    return [line for name in study.techniques for line in named(REPORTS[name].remarks)(study)]
+    return [line for name in study.techniques for line in report_of(name).remarks(study)]
 
 
 def summary(comparisons: Iterable[Comparison], language: str) -> str:

@@ -1,12 +1,18 @@
-"""The table of reports: what tells each technique; chapters and tables in Markdown (отчёт)."""
+"""What tells each technique in the report; chapters and tables in Markdown (отчёт)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Final, NamedTuple
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, NamedTuple
 
 from plans.quantity import Quantity
-from plans.words.words import term, word, written
+from plans.words.words import ENGLISH, Message, term, word, written
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+    from drawings.report.formula import Chapters
+    from plans.study import Study
 
 
 def chapter(language: str, name: str) -> str:
@@ -51,78 +57,26 @@ class Subject(NamedTuple):
     sentence: str
 
 
+def titled(study: Study) -> Subject:
+    """Tell a scene by its title, where its first technique has no more to say."""
+    title = study.scene.heading(ENGLISH)
+    return Subject(title, "", f"{title}.")
+
+
 class Report(NamedTuple):
-    """What one technique tells; each text is "module:name", imported when a scene asks for it."""
+    """What one technique tells; it is the REPORT of its file report.py."""
 
-    subject: str  # of a study to what it is in a few words, for the gallery's page
-    chapters: str  # of a study and the leaves by their sheets to the chapters of the report
-    headline: str  # of a study to a line about it on the screen, or nothing
-    remarks: str  # of a study to lines of warning: gaps, dead centres, jams
-    idle: str  # of a scene whose sheets do not ask for it to lines that say what is left out of it
+    chapters: Callable[[Study, Mapping[str, Sequence[Leaf]]], Chapters]  # what was found, beside the leaves by sheets
+    headline: Callable[[Study], str] = lambda study: ""  # a line about it on the screen, or nothing
+    remarks: Callable[[Study], Iterable[Message]] = lambda study: ()  # what is not whole: gaps, dead centres, jams
+    subject: Callable[[Study], Subject] = titled  # what is studied, for the gallery's page: by its first technique
 
 
-REPORTS: Final[Mapping[str, Report]] = {
-    "linkage": Report(
-        subject="drawings.linkage.notes:subject",
-        chapters="drawings.linkage.report:chapters",
-        headline="drawings.linkage.report:headline",
-        remarks="drawings.linkage.report:remarks",
-        idle="drawings.report.report:nothing",
-    ),
-    "diagrams": Report(
-        subject="drawings.linkage.notes:subject",
-        chapters="drawings.diagrams.report:chapters",
-        headline="drawings.diagrams.report:headline",
-        remarks="drawings.diagrams.report:remarks",
-        idle="drawings.report.report:nothing",
-    ),
-    "forces": Report(
-        subject="drawings.linkage.notes:subject",
-        chapters="drawings.forces.note:chapters",
-        headline="drawings.forces.report:headline",
-        remarks="drawings.forces.report:remarks",
-        idle="drawings.report.report:of_forces",
-    ),
-    "dynamics": Report(
-        subject="drawings.linkage.notes:subject",
-        chapters="drawings.dynamics.report:chapters",
-        headline="drawings.dynamics.report:headline",
-        remarks="drawings.dynamics.report:remarks",
-        idle="drawings.report.report:of_dynamics",
-    ),
-    "balance": Report(
-        subject="drawings.linkage.notes:subject",
-        chapters="drawings.balance.report:chapters",
-        headline="drawings.balance.report:headline",
-        remarks="drawings.balance.report:remarks",
-        idle="drawings.report.report:nothing",
-    ),
-    "bank": Report(
-        subject="drawings.bank.report:subject",
-        chapters="drawings.bank.report:chapters",
-        headline="drawings.bank.report:headline",
-        remarks="drawings.bank.report:remarks",
-        idle="drawings.report.report:nothing",
-    ),
-    "rotor": Report(
-        subject="drawings.rotor.report:subject",
-        chapters="drawings.rotor.report:chapters",
-        headline="drawings.rotor.report:headline",
-        remarks="drawings.rotor.report:remarks",
-        idle="drawings.report.report:nothing",
-    ),
-    "cyclogram": Report(
-        subject="drawings.cyclogram.report:subject",
-        chapters="drawings.cyclogram.report:chapters",
-        headline="drawings.cyclogram.report:headline",
-        remarks="drawings.cyclogram.report:remarks",
-        idle="drawings.report.report:nothing",
-    ),
-    "cam": Report(
-        subject="drawings.cam.report:subject",
-        chapters="drawings.cam.report:chapters",
-        headline="drawings.cam.report:headline",
-        remarks="drawings.cam.report:remarks",
-        idle="drawings.report.report:nothing",
-    ),
-}
+def report_of(technique: str) -> Report:
+    """Give what tells a technique.
+
+    >>> report_of("rotor").subject.__module__
+    'drawings.rotor.report'
+    """
+    report: Report = import_module(f"drawings.{technique}.report").REPORT
+    return report

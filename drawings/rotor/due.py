@@ -32,7 +32,7 @@ Known = tuple[float, float]  # a value, and how far rounding can have moved it
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets of a scene's rotor (row of the table of sheets)."""
+    """Give what must stand on the sheets of a scene's rotor."""
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
     own = _Rotor(study.of(RotorStudy).rotor, comparison, drafting)
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})

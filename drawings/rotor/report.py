@@ -13,7 +13,7 @@ from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
 from drawings.report.formula import Chapters
-from drawings.report.table import Subject, chapter
+from drawings.report.table import Report, Subject, chapter
 from plans.model.rotor import Balance, Correction, Resultant, Rotor, grade_of, letters, permissible
 from plans.rotor.balancing import UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, RotorStudy
@@ -138,11 +138,6 @@ def headline(study: Study) -> str:
     return "; ".join(map(plain, _notes(study).counterweights()))
 
 
-def remarks(study: Study) -> list[str]:
-    """Find nothing that is not whole: every rotor can be balanced."""
-    return []
-
-
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a rotor, its counterweights, its quality and its bearings."""
     drafting, comparison = drafting_of(study.scene), study.comparison("rotor")
@@ -204,3 +199,6 @@ def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:
 def _notes(study: Study) -> RotorNotes:
     rotor = study.of(RotorStudy)
     return RotorNotes(rotor.rotor, rotor.balance, drafting_of(study.scene), DIGITS)
+
+
+REPORT = Report(chapters, headline, subject=subject)

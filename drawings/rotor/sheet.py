@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from drawings.kinds import polygon
 from drawings.kinds.polygon import Polygon
@@ -17,9 +17,11 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Group, Leaf
 from drawings.report.report import agreed
 from drawings.rotor import across, along
+from drawings.rotor.due import due
 from drawings.rotor.polygon import RotorView, rotor_view
 from drawings.rotor.polygon import polygon as rotor_polygon
 from drawings.rotor.report import RotorNotes
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.by_hand import by_hand
@@ -97,12 +99,8 @@ def _table(name: str, lines: list[TableRow], first: str, heads: tuple[str, ...],
 TOGETHER = "polygons"  # what stands in one column
 
 
-def admit(scene: Scene) -> None:
-    """See nothing more: a rotor's author names nothing, and any number of masses can be shown."""
-
-
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a scene's rotor (row of the table of sheets)."""
+    """Lay out the sheets of a scene's rotor."""
     return sheets(study.scene, study.of(RotorStudy), study.comparison("rotor"))
 
 
@@ -153,3 +151,7 @@ def _results(comparison: Comparison, drafting: Drafting) -> Caption:
 
 def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[[Later], str]) -> Group:
     return table.filled(write).write(box, drafting)
+
+
+SCALES: Final = {"across": "rotor", "along": "rotor", "unbalances": "unbalance", "couples": "couple"}
+SHEETS: Final = {"rotor": SheetKind(leaves, due, SCALES)}

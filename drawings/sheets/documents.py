@@ -11,7 +11,7 @@ from drawings.page.title_cell import NUMBERS
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Group, Leaf, Run, SheetError, Stroke, Text
 from drawings.paper.walk import groups, texts
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
@@ -29,7 +29,7 @@ def of_title(scene: Scene) -> None:
 
 def of_scales(scene: Scene) -> None:
     """See that the sheets draw figures of each scale that the scene states."""
-    known = {key for kind in scene.sheets for key in SHEETS[kind].scales.values()}
+    known = {key for kind in scene.sheets for key in sheet_kind(kind).scales.values()}
     for name, _ in scene.sheet.scale.stated:
         if name not in known:
             raise unknown(scene, name)
@@ -37,7 +37,7 @@ def of_scales(scene: Scene) -> None:
 
 def unknown(scene: Scene, name: str) -> SheetError:
     """Refuse a scale that no figure of a scene's sheets has, with those that some has."""
-    keys = dict.fromkeys(key for kind in scene.sheets for key in SHEETS[kind].scales.values() if key != name)
+    keys = dict.fromkeys(key for kind in scene.sheets for key in sheet_kind(kind).scales.values() if key != name)
     return SheetError(of_scale(scene, name, message("refused.scale_unknown", name=name, names=tuple(keys))))
 
 

@@ -18,7 +18,7 @@ from drawings.page.page import Page
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.strokes import Group, SheetError
 from drawings.sheets.documents import of_scale
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import Scene
 from plans.words.words import message
 
@@ -118,7 +118,7 @@ def key_of(kind: str, figure: str) -> str:
     >>> key_of("kinematics", "velocities-4"), key_of("kinematics", "values")
     ('velocity', '')
     """
-    return next((key for begin, key in SHEETS[kind].scales.items() if figure.startswith(begin)), "")
+    return next((key for begin, key in sheet_kind(kind).scales.items() if figure.startswith(begin)), "")
 
 
 class StatedScales(NamedTuple):

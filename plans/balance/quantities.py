@@ -161,8 +161,8 @@ class BalanceComparison(Comparison):
 
 
 def comparison_of(study: Study) -> BalanceComparison:
-    """Compare both roads of a scene's balance (row of the table of techniques)."""
-    motion = study.comparison("linkage")
+    """Compare both roads of a scene's balance."""
+    motion = study.of(MotionComparison)
     if motion.analysis.order < ACCELERATIONS.number:  # a bank asks for the balance and shows none of its motion
         motion = compare(study.of(LinkageStudy), ACCELERATIONS.number)
     return compare_balance(study.of(BalanceStudy), motion)
@@ -197,7 +197,8 @@ Vectors: TypeAlias = tuple[Mapping[int, complex], Mapping[int, complex] | None] 
 
 def numbers(study: Study, by: str) -> Numbers:
     """Balance the mechanism of a scene by a road, over its motion by the same."""
-    below: MotionNumbers = study.numbers("linkage", by)
+    below = study.numbers("linkage", by)
+    assert isinstance(below, MotionNumbers)
     found, (before, after) = (
         _analysed(study.of(BalanceStudy), below) if by == ANALYSIS else _constructed(study.of(BalanceStudy))
     )

@@ -24,14 +24,14 @@ LIGHTEST = 100  # kg/m3: half of cork; no metal has so many g/cm3
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give the notes on a scene's balancing (row of the table of techniques)."""
+    """Give the notes on a scene's balancing."""
     form = scene.of(BalanceForm).balance
     yield from odd_lengths(scene, dict(_lengths(form)))
     yield from _heavy(scene, form)
     yield from _light(scene, form)
     if form.aim == NONE and form.counterweights:
         yield scene.fault(("balance", "counterweights"), "idle_counterweights")
-    survey: LinkageSurvey = scene.meaning["linkage"]
+    survey = scene.meaning.of(LinkageSurvey)
     if form.aim == PARTIAL and survey.mechanism is not None and not guided(survey.mechanism):
         yield scene.fault(("balance", "aim"), "nothing_guided")
 
@@ -145,8 +145,8 @@ def _float(value: Decimal | None) -> float | None:
 
 
 def survey_of(meaning: Meaning) -> BalanceSurvey:
-    """Examine a scene's balancing (row of the table of techniques)."""
-    linkage: LinkageSurvey = meaning["linkage"]
+    """Examine a scene's balancing."""
+    linkage = meaning.of(LinkageSurvey)
     survey, form = replace(linkage, faults=[]), meaning.scene.of(BalanceForm).balance
     for number, weight in enumerate(form.counterweights):
         _check_carrier(survey, ("balance", "counterweights", number), weight)

@@ -34,7 +34,7 @@ from plans.model.mechanism import FRAME, Mechanism
 from plans.words.words import because
 
 if TYPE_CHECKING:
-    from plans.study import Study
+    pass
 
 
 def substituted(
@@ -249,8 +249,3 @@ class BalanceStudy:
         return Balance(
             CONSTRUCTION, self.task, self.counterweights, self.left, self.before, self.after, self.shares, gaps
         )
-
-
-def study_of(study: Study) -> BalanceStudy:
-    """Make the study of a scene's balance (row of the table of techniques)."""
-    return BalanceStudy(study.of(LinkageStudy), study.of(Statics), study.scene.meaning["balance"].task)

@@ -11,7 +11,7 @@ from geometry.steps import behind
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters, roman
 from plans.bank.polygons import MOMENTS
-from plans.bank.reading import ORDER_LIMIT
+from plans.bank.reading import ORDER_LIMIT, BankSurvey
 from plans.bank.study import BankStudy, orders_of
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model.balance.bank import BankTask
@@ -27,7 +27,7 @@ UNITS = {HARMONICS: "N", MOMENTS: "N*m", COMPENSATORS: "kg*m"}
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark; of a vector of the bank those behind its harmonic only if all are asked for."""
-    task: BankTask = study.scene.meaning["bank"].task
+    task: BankTask = study.scene.meaning.of(BankSurvey).task
     name = re.sub(r"^m_(?=M,|-?[IVXLC])", f"{STATIC}_", name)  # a mass is told by its static moment
     if not LETTERS.match(name):  # for a mark of another technique no bank is drawn
         return _no_mark(task)

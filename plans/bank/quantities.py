@@ -11,7 +11,7 @@ import numpy as np
 from geometry.board import Board, Mark
 from plans.analytic.balance.bank import Linkage, Mechanism, SliderCrank, bank_balance
 from plans.analytic.balance.mass_centre import bodies
-from plans.balance.quantities import compare_balance
+from plans.balance.quantities import BalanceComparison, compare_balance
 from plans.balance.study import BalanceStudy
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
@@ -42,12 +42,6 @@ def compare_bank(study: BankStudy, mechanism: Mechanism) -> Comparison:
     return Comparison(ours, theirs, findings)
 
 
-def comparison_of(study: Study) -> Comparison:
-    """Compare both roads of a scene's bank (row of the table of techniques)."""
-    bank = study.of(BankStudy)
-    return compare_bank(bank, mechanism_of(study, bank))
-
-
 def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
     """Give the mechanism of a bank for the analysis: by its sizes, or the linkage with counterweights by analysis."""
     unit, speed = bank.task.unit, bank.task.speed
@@ -61,7 +55,7 @@ def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
 def _motion(study: Study) -> MotionComparison:
     """Compare the motion of the scene's linkage as far as its accelerations, whatever else is asked of it."""
     if ACCELERATIONS.plan in study.plans:
-        found: MotionComparison = study.comparison("linkage")
+        found = study.of(MotionComparison)
         return found
     return compare(study.of(LinkageStudy), ACCELERATIONS.number)
 
@@ -71,7 +65,7 @@ def _counterweights(study: Study, motion: MotionComparison) -> tuple[Counterweig
     if not study.scene.has(("balance",)):
         return ()
     asked = "balance" in study.techniques and ACCELERATIONS.plan in study.plans
-    compared = study.comparison("balance") if asked else compare_balance(study.of(BalanceStudy), motion)
+    compared = study.of(BalanceComparison) if asked else compare_balance(study.of(BalanceStudy), motion)
     found: tuple[Counterweight, ...] = compared.analysis.counterweights
     return found
 

@@ -222,7 +222,7 @@ class BankForm(TechniqueForm):
 
     def fit(self, scene: Scene) -> None:
         """See that its mechanism is known: nothing else of a bank is worth its while otherwise."""
-        if scene.meaning["bank"].faults:
+        if scene.meaning.of(BankSurvey).faults:
             raise SceneError(scene.meaning.faults)
 
     @property
@@ -235,7 +235,7 @@ CLOSE = Decimal("1.5")  # rods to a crank: engines have three to five, and press
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give the notes on a scene's bank (row of the table of techniques)."""
+    """Give the notes on a scene's bank."""
     form = scene.of(BankForm).bank
     yield from odd_lengths(scene, dict(_lengths(form)))
     if form.unit is not None and form.unit.rod < CLOSE * form.unit.crank:
@@ -324,12 +324,7 @@ def _float(value: Decimal | None) -> float | None:
     return None if value is None else float(value)
 
 
-def survey_of(meaning: Meaning) -> BankSurvey:
-    """Examine a scene's bank (row of the table of techniques)."""
-    return BankSurvey(task_of(meaning.scene), list(_faults(meaning)))
-
-
-def _faults(meaning: Meaning) -> Iterator[Fault]:
+def faults_of(meaning: Meaning) -> Iterator[Fault]:
     """See that a bank is of one mechanism: its own by sizes, or the scene's linkage."""
     scene = meaning.scene
     form, linked = scene.of(BankForm).bank, scene.has((LINKAGE,))
@@ -343,7 +338,7 @@ def _faults(meaning: Meaning) -> Iterator[Fault]:
 
 def _of_linkage(meaning: Meaning) -> Iterator[Fault]:
     """See that the crank of a bank's linkage turns evenly, and that something moves."""
-    linkage: LinkageSurvey = meaning["linkage"]
+    linkage = meaning.of(LinkageSurvey)
     survey = replace(linkage, faults=[])
     if survey.form.drive.acceleration:
         survey.report(("drive", "acceleration"), "uneven_bank")

@@ -19,6 +19,7 @@ from plans.balance.weights import tree_of
 from plans.bank.compensators import COMPENSATORS, Weights, compensators, left_over
 from plans.bank.harmonics import HARMONICS, Harmonics, NotSettled, Shaking, SliderCrank, Source, harmonics
 from plans.bank.polygons import Polygons, polygons
+from plans.bank.reading import BankSurvey
 from plans.forces.statics import Statics
 from plans.linkage.drafts import Drafts
 from plans.linkage.primary import even
@@ -196,8 +197,8 @@ def orders_of(task: BankTask) -> tuple[int, ...]:
 
 
 def study_of(study: Study) -> BankStudy:
-    """Make the study of a scene's bank (row of the table of techniques)."""
-    task: BankTask = study.scene.meaning["bank"].task
+    """Make the study of a scene's bank."""
+    task: BankTask = study.scene.meaning.of(BankSurvey).task
     unit, speed = task.unit, task.speed
     line, _ = study.scene.place(("bank",))
     source = linkage_of(study, speed) if unit is None else SliderCrank(unit, speed)

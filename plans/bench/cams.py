@@ -20,7 +20,7 @@ from plans.cam.course import Course
 from plans.cam.diagrams import MIDDLE, THREE, TRUE, LawDiagrams, law_diagrams
 from plans.cam.path import ProfilePath, path
 from plans.cam.profile.profile import profile
-from plans.cam.study import CamDrawing
+from plans.cam.study import CamDrawing, CamStudy
 from plans.model.cam import Cam
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats
@@ -44,7 +44,7 @@ DEFINED = (
 
 def cams(study: Study, order: Order) -> Iterator[Road]:
     """List the ways to the law and the profile of the first cam of a scene."""
-    drawing: CamDrawing = next(iter(study["cam"].drawings.values()))
+    drawing: CamDrawing = next(iter(study.of(CamStudy).drawings.values()))
     cam, sizes, roller = drawing.cam, drawing.sizing.sizes, drawing.found.roller
     for means, name in LAWS.items():
         for count in STRIPS if order.startup else STRIPS[:3]:

@@ -21,6 +21,7 @@ from plans.bench.quantities import quantities
 from plans.bench.trial import NOT_INSTALLED, Errors, Road
 from plans.forces.reading.form import ForceForm
 from plans.linkage.drafts import Drafts
+from plans.linkage.quantities import MotionComparison
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
@@ -144,8 +145,8 @@ class Truth:
     """What the motion of a linkage truly is at some positions, and how large each quantity's plan is."""
 
     def __init__(self, study: Study) -> None:
-        linkage: LinkageStudy = study["linkage"]
-        self.order: int = study.comparison("linkage").construction.order
+        linkage = study.of(LinkageStudy)
+        self.order: int = study.of(MotionComparison).construction.order
         found = linkage.motion(self.order)  # so near a dead centre that nothing bears rates there are none
         gone = np.any([np.isnan(row) for point in found.points.values() for row in point], axis=0)
         self.replay = Replay.of(linkage, sample(gone | linkage.lost), self.order)
@@ -187,14 +188,14 @@ def roads(study: Study, count: int | None) -> tuple[list[Road], dict[str, str]]:
     for part in ("groups", "sweep", "barriers", "turn"):
         getattr(linkage, part)
     replayed = min(len(truth.replay.positions), 4)  # each takes as long as any other
-    drawn = truth.judge(study["linkage"].motion(truth.order))
+    drawn = truth.judge(study.of(LinkageStudy).motion(truth.order))
     ways: dict[str, Callable[[], Motion]] = {
         PLANS: lambda: copy(linkage).motion(truth.order),
         **{NEWTON.format(limit): partial(_solved, linkage, limit) for limit in TOLERANCES},
     }
     found = [Road(run, count, {name: truth.judge}) for name, run in ways.items()]
     found.append(Road(lambda: truth.replay.values(replayed), count, {REPLAY: lambda _: drawn}, of=replayed))
-    ready, out = peers(study["linkage"])
+    ready, out = peers(study.of(LinkageStudy))
     for peer in ready:
         judge = partial(_read, truth, peer.motion)
         found.append(Road(peer.run, count, {peer.name: judge}, peer.versions))

@@ -26,6 +26,7 @@ from plans.bench.trial import Errors, Order, Road
 from plans.dynamics import run as table
 from plans.dynamics.cycle import Turn
 from plans.dynamics.loop import loop
+from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy, reduced_link
 from plans.model.dynamics import TURN
 from plans.model.motion import Floats
@@ -97,10 +98,10 @@ KNOWN: Sequence[Diagram] = (
 
 def dynamics(study: Study, order: Order) -> Iterator[Road]:
     """List the chords over strips, the flywheel and the table of the run of a scene's machine."""
-    found: DynamicsStudy = study["dynamics"]
+    found = study.of(DynamicsStudy)
     counts = STRIPS if order.startup else STRIPS[:4]
     yield from (one.road(count) for one in KNOWN for count in counts)
-    turn: Exact | None = getattr(study.comparison("dynamics"), "turn", None)
+    turn: Exact | None = getattr(study.of(DynamicsComparison), "turn", None)
     if turn is not None:
         most = float(np.abs(turn.moment(turn.load.looks)).max(initial=0.0)) or 1.0
         for count in FEW:
@@ -164,7 +165,7 @@ def _by_chords(study: Study, letter: str, _: Any) -> Errors:
 
 def bank(study: Study, _: Order) -> Iterator[Road]:
     """List the harmonics of a bank by few ordinates."""
-    found: BankStudy = study["bank"]
+    found = study.of(BankStudy)
     true = found.single
 
     def judge(few: Harmonics) -> Errors | None:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def numbers(study: Study, by: str) -> Numbers:
-    """Give the cams of a scene by a road (row of the table of techniques)."""
+    """Give the cams of a scene by a road."""
     cams = study.of(CamStudy)
     found: Sequence[CamFound] = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
     told = {result.cam.name: _cam(result, study.plans) for result in found}

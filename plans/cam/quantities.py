@@ -99,11 +99,6 @@ class CamRoad:
         return ()
 
 
-def comparison_of(study: Study) -> Comparison:
-    """Compare both roads of a scene's cams, as far as it is asked (row of the table of techniques)."""
-    return compare_cams(study.of(CamStudy), frozenset(study.plans))
-
-
 def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
     """Find each cam by analysis too, and put every quantity beside that of the construction."""
     drawings = [*cams.drawings.values()]

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cached_property, partial
 from itertools import repeat
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -19,13 +19,11 @@ from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamError, CamFound, Contour, Sizes, large_roller, pivot_passed
+from plans.model.cyclogram import Window
 from plans.model.motion import Floats
 from plans.scene.faults import Path, dotted
 from plans.scene.scene import Scene
 from plans.words.words import placed
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 LAWS, SIZES, PROFILE = "laws", "sizes", "profile"
 CYCLOGRAM = "cyclogram"
@@ -124,10 +122,8 @@ class CamStudy:
         return tuple(drawing.found for drawing in self.drawings.values())
 
 
-def study_of(study: Study) -> CamStudy:
-    """Make the study of a scene's cams (row of the table of techniques); some take their phases from the cyclogram."""
-    scene = study.scene
-    window = study[CYCLOGRAM].window if scene.meaning["cam"].waiting else None
+def study_of(scene: Scene, window: Window | None) -> CamStudy:
+    """Make the study of a scene's cams; some take their phases from the window of a cyclogram."""
     cams = cams_of(scene, window)
     return CamStudy(cams, [partial(_place, scene, number) for number in range(len(cams))])
 

@@ -48,11 +48,6 @@ def compare_cyclogram(study: CyclogramStudy) -> CyclogramComparison:
     return CyclogramComparison(ours, theirs, tuple(_findings(ours, theirs, kappa)))
 
 
-def comparison_of(study: Study) -> CyclogramComparison:
-    """Compare both roads of a scene's cyclogram (row of the table of techniques)."""
-    return compare_cyclogram(study.of(CyclogramStudy))
-
-
 def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Quantity]:
     unit = "m" if ours.sliding else "rad"
     rounding = ROUNDINGS * EPS * kappa
@@ -92,7 +87,7 @@ def _finding(name: str, unit: str, one: float, other: float, allowed: float, lar
 
 def numbers(study: Study, by: str) -> Numbers:
     """Find the characteristic positions of a scene by a road: what has no numbers is refused."""
-    found: Cyclogram = study.comparison(CYCLOGRAM).analysis if by == ANALYSIS else study.of(CyclogramStudy).cyclogram
+    found: Cyclogram = study.of(CyclogramComparison).analysis if by == ANALYSIS else study.of(CyclogramStudy).cyclogram
     window = found.window
     told: dict[str, Any] = {"stroke": found.stroke, "overlap": found.overlap, "sense": found.sense}
     told["window"] = {"start": window.start, "end": window.end, "angle": window.angle, "rest": window.rest}

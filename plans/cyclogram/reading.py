@@ -129,8 +129,8 @@ def _of_loads(scene: Scene) -> Iterator[Along]:
 
 
 def survey_of(meaning: Meaning) -> LinkageSurvey:
-    """Examine a scene's cyclogram (row of the table of techniques)."""
-    linkage: LinkageSurvey = meaning["linkage"]
+    """Examine a scene's cyclogram."""
+    linkage = meaning.of(LinkageSurvey)
     survey, form = replace(linkage, faults=[]), meaning.scene.of(CyclogramForm).cyclogram
     if form.point is not None and survey.know(POINT, (form.point,)):
         _check_point(survey, form.point)

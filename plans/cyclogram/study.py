@@ -25,7 +25,7 @@ from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
-    from plans.study import Study
+    pass
 
 CYCLOGRAM = "cyclogram"
 TWICE = 2  # an output that reverses more often has no one working stroke to come back over
@@ -139,8 +139,3 @@ class CyclogramStudy:
         line, column = self.scene.place(path)
         where = f"{self.scene.file}:{line}:{column}: {'.'.join(map(str, path[:2]))}"
         return NoCyclogram(placed(where, why))
-
-
-def study_of(study: Study) -> CyclogramStudy:
-    """Make the study of a scene's cyclogram (row of the table of techniques)."""
-    return CyclogramStudy(study.scene, study.of(LinkageStudy))

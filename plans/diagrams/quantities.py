@@ -44,7 +44,7 @@ class NoDiagrams:
 
 
 def comparison_of(study: Study) -> Comparison:
-    """Compare the diagrams of a scene (row of the table of techniques)."""
+    """Compare the diagrams of a scene."""
     drafted = study.of(DiagramsStudy)
     ours = drafted.diagrams
     if ours is None:
@@ -58,7 +58,7 @@ def comparison_of(study: Study) -> Comparison:
 
 def motion_of(study: Study) -> MotionComparison:
     """Give the motion by both roads up to accelerations, whatever else is asked for."""
-    found: MotionComparison = study.comparison("linkage")
+    found = study.of(MotionComparison)
     whole = found.construction.order == ACCELERATIONS.number == found.analysis.order
     return found if whole else compare(study.of(LinkageStudy))
 

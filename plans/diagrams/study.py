@@ -20,14 +20,13 @@ from plans.linkage.travel import OutputTravel
 from plans.model.diagrams import MOST, TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
 from plans.model.motion import ORDERS, Floats
 from plans.scene import fields as f
-from plans.scene.faults import Fault
-from plans.scene.scene import Meaning, Scene, TechniqueForm
+from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Table, key, table
 from plans.words.calculus import REASONS
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
-    from plans.study import Study
+    pass
 
 
 class DiagramsTable(Table):
@@ -47,18 +46,6 @@ class DiagramsForm(TechniqueForm):
     """What a scene says of the diagrams."""
 
     sheet: DiagramsTable = key(table(DiagramsTable), DiagramsTable(), meaning="What of the output's course is shown.")
-
-
-class DiagramsSurvey:
-    """What the examination of the key found: nothing, its form has told all faults."""
-
-    def __init__(self, meaning: Meaning) -> None:
-        self.faults: list[Fault] = []
-
-
-def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give no notes: there is nothing odd in wanting the diagrams or not."""
-    yield from ()
 
 
 NODES = 720  # of the axis at least: between two of them no link turns half round
@@ -291,8 +278,3 @@ class DiagramsStudy:
 
 def _where(there: np.ndarray, values: Floats) -> Floats:
     return np.asarray(np.where(there, values, np.nan))
-
-
-def study_of(study: Study) -> DiagramsStudy:
-    """Make the study of a scene's diagrams (row of the table of techniques)."""
-    return DiagramsStudy(study.of(LinkageStudy), study.scene.of(DiagramsForm).sheet.diagrams)

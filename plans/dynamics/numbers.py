@@ -28,8 +28,8 @@ NOISE = 1e-9  # of the largest work: what of it is less is rounding, whose digit
 
 
 def numbers(study: Study, by: str) -> Numbers:
-    """Give a machine's motion by a road (row of the table of techniques)."""
-    account: Account = study.of(DynamicsStudy).account if by == CONSTRUCTION else study.comparison("dynamics").exact
+    """Give a machine's motion by a road."""
+    account: Account = study.of(DynamicsStudy).account if by == CONSTRUCTION else study.of(DynamicsComparison).exact
     plans, data = study.plans, dict[str, Any]()
     if REDUCTION in plans:
         data[REDUCTION] = _reduced(account.reduced)
@@ -136,7 +136,7 @@ def _failure(why: Failure) -> dict[str, Any]:
 
 def quantities_of(study: Study) -> tuple[Quantity, ...]:
     """Give what is compared of a machine's motion, and what the table of results tells."""
-    found: DynamicsComparison = study.comparison("dynamics")
+    found = study.of(DynamicsComparison)
     return *found.findings, *results(found.construction, found.exact)
 
 

@@ -255,8 +255,8 @@ class DynamicsComparison(Comparison):
 
 
 def comparison_of(study: Study) -> DynamicsComparison:
-    """Compare a scene's machine (row of the table of techniques)."""
-    return compare_dynamics(study.of(DynamicsStudy), study.comparison("linkage"))
+    """Compare a scene's machine."""
+    return compare_dynamics(study.of(DynamicsStudy), study.of(MotionComparison))
 
 
 def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> DynamicsComparison:

@@ -44,7 +44,7 @@ def _float(value: Decimal | None) -> float | None:
 
 
 def survey_of(meaning: Meaning) -> DynamicsSurvey:
-    """Examine a scene's dynamics (row of the table of techniques)."""
+    """Examine a scene's dynamics."""
     scene = meaning.scene
     form, drive = scene.of(DynamicsForm).dynamics, scene.of(LinkageForm).drive
     still = ("dynamics", "speed") if form.speed is not None else ("drive", "speed")
@@ -71,7 +71,7 @@ def _motor_faults(meaning: Meaning, speed: Decimal) -> Iterator[Fault]:
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give the notes on a scene's dynamics (row of the table of techniques)."""
+    """Give the notes on a scene's dynamics."""
     form = scene.of(DynamicsForm).dynamics
     if form.fluctuation is not None and form.fluctuation > LARGE:
         yield scene.fault(("dynamics", "fluctuation"), "large_fluctuation", found=f"{float(form.fluctuation):g}")

@@ -259,7 +259,7 @@ class DynamicsStudy:
 
 
 def study_of(study: Study) -> DynamicsStudy:
-    """Make the study of a scene's motion (row of the table of techniques); the pace of the drive does not enter it."""
+    """Make the study of a scene's motion; the pace of the drive does not enter it."""
     if study.scene.of(DynamicsForm).drive.speed_from == DRIVE:
         return DynamicsStudy(study.of(LinkageStudy), study.of(Statics))
     linkage = LinkageStudy(study.scene, study.plans)

@@ -67,11 +67,6 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     return _with_friction(statics, compared, loads) if machine.friction else compared
 
 
-def comparison_of(study: Study) -> ForceComparison:
-    """Compare the forces of a scene (row of the table of techniques)."""
-    return compare_forces(study.of(Statics), study.comparison("linkage"))
-
-
 def _with_friction(statics: Statics, comparison: ForceComparison, loads: Loading) -> ForceComparison:
     """Add friction, where the scene gives coefficients."""
     from plans.analytic.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
@@ -240,7 +235,8 @@ def _key(support: Support) -> str:
 def numbers(study: Study, by: str) -> Numbers:
     """Find the forces of a scene by a road, over its motion by the same; their gaps stand for those of the motion."""
     statics = study.of(Statics)
-    below: MotionNumbers = study.numbers("linkage", by)
+    below = study.numbers("linkage", by)
+    assert isinstance(below, MotionNumbers)
     rubs = "friction" in study.plans and (study.chosen or bool(statics.machine.friction))
     solved, friction = _analysed(statics, below, rubs) if by == "analysis" else _constructed(statics, below, rubs)
     written: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in solved.gaps]}

@@ -42,7 +42,6 @@ from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from plans.model.kinetostatics import Friction
-    from plans.study import Study
 
 
 def off_their_lines(machine: Machine, motion: Motion) -> Iterator[tuple[int, Force]]:
@@ -322,8 +321,3 @@ class Statics:
 
 def _number(gap: Gap) -> int:
     return gap.position
-
-
-def study_of(study: Study) -> Statics:
-    """Make the statics of a scene over its linkage's study (row of the table of techniques)."""
-    return Statics(study.of(LinkageStudy))

@@ -134,7 +134,7 @@ class VectorPart(NamedTuple):
 def quantities_of(study: Study) -> tuple[Quantity, ...]:
     """Give what is compared of a scene's motion, and the parts of its velocities and accelerations."""
     linkage = study.of(LinkageStudy)
-    compared: MotionComparison = study.comparison("linkage")
+    compared = study.of(MotionComparison)
     if compared.construction.order < ACCELERATIONS.number:
         return compared.findings
     return *compared.findings, *findings(linkage, compared, unnamed(linkage.scene, linkage.mechanism.links))

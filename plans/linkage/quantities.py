@@ -108,7 +108,7 @@ def road_of(study: LinkageStudy) -> Analysis:
 
 
 def comparison_of(study: Study) -> MotionComparison:
-    """Compare what a scene asks for of its motion (row of the table of techniques)."""
+    """Compare what a scene asks for of its motion."""
     found = compare(study.of(LinkageStudy), max(numbers_of(study.plans), default=0))
     return compare_extremes(study.of(LinkageStudy), found) if "extremes" in study.plans else found
 

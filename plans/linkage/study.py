@@ -28,7 +28,7 @@ from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
-    from plans.study import Study
+    pass
 
 
 def obstruction(sweep: Sweep) -> Message:
@@ -315,8 +315,3 @@ class LinkageStudy:
         forget(drawn, lost)
         named += without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
         return drawn._replace(gaps=tuple(sorted(named, key=attrgetter("position"))))
-
-
-def study_of(study: Study) -> LinkageStudy:
-    """Make the linkage's study of a scene (row of the table of techniques)."""
-    return LinkageStudy(study.scene, study.plans, study.pace)

@@ -37,11 +37,6 @@ def compare_rotor(study: RotorStudy) -> Comparison:
     return Comparison(ours, theirs, (*both.sums(), *both.corrections(), *both.reactions(), *both.left()))
 
 
-def comparison_of(study: Study) -> Comparison:
-    """Compare both roads of a scene's rotor (row of the table of techniques)."""
-    return compare_rotor(study.of(RotorStudy))
-
-
 class _Compared(NamedTuple):
     """A rotor balanced by both roads."""
 

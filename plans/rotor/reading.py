@@ -17,7 +17,7 @@ from plans.scene.faults import Fault, Path, Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.notes import HUNDREDS, odd_lengths
 from plans.scene.readers import Check, Field, many
-from plans.scene.scene import Meaning, Scene, TechniqueForm
+from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 from plans.scene.units import WORKING
 from plans.words.words import ALONE, message
@@ -219,7 +219,7 @@ class RotorForm(TechniqueForm):
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give the notes on a scene's rotor (row of the table of techniques)."""
+    """Give the notes on a scene's rotor."""
     rotor = scene.of(RotorForm).rotor
     yield from odd_lengths(scene, dict(_lengths(rotor)))
     for notes in (_planes, _mass, _unused):
@@ -309,8 +309,3 @@ class RotorSurvey(NamedTuple):
 
     rotor: Rotor
     faults: list[Fault]
-
-
-def survey_of(meaning: Meaning) -> RotorSurvey:
-    """Examine a scene's rotor (row of the table of techniques)."""
-    return RotorSurvey(rotor_of(meaning.scene.of(RotorForm).rotor), [])

@@ -13,7 +13,7 @@ from plans.rotor.balancing import COUPLES, UNBALANCES, Balancing, Placed, balanc
 from plans.words.words import because
 
 if TYPE_CHECKING:
-    from plans.study import Study
+    pass
 
 REACTIONS = "reactions"  # the board, N
 BEARINGS = "A", "B"
@@ -115,8 +115,3 @@ class RotorStudy:
 def _resultant(mark: Mark, slack: float, sense: int = 1) -> Resultant:
     """Read a vector, or in the sense -1 the sum that it is against."""
     return Resultant(sense * complex(mark.point), slack)
-
-
-def study_of(study: Study) -> RotorStudy:
-    """Make the study of a scene's rotor (row of the table of techniques)."""
-    return RotorStudy(study.scene.meaning["rotor"].rotor)

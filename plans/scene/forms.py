@@ -7,7 +7,7 @@ from typing import Any
 
 from plans.scene.faults import Path
 from plans.scene.units import LARGEST, RATE_LIMIT, Kind
-from plans.techniques import TECHNIQUES, Technique
+from plans.techniques import TECHNIQUES, Technique, techniques
 
 Form = dict[str, Any]
 
@@ -75,46 +75,46 @@ def named(form: Form, pattern: str, least: int = 0, most: int | None = None) -> 
     return {**table, "additionalProperties": False, "maxProperties": most or ENTRIES_LIMIT, **fewest}
 
 
-SHEETS = tuple(sheet for technique in TECHNIQUES.values() for sheet in technique.sheets)
+SHEETS = tuple(sheet for technique in techniques().values() for sheet in technique.sheets)
 
 
 def techniques_of(data: Mapping[str, Any]) -> tuple[str, ...]:
     """Name the techniques that a file has a part in, by a sheet, a table or a key, and those that they build on."""
-    return reading([name for name, technique in TECHNIQUES.items() if next(_parts(technique, data), None)])
+    return reading([name for name, technique in techniques().items() if next(_parts(technique, data), None)])
 
 
-def reading(techniques: Iterable[str]) -> tuple[str, ...]:
+def reading(names: Iterable[str]) -> tuple[str, ...]:
     """Add to some techniques those whose tables they read: they rest on them, or borrow from them.
 
     >>> reading(["dynamics"])
     ('linkage', 'forces', 'dynamics')
     """
-    asked = resting(techniques)
-    return resting([*asked, *(other for name in asked for other in TECHNIQUES[name].borrows)])
+    asked = resting(names)
+    return resting([*asked, *(other for name in asked for other in techniques()[name].borrows)])
 
 
-def resting(techniques: Iterable[str]) -> tuple[str, ...]:
+def resting(names: Iterable[str]) -> tuple[str, ...]:
     """Add to some techniques those that they rest on, in the order of the table.
 
     >>> resting(["forces"])
     ('linkage', 'forces')
     """
-    waiting = list(techniques)
+    waiting = list(names)
     for name in waiting:
-        waiting += TECHNIQUES[name].needs
+        waiting += techniques()[name].needs
     return tuple(name for name in TECHNIQUES if name in waiting)
 
 
 def first_sheet(data: Mapping[str, Any]) -> tuple[str, ...]:
     """Give the sheet of a file that asks for none: the first of the first technique that it has a table of."""
-    found = (technique for technique in TECHNIQUES.values() if any(name in data for name in technique.tables))
+    found = (technique for technique in techniques().values() if any(name in data for name in technique.tables))
     return next(((next(iter(technique.sheets)),) for technique in found), ())
 
 
 def needing(table: str, data: Mapping[str, Any]) -> Path:
     """Find the key of a file that needs a table which it lacks: a sheet first, else a table or a key."""
-    owner = next((name for name, technique in TECHNIQUES.items() if table in technique.tables), "")
-    others = [technique for name, technique in TECHNIQUES.items() if owner in resting([name])]
+    owner = next((name for name, technique in techniques().items() if table in technique.tables), "")
+    others = [technique for name, technique in techniques().items() if owner in resting([name])]
     return min((part for technique in others for part in _parts(technique, data)), key=_rank, default=())
 
 

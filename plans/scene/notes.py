@@ -8,7 +8,7 @@ from decimal import Decimal
 from plans.scene.faults import Fault, Path, dotted
 from plans.scene.forms import reading
 from plans.scene.scene import Scene
-from plans.techniques import TECHNIQUES, Technique, makers_of, named, sheet_of
+from plans.techniques import TECHNIQUES, Technique, makers_of, sheet_of, techniques
 
 # Metres: links and rotors of machines are shorter, and lengths in millimetres are mostly larger numbers.
 METRES = Decimal(20)
@@ -37,7 +37,7 @@ def notes_of(scene: Scene, asked: Iterable[str] = ()) -> list[Fault]:
     """Give the notes on a scene, in the order of its file; some techniques are asked for whatever its sheets are."""
     found = [*_mark(scene), *_unused(scene, asked), *_undesignated(scene)]
     for technique in scene.techniques:
-        found += named(TECHNIQUES[technique].notes)(scene)
+        found += techniques()[technique].notes(scene)
     return sorted(found, key=lambda note: (note.line, note.column))
 
 
@@ -48,11 +48,11 @@ def _mark(scene: Scene) -> Iterator[Fault]:
 
 def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
     """Find what only techniques need of which no sheet is wanted."""
-    paced = (name for name, row in TECHNIQUES.items() if row.pace and any(map(scene.has, _shared(row))))
+    paced = (name for name, row in techniques().items() if row.paces and any(map(scene.has, _shared(row))))
     wanted_by = [*(name for sheet in scene.sheets for name in makers_of(sheet)), *asked, *paced]
     used = reading([*wanted_by, *(other for name in wanted_by for other in asked_by(scene, name))])
     for name in (name for name in scene.techniques if name not in used):
-        technique = TECHNIQUES[name]
+        technique = techniques()[name]
         wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, sheet_of(name)))
         keys: list[Path] = [(name,) for name in technique.tables]
         keys += _shared(technique)
@@ -69,8 +69,7 @@ def _undesignated(scene: Scene) -> Iterator[Fault]:
 
 def asked_by(scene: Scene, technique: str) -> Iterable[str]:
     """Name the techniques that the values of a scene's part in one refer to."""
-    asks = TECHNIQUES[technique].asks
-    return (other for other in named(asks)(scene) if other in TECHNIQUES) if asks else ()
+    return (other for other in techniques()[technique].asks(scene) if other in TECHNIQUES)
 
 
 def _shared(technique: Technique) -> list[Path]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 from functools import partial
 from pathlib import Path as FilePath
-from typing import Any, Protocol, TypeVar
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 from geometry.errors import LimitError
 from plans.scene import fields as f
@@ -16,7 +16,7 @@ from plans.scene.readers import Refusal, Refused, many
 from plans.scene.sheet import SheetTable
 from plans.scene.source import Source, parse_source, read_source
 from plans.scene.tables import REQUIRED, Kinds, Table, key, read_parts, table
-from plans.techniques import TECHNIQUES, named
+from plans.techniques import TECHNIQUES, name_of, techniques
 from plans.words.words import ENGLISH, placed, term
 
 
@@ -97,8 +97,7 @@ class Scene(Table):
 
     def part(self, technique: str) -> TechniqueForm | None:
         """Give what it says of a technique by its name, nothing where it has no part in it; imports nothing."""
-        wanted = TECHNIQUES[technique].form
-        return next((form for form in self.forms if f"{type(form).__module__}:{type(form).__name__}" == wanted), None)
+        return next((form for form in self.forms if name_of(form) == technique), None)
 
     def changed(self, *forms: TechniqueForm, **values: Any) -> Scene:
         """Give the scene with other values, which are not checked again."""
@@ -132,7 +131,17 @@ class Scene(Table):
 class Survey(Protocol):
     """What the examination of a technique's part of a scene found."""
 
-    faults: list[Fault]
+    @property
+    def faults(self) -> Sequence[Fault]: ...  # noqa: D102
+
+
+class Sound(NamedTuple):
+    """That a part is without faults once its form is."""
+
+    faults: tuple[Fault, ...] = ()
+
+
+V = TypeVar("V")
 
 
 class Meaning:
@@ -140,24 +149,30 @@ class Meaning:
 
     def __init__(self, scene: Scene, doubts: frozenset[Path] = frozenset()) -> None:
         self.scene, self.doubts = scene, doubts
-        self._surveys: dict[str, Any] = {}
+        self._surveys: dict[str, Survey] = {}
 
-    def __getitem__(self, technique: str) -> Any:
+    def __getitem__(self, technique: str) -> Survey:
         """Give the survey of a technique's part."""
         if technique not in self._surveys:
-            self._surveys[technique] = named(TECHNIQUES[technique].meaning)(self)
+            self._surveys[technique] = techniques()[technique].survey(self)
         return self._surveys[technique]
+
+    def of(self, kind: type[V]) -> V:
+        """Give the survey of a technique's part by its kind."""
+        found = self[name_of(kind)]
+        assert isinstance(found, kind)  # it is made in the folder of the technique
+        return found
 
     @property
     def faults(self) -> list[Fault]:
         """The faults in the meaning of all parts."""
-        surveys: list[Survey] = [self[technique] for technique in self.scene.techniques]
-        return [fault for survey in surveys for fault in survey.faults]
+        return [fault for technique in self.scene.techniques for fault in self[technique].faults]
 
 
-def kinds_of(techniques: Iterable[str] = TECHNIQUES) -> Kinds:
+def kinds_of(names: Iterable[str] = TECHNIQUES) -> Kinds:
     """Give the tables at the top of a file: the scene's own keys, and the forms of some techniques, or of all."""
-    return Scene, *(named(TECHNIQUES[name].form) for name in techniques)
+    known = techniques()
+    return Scene, *(known[name].form() for name in names)
 
 
 def read_scene(path: FilePath) -> Scene:
@@ -196,14 +211,14 @@ def _refused(error: Refused, source: Source) -> SceneError:
 
 def _read(source: Source, data: Mapping[str, Any]) -> Scene:
     """Read the keys of a file as the scene's own and those of the techniques that it has a part in."""
-    techniques = techniques_of(data)
-    empty = [] if techniques else [Refusal((), "no_table", {"tables": _all_tables()}, data)]
-    scene, *forms = read_parts(kinds_of(techniques), data, *empty).values()
+    asked = techniques_of(data)
+    empty = [] if asked else [Refusal((), "no_table", {"tables": _all_tables()}, data)]
+    scene, *forms = read_parts(kinds_of(asked), data, *empty).values()
     assert isinstance(scene, Scene)
-    vars(scene).update(_source=source, techniques=techniques, _forms={type(form): form for form in forms})
+    vars(scene).update(_source=source, techniques=asked, _forms={type(form): form for form in forms})
     vars(scene).update({} if scene.sheets else {"sheets": first_sheet(data)})
     return scene
 
 
 def _all_tables() -> str:
-    return ", ".join(f"[{name}]" for technique in TECHNIQUES.values() for name in technique.tables)
+    return ", ".join(f"[{name}]" for technique in techniques().values() for name in technique.tables)

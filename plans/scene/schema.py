@@ -5,7 +5,7 @@ from __future__ import annotations
 from plans.scene.forms import Form, resting
 from plans.scene.scene import kinds_of
 from plans.scene.tables import REQUIRED, Kinds, form_of
-from plans.techniques import TECHNIQUES, Technique
+from plans.techniques import TECHNIQUES, Technique, techniques
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -15,8 +15,8 @@ def schema() -> Form:
     form = {"$schema": DRAFT, "title": "plandraft scene", **form_of(kinds_of())}
     del form["required"]  # by the scene as a whole: a technique's tables are, where it has a part in it
     needs = {name: _required(kinds_of(resting([name]))) for name in TECHNIQUES}
-    tables = {table: needs[name] for name, technique in TECHNIQUES.items() for table in technique.tables}
-    rules = [_on_demand(technique, needs[name]) for name, technique in TECHNIQUES.items()]
+    tables = {table: needs[name] for name, technique in techniques().items() for table in technique.tables}
+    rules = [_on_demand(technique, needs[name]) for name, technique in techniques().items()]
     return {
         **form,
         "anyOf": [{"required": [table]} for table in tables],

@@ -15,9 +15,8 @@ from drawings.pens.svg import svg
 from drawings.reading.measure import Measured
 from drawings.reading.sheet import see
 from drawings.sheets.documents import bind
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.study import Study
-from plans.techniques import named
 
 
 def faults_on(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[str]:
@@ -28,8 +27,8 @@ def faults_on(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[str]:
 def wrongs(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[Wrong]:
     """List what is wrong with the bound leaves of one kind."""
     sheet, written = study.scene.sheet, [seen(leaf) for leaf in leaves]
-    due = {row.key: row for row in named(SHEETS[kind].due)(study, leaves)}
-    scales = (verify.scale_wrongs(one, SHEETS[kind].scales, sheet) for one in written)
+    due = {row.key: row for row in sheet_kind(kind).due(study, leaves)}
+    scales = (verify.scale_wrongs(one, sheet_kind(kind).scales, sheet) for one in written)
     return [*chain(*verify.wrongs(written, due, sheet), *scales)]
 
 

@@ -20,10 +20,9 @@ from drawings.reading.measure import measure
 from drawings.reading.transform import Affine
 from drawings.redrawn.originals import leaves_of
 from drawings.sheet_diff.items import brought
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import read_scene
 from plans.study import Study
-from plans.techniques import named
 from tests import parts
 from tests.drawings.slips import changed, shifted
 from tests.gallery import SCENES
@@ -133,7 +132,7 @@ def close(row: Expected) -> bool:
 def test_what_is_altered_is_told(path: Path) -> None:
     study, tried = Study(read_scene(path)), []
     for kind, leaves in leaves_of(study).items():
-        due = {row.key: row for row in named(SHEETS[kind].due)(study, leaves)}
+        due = {row.key: row for row in sheet_kind(kind).due(study, leaves)}
         for leaf in leaves:
             own = [*chosen(leaf, due)]
             others = {id(group): other for _, group, other in own}

@@ -15,7 +15,7 @@ from drawings.commands.draw import draw
 from drawings.files.coordinate_table import read, written
 from drawings.files.file_error import Enclosure
 from drawings.paper.strokes import SheetError
-from drawings.sheets.table import SHEETS
+from drawings.rotor.sheet import SHEETS
 from geometry.errors import LimitError
 from plans.cam.course import Course
 from plans.cam.path import path
@@ -24,7 +24,6 @@ from plans.model.cam import GROOVE, ROLLER, TRANSLATING
 from plans.model.cam_motion import CamFound, Contour
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
-from plans.techniques import named
 from plans.words.words import message
 from tests.drawings.cam_contours import apart
 from tests.drawings.planting import DrawingFault, planted
@@ -144,11 +143,7 @@ def wrong(study: Study) -> Iterator[Enclosure]:
 
 
 def enclosed(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
-    row = SHEETS["rotor"]._replace(enclosures=f"{__name__}:{name}")
-    monkeypatch.setitem(SHEETS, "rotor", row)  # type: ignore[arg-type]
-    monkeypatch.setattr(
-        "drawings.commands.draw.named", lambda text: globals()[name] if text.endswith(name) else named(text)
-    )
+    monkeypatch.setitem(SHEETS, "rotor", SHEETS["rotor"]._replace(enclosures=globals()[name]))
 
 
 def test_enclosure_is_of_the_set(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

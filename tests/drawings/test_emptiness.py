@@ -10,10 +10,9 @@ import pytest
 from drawings.page.page import Page, page_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import Scene, read_scene
 from plans.study import Study
-from plans.techniques import named
 from tests.drawings.emptiness import emptiness
 from tests.gallery import SCENES
 from tests.parts import first
@@ -44,7 +43,7 @@ def test_no_sheet_is_left_empty(row: tuple[Path, str]) -> None:
     scene = read_scene(path)
     study = Study(scene.changed(sheet=scene.sheet.changed(format=size, orientation=None)))
     for kind in study.scene.sheets:
-        leaves = named(SHEETS[kind].leaves)(study)
+        leaves = sheet_kind(kind).leaves(study)
         found = [emptiness(leaf, _page(study.scene, kind, leaf)) for leaf in leaves]
         most = STRIPS.get((path.stem, size), LARGEST)
         assert all(one <= most for one in found[:-1]) and found[-1] <= LAST, (kind, found)

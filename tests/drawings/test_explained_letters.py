@@ -12,11 +12,10 @@ from drawings.gallery.catalogue import Entry, catalogue
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
-from drawings.sheets.table import SHEETS
+from drawings.sheets.kind import sheet_kind
 from plans.explanation import UnknownMark
 from plans.scene.scene import Scene, read_scene
 from plans.study import Study
-from plans.techniques import named
 from tests import parts
 
 # One of each technique is asked every day, in Russian; the others, and all in English, with `--whole`.
@@ -44,7 +43,7 @@ def asked(scene: Scene) -> Iterator[tuple[int, str]]:
     """Give what is asked of a scene: letters alone, those of one of several cams with its name."""
     study = Study(scene)
     for sheet in scene.sheets:
-        for leaf in named(SHEETS[sheet].leaves)(study):
+        for leaf in sheet_kind(sheet).leaves(study):
             of = f"{leaf.metadata['cam']}:" if leaf.metadata.get("cam") else ""
             for position, letter in letters(leaf):
                 ends = letter.split(" ")  # "p a": of a vector of a plan; what has more parts is said in words

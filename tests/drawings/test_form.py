@@ -25,8 +25,8 @@ from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
 from drawings.redrawn.originals import leaves_of
-from drawings.sheets.table import SHEETS
 from drawings.symbols.figure import Subject, point, vector
+from plans.scene.forms import SHEETS
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.conftest import Run
@@ -118,8 +118,8 @@ def test_scenes_that_differ_in_what_is_sought_have_one_form() -> None:
 
 
 def test_every_kind_of_sheet_says_what_of_it_is_the_task() -> None:
-    assert task.FIGURES.keys() == SHEETS.keys()
-    assert task.TABLES.keys() | {"positions"} == SHEETS.keys()
+    assert task.FIGURES.keys() == set(SHEETS)
+    assert task.TABLES.keys() | {"positions"} == set(SHEETS)
 
 
 @pytest.mark.rest

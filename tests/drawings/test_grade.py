@@ -26,7 +26,7 @@ from drawings.grading.feedback import feedback, gathered, row
 from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import SheetTask, idle_keys
 from drawings.grading.verdict import OF_QUANTITIES, Marking, MarkingError, Verdict, points_of, read_marking
-from drawings.sheets.table import SHEETS
+from plans.scene.forms import SHEETS
 from plans.techniques import technique_of
 from tests.drawings.students import TABLED, task
 from tests.drawings.test_grading import MISTAKES, made

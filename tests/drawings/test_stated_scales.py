@@ -18,11 +18,12 @@ from drawings.pens.svg import svg
 from drawings.reading.marks import MeasuredVector
 from drawings.reading.measure import Measured, measure_file
 from drawings.sheets.documents import of_scales
+from drawings.sheets.kind import sheet_kind
 from drawings.sheets.stated_scales import Exhibit
-from drawings.sheets.table import SHEETS
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
+from plans.scene.forms import SHEETS
 from plans.scene.scene import Scene, parse_scene
 from plans.scene.sheet import ScaleTable
 from plans.study import Study
@@ -30,7 +31,7 @@ from plans.study import Study
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
 LOADED = (GALLERY / "slider-crank.toml").read_text("utf-8")
 BASE = LOADED.replace(', "forces"]', "]").replace("forces = [2]", "")
-KEYS = SHEETS["kinematics"].scales
+KEYS = sheet_kind("kinematics").scales
 
 
 def scene_of(more: str = "") -> Scene:
@@ -105,7 +106,7 @@ def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> No
 
 
 def test_the_way_of_a_load_diagram_has_the_scale_that_is_stated_and_its_ordinates_their_own() -> None:
-    keys, scene = SHEETS["dynamics"].scales, scene_of("[sheet.scale]\nway = 0.005\n")
+    keys, scene = sheet_kind("dynamics").scales, scene_of("[sheet.scale]\nway = 0.005\n")
     way, load = (
         MeasuredVector("load_diagram-F_us", quantity, name, None, 1.0, 1.0, unit, scale, 0j, 1.0 + 0j)
         for quantity, name, unit, scale in (("S", "H", "m", 0.005), ("F", "a", "N", 20.0))
@@ -148,5 +149,5 @@ def test_a_ratio_is_metres_a_millimetre() -> None:
 
 
 def test_every_key_governs_figures_of_some_sheet() -> None:
-    governed = {key for sheet in SHEETS.values() for key in sheet.scales.values()}
+    governed = {key for sheet in SHEETS for key in sheet_kind(sheet).scales.values()}
     assert governed == set(ScaleTable.keys)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from drawings.commands import cli
-from drawings.report.table import REPORTS
-from drawings.sheets.table import SHEETS
-from plans.techniques import TECHNIQUES, named
+from drawings.report.table import report_of
+from drawings.sheets.kind import sheet_kind
+from plans.techniques import TECHNIQUES, name_of, techniques
 from tests.gallery import GALLERY
 from tests.parts import first, some
 from tests.plans.scenes import scene
@@ -32,22 +30,13 @@ BOTH = scene(
 )
 
 
-def texts(rows: Mapping[str, Any]) -> Iterator[str]:
-    """Give all that the rows of a table name."""
-    for row in rows.values():
-        yield from (text for text in ([row] if isinstance(row, str) else row) if isinstance(text, str) and ":" in text)
-
-
-@pytest.mark.parametrize("table", [TECHNIQUES, SHEETS, REPORTS], ids=lambda table: next(iter(table)))
-def test_all_that_a_table_names_is_there(table: Mapping[str, Any]) -> None:
-    names = list(texts(table))
-    assert names
-    assert all(callable(named(text)) for text in names)
-
-
-def test_every_sheet_of_a_technique_is_in_the_table_of_sheets() -> None:
-    assert {sheet for row in TECHNIQUES.values() for sheet in row.sheets} == set(SHEETS)
-    assert set(TECHNIQUES) == set(REPORTS)
+@pytest.mark.parametrize("name", TECHNIQUES)
+def test_a_technique_has_an_object_a_report_and_a_kind_for_each_of_its_sheets(name: str) -> None:
+    technique = techniques()[name]
+    assert name_of(technique) == name and report_of(name).chapters
+    assert all(
+        sheet_kind(sheet).leaves and set(technique.plans) & set(technique.sheets[sheet]) for sheet in technique.sheets
+    )
 
 
 def trace_of(err: str) -> str:

@@ -12,14 +12,14 @@ import pytest
 from drawings.commands.explain import explained
 from drawings.form.task import FIGURES, TABLES
 from drawings.paper.strokes import Leaf
-from drawings.report.table import REPORTS
-from drawings.sheets.table import SHEETS
+from drawings.report.table import report_of
+from drawings.sheets.kind import sheet_kind
 from plans.bench.quantities import roads
 from plans.explanation import NoMark
 from plans.quantity import Comparison, Quantity
 from plans.scene.scene import read_scene
 from plans.study import Study
-from plans.techniques import TECHNIQUES, named, sheet_of
+from plans.techniques import TECHNIQUES, sheet_of, techniques
 from plans.words.words import ENGLISH, languages, words
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
@@ -42,7 +42,7 @@ class Shown(NamedTuple):
 @pytest.fixture(scope="module", params=TECHNIQUES)
 def shown(request: pytest.FixtureRequest) -> Shown:
     study, sheet = Study(read_scene(GALLERY / f"{SHOWN[request.param]}.toml")), sheet_of(request.param)
-    return Shown(request.param, study, sheet, named(SHEETS[sheet].leaves)(study))
+    return Shown(request.param, study, sheet, sheet_kind(sheet).leaves(study))
 
 
 def test_its_quantities_have_names_by_both_roads_and_words_in_both_languages(shown: Shown) -> None:
@@ -62,7 +62,7 @@ def test_its_numbers_are_told_alike_by_both_roads(shown: Shown) -> None:
 
 
 def test_its_marks_are_explained_and_others_are_refused_with_examples(shown: Shown) -> None:
-    none = named(TECHNIQUES[shown.technique].marks)(shown.study, 0, "no such mark")
+    none = techniques()[shown.technique].marks(shown.study, 0, "no such mark")
     assert isinstance(none, NoMark)
     for example in none.examples:
         found = explained(Study.of_all(shown.study.scene), 0, example)
@@ -70,8 +70,8 @@ def test_its_marks_are_explained_and_others_are_refused_with_examples(shown: Sho
 
 
 def test_its_sheet_its_report_its_form_and_its_bench_are_there(shown: Shown) -> None:
-    assert shown.leaves and any(named(SHEETS[shown.sheet].due)(shown.study, shown.leaves))
+    assert shown.leaves and any(sheet_kind(shown.sheet).due(shown.study, shown.leaves))
     leaves: Mapping[str, Sequence[Leaf]] = {shown.sheet: shown.leaves}
-    assert any(named(REPORTS[shown.technique].chapters)(shown.study, leaves))
+    assert any(report_of(shown.technique).chapters(shown.study, leaves))
     assert shown.sheet in FIGURES and shown.sheet in TABLES
     assert len([*roads(shown.study, shown.technique, None)]) == 2

@@ -12,7 +12,7 @@ from plans.balance.marks import marks
 from plans.explanation import Explanation, NoMark
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.techniques import TECHNIQUES, named
+from plans.techniques import techniques
 from tests.parts import first
 from tests.plans.balanced import ENGINE, FOUR_BAR
 from tests.plans.scenes import scene
@@ -53,8 +53,7 @@ def test_what_others_explain_or_nobody(name: str) -> None:
 
 
 def test_technique_names_its_marks_and_study() -> None:
-    row = TECHNIQUES["balance"]
-    assert named(row.marks) is marks
+    row = techniques()["balance"]
     study = studied()
     study["balance"].construct(row.plans)
     assert set(study["balance"].made) == set(row.plans)

@@ -28,12 +28,19 @@ ROTOR = 'sheets = ["rotor"]\nrotor.masses = [{ moment = 1, angle = 0 }]\n'
 # The start of a program that knows a technique without a linkage, which stands in the table before a scene is read.
 WHEELS = """
 import sys
-from plans.techniques import TECHNIQUES, Technique
-TECHNIQUES["wheel"] = Technique(
-    form="tests.plans.wheel:WheelForm", tables=("wheel",), shares={"sheet": ("spokes",)},
-    meaning="tests.plans.wheel:Survey", notes="tests.plans.wheel:notes_of",
-    study="", comparison="", numbers="", marks="", plans=("balance",), sheets={"wheels": ("balance",)},
-)
+import types
+from plans import techniques
+class Wheel(techniques.Technique):
+    tables, shares, plans, sheets = ("wheel",), {"sheet": ("spokes",)}, ("balance",), {"wheels": ("balance",)}
+    study = comparison = numbers = marks = None
+    def form(self):
+        from tests.plans.wheel import WheelForm
+        return WheelForm
+    def survey(self, meaning):
+        from tests.plans.wheel import Survey
+        return Survey(meaning)
+techniques.TECHNIQUES += ("wheel",)
+sys.modules["plans.wheel"] = types.SimpleNamespace(TECHNIQUE=Wheel())
 from plans.scene.scene import parse_scene
 from plans.scene.schema import schema
 from tests.plans.wheel import WheelForm
@@ -89,7 +96,7 @@ def test_a_scene_of_a_technique_without_a_linkage_imports_none() -> None:
         "scene = parse_scene('[wheel]\\nradius = 2\\n[sheet]\\nspokes = false')",
         "print(scene.techniques, scene.sheets, scene.of(WheelForm).wheel.radius, scene.of(WheelForm).sheet.spokes)",
         "print(scene.meaning.faults)",
-        "print([name for name in sys.modules if name.startswith(('plans.linkage', 'plans.forces'))])",
+        "print([name for name in sys.modules if name.startswith(('plans.linkage.', 'plans.forces.'))])",
     ) == ["('wheel',) ('wheels',) 2 False", "[]", "[]"]
 
 
@@ -97,7 +104,7 @@ def test_a_scene_without_forces_imports_nothing_of_them() -> None:
     assert wheels(
         f"scene = parse_scene({LINKAGE!r})",
         "print(scene.meaning.faults, scene.meaning['linkage'].mechanism.mobility)",
-        "print([name for name in sys.modules if name.startswith(('plans.forces', 'plans.rotor'))])",
+        "print([name for name in sys.modules if name.startswith(('plans.forces.', 'plans.rotor.'))])",
     ) == ["[] 1", "[]"]
 
 

@@ -15,7 +15,7 @@ import pytest
 from plans.model.dyad import NUMBERS
 from plans.scene.faults import Fault
 from plans.scene.source import language_of
-from plans.techniques import TECHNIQUES
+from plans.techniques import techniques
 from plans.words.words import ENGLISH, FOLDER, languages, message, placed, said, term, word, words
 from tests.own_text import Asked, parsed
 
@@ -219,10 +219,10 @@ def test_what_is_said_of_a_key_is_a_term() -> None:
 
 
 def test_plans_and_sheets_have_names() -> None:
-    for row in TECHNIQUES.values():
+    for row in techniques().values():
         named = [*(f"plan.{plan}" for plan in row.plans), *(f"kind.{sheet}" for sheet in row.sheets)]
         assert set(named) <= words(ENGLISH).keys()
-    assert {f"untitled.{name}" for name, row in TECHNIQUES.items() if not row.needs} <= words(ENGLISH).keys()
+    assert {f"untitled.{name}" for name, row in techniques().items() if not row.needs} <= words(ENGLISH).keys()
     assert {f"dyad.{kind}" for kind in NUMBERS} <= words(ENGLISH).keys()
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from plans.scene import fields as f
-from plans.scene.faults import Fault
-from plans.scene.scene import Meaning, Scene, TechniqueForm
+from plans.scene.scene import Meaning, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
 
@@ -36,8 +35,3 @@ class Survey:
         scene = meaning.scene
         large = scene.of(WheelForm).wheel.radius == 7
         self.faults = [scene.fault(("wheel", "radius"), "fixed_output", name="W")] if large else []
-
-
-def notes_of(scene: Scene) -> list[Fault]:
-    """Give no notes."""
-    return []

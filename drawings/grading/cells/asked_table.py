@@ -7,8 +7,6 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from plans.by_hand import SLIP
-
 from drawings.checks.expected import Expected
 from drawings.checks.plain import plain
 from drawings.form.laid import BESIDE
@@ -25,6 +23,8 @@ from drawings.reading.transform import Affine
 from drawings.redrawn.originals import Original, Originals
 from geometry.hand_error import POINT
 from geometry.steps import Reading
+from plans.by_hand import SLIP
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS
 from plans.study import Study
 from plans.words.words import term
@@ -100,7 +100,7 @@ def rates_of(study: Study, kind: str, positions: Collection[int | None]) -> Rate
     if kind not in PLANS:
         return {}
     plans = (
-        (k, order, study["linkage"].drafts([k]).plan(order.number))
+        (k, order, study.of(LinkageStudy).drafts([k]).plan(order.number))
         for k in positions
         if k is not None
         for order in ORDERS[1:]

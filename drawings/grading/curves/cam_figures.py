@@ -28,6 +28,7 @@ from drawings.grading.curves.figure_records import (
     SceneSheet,
     by_number,
 )
+from plans.cam.study import CamStudy
 from plans.cyclogram.rows import EVERY
 from plans.model.motion import Floats
 from plans.study import Study
@@ -44,8 +45,8 @@ def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
         turning = [cam.cam for cam in cams.values() if not cam.cam.translates]
         yield from bars(sheet)
         yield from rings(sheet, cam_rows(turning), turning[0].sense)
-    if name in cams:
-        drawn = _Sheet(sheet, CamCourses(CamValues(cams[name], study["cam"].drawings[name])))
+    if name is not None and name in cams:
+        drawn = _Sheet(sheet, CamCourses(CamValues(cams[name], study.of(CamStudy).drawings[name])))
         yield from drawn.laws()
         yield from drawn.sizes()
         yield from drawn.pressure()

@@ -35,8 +35,12 @@ from drawings.paper.strokes import Circle
 from drawings.paper.walk import flat, group_named
 from drawings.reading.marks import MeasuredVector
 from plans.bank.harmonics import FORCE, letters
+from plans.bank.study import BankStudy
+from plans.cyclogram.quantities import CyclogramComparison
+from plans.cyclogram.study import CyclogramStudy
 from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import Compensator
 from plans.model.cyclogram import Row
 from plans.model.diagrams import TURN
@@ -52,7 +56,7 @@ WHOLE = ("H", SWING)  # the stroke of what slides, of what swings
 
 def figures_of_loads(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the load diagrams of a sheet of forces (row of the table of records)."""
-    yield from load_diagrams(sheet, study["forces"])
+    yield from load_diagrams(sheet, study.of(Statics))
 
 
 def load_diagrams(sheet: SceneSheet, statics: Statics) -> Iterator[FigureAsked]:
@@ -121,7 +125,7 @@ def figures_of_diagrams(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked
     comparison = study.comparison("diagrams") if shown else None
     if isinstance(comparison, DiagramsComparison):
         rows = {row.key: row for row in expected_rows(comparison)}
-        speed = abs(study["linkage"].mechanism.drive.omega)
+        speed = abs(study.of(LinkageStudy).mechanism.drive.omega)
         for key in shown:
             yield from _figure(sheet, rows, key, speed)
 
@@ -214,8 +218,8 @@ def _unset(
 
 def figures_of_cyclogram(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the bars of a machine's cyclogram (row of the table of records)."""
-    found = study.comparison("cyclogram").analysis
-    rows = machine_rows(found, study["cyclogram"].cams)
+    found = study.of(CyclogramComparison).analysis
+    rows = machine_rows(found, study.of(CyclogramStudy).cams)
     yield from bars(sheet)
     yield from rings(sheet, rows, found.sense)
 
@@ -247,7 +251,7 @@ def _exchanged(true: Mapping[str, complex]) -> Iterator[Mistake]:
 
 def figures_of_arms(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the arms of a bank's compensators (row of the table of records)."""
-    expected = Bank(study["bank"].task, study.comparison("bank"))
+    expected = Bank(study.of(BankStudy).task, study.comparison("bank"))
     for compensator in expected.analysis.compensators:
         layout = _Layout(sheet, f"{COMPENSATOR}-{compensator.asked.order}", expected, compensator)
         bodies = list(expected.bodies(compensator))

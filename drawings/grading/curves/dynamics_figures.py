@@ -28,6 +28,8 @@ from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speed
 from geometry.board import Board
 from geometry.calculus import integral
 from geometry.hand_error import SlippingHand, slopes
+from plans.dynamics.quantities import DynamicsComparison
+from plans.dynamics.study import DynamicsStudy
 from plans.model.motion import Complexes, Floats
 from plans.study import Study
 from plans.words.words import Message, because
@@ -55,8 +57,8 @@ WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_c
 
 def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of dynamics (row of the table of records)."""
-    comparison, task = study.comparison("dynamics"), study["dynamics"].task
-    yield from load_diagrams(sheet, study["dynamics"].statics)
+    comparison, task = study.of(DynamicsComparison), study.of(DynamicsStudy).task
+    yield from load_diagrams(sheet, study.of(DynamicsStudy).statics)
     if comparison.analysis.cycle is None:
         return
     drawn = _Sheet(sheet, Turn(task, comparison.analysis), Turn(task, comparison.exact))

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from drawings.checks.expected import Expected
 from drawings.checks.written import written_scales
+from drawings.grading.asked import named
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, group_named
@@ -26,7 +27,7 @@ from drawings.redrawn.originals import Original, Originals
 from geometry.hand_error import EVEN
 from plans.model.dynamics import TURN
 from plans.model.motion import Complexes, Floats
-from plans.techniques import named, technique_of
+from plans.techniques import technique_of
 from plans.words.words import Message
 
 # Of what a student has drawn of the figures before it to what this figure is if it is drawn on from there.

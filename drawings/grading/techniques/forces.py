@@ -21,7 +21,10 @@ from plans.forces.cut import Cut
 from plans.forces.drive import BALANCING
 from plans.forces.force_template import ForcePlans
 from plans.forces.marks import FIGURES
+from plans.forces.statics import Statics
 from plans.linkage.parts import MotionByHand
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POSITIONS
 from plans.study import Study
@@ -29,7 +32,7 @@ from plans.study import Study
 
 def record_of_linkage(study: Study, leaf: Leaf) -> Record:
     """Give the record of the plans of a sheet of kinematics or of positions."""
-    linkage, comparison = study["linkage"], study.comparison("linkage")
+    linkage, comparison = study.of(LinkageStudy), study.of(MotionComparison)
     shown, drawn = list(leaf.metadata["vectors"]), leaf.metadata["shown"]
     found, boards = dict[Letters, Found](), dict[Place, Board]()
     by_hand = MotionByHand(linkage, comparison, mass_centres(linkage))
@@ -61,15 +64,15 @@ FORCES, SCHEME = "forces", FIGURES["positions"]
 
 def record_of_forces(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of one force sheet."""
-    statics, k, drafting = study["forces"], int(leaf.metadata["position"]), drafting_of(study.scene)
+    statics, k, drafting = study.of(Statics), int(leaf.metadata["position"]), drafting_of(study.scene)
     drawn, found = statics.drafts([k]).plans, dict[Letters, Found]()
     known = dict[str, list[str]]()
     for cut in drawn.plan.cuts:
         plan = f"scheme {cut.label}"
         found |= lettered(f"forces-{cut.label}", k, _sides(drawn, cut))
         found |= lettered(plan, k, _arms(drawn, cut))
-        acting = (load.name for load in (*cut.loads, *cut.couples) if load.name != BALANCING)
-        known[plan] = [plain_name(letter_of(name, drafting)) for name in acting]
+        acting = (*(load.name for load in cut.loads), *(couple.name for couple in cut.couples))
+        known[plan] = [plain_name(letter_of(name, drafting)) for name in acting if name != BALANCING]
     found |= lettered(LEVER, k, _lever(drawn, drafting))
     known[LEVER] = [name for names in known.values() for name in names]
     shown = {plan: arrows_on(leaf, plan, k).keys() & names for plan, names in known.items()}

@@ -23,7 +23,10 @@ from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from geometry.board import Board, Mark
 from geometry.steps import Span
+from plans.balance.quantities import BalanceComparison
+from plans.balance.study import BalanceStudy
 from plans.bank.harmonics import FORCE, MOMENT, letters
+from plans.bank.study import BankStudy
 from plans.model.balance.bank import Harmonic, Member
 from plans.model.rotor import Balance, Unbalance
 from plans.rotor.balancing import COUPLES, UNBALANCES, Polygon, heading, moment_letters, unbalance_letters
@@ -36,7 +39,7 @@ SHOWN = (COUPLES, UNBALANCES, ALONG)
 
 def record_of_rotor(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a rotor's sheet."""
-    rotor: RotorStudy = study["rotor"]
+    rotor = study.of(RotorStudy)
     masses, drawing = rotor.rotor.masses, rotor.drawing
     arms = {f"h_{mass.name}": rotor.rotor.arm(mass.place) for mass in masses}
     radii = {f"r_{mass.name}": mass.radius for mass in masses if mass.radius is not None}
@@ -101,7 +104,7 @@ def _moment(mass: Unbalance) -> complex:
 
 def record_of_bank(study: Study, leaf: Leaf) -> Record:
     """Give the record of the polygons of a bank's sheet."""
-    expected = Bank(study["bank"].task, study.comparison("bank"))
+    expected = Bank(study.of(BankStudy).task, study.comparison("bank"))
     found: dict[Letters, Found] = {}
     plans: dict[str, Mapping[int | None, float]] = {}
     scales, forces = leaf.metadata["scales"], dict[str, Mark]()
@@ -168,8 +171,8 @@ NAMES = {BEFORE: FORCE_LETTER, AFTER: f"{FORCE_LETTER}'"}  # of the main vector 
 
 def record_of_balance(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a sheet of balancing."""
-    balance, k = study["balance"], int(leaf.metadata["position"])
-    expected = Balanced(balance, study.comparison("balance"), drafting_of_forces(balance.statics), k)
+    balance, k = study.of(BalanceStudy), int(leaf.metadata["position"])
+    expected = Balanced(balance, study.of(BalanceComparison), drafting_of_forces(balance.statics), k)
     plans = {SCHEME + state: list(_scheme(expected, state)) for state in expected.states}
     plans |= {MOMENTS: list(_moments(expected)), SHAKING: list(_shaking(expected))}
     found = {letters: vector for plan in plans for letters, vector in lettered(plan, k, plans[plan]).items()}

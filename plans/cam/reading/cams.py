@@ -102,7 +102,7 @@ class CamSurvey(NamedTuple):
 
 
 def survey_of(meaning: Meaning) -> CamSurvey:
-    """Examine a scene's cams (row of the table of techniques)."""
+    """Examine a scene's cams."""
     entries = [*entries_of(meaning.scene, meaning.doubts)]
     cams = [cam for entry in entries if (cam := _cam(entry, None))]
     faults = [fault for entry in entries for fault in entry.faults]

@@ -22,7 +22,7 @@ FEW_POINTS = 3  # of a table: what lies between them is the curve's, not the tab
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give the notes on a scene's cams (row of the table of techniques)."""
+    """Give the notes on a scene's cams."""
     entries = [*entries_of(scene)]
     yield from odd_lengths(scene, {path: size for entry in entries for path, size in _lengths(entry)})
     yield from _paces(entries)

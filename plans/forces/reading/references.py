@@ -34,7 +34,7 @@ ALONE = {"radius": HINGE, "length": SLIDE}  # which kind of pair alone has it
 
 def survey_of(meaning: Meaning) -> LinkageSurvey:
     """See that masses, loads, friction and the sheet name links, points, pairs and positions that exist."""
-    linkage: LinkageSurvey = meaning["linkage"]
+    linkage = meaning.of(LinkageSurvey)
     survey, form = replace(linkage, faults=[]), meaning.scene.of(ForceForm)
     _check_masses(survey, form)
     if form.loads is not None:

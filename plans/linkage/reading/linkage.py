@@ -111,7 +111,7 @@ def _doubled(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> Iterator[tuple
 
 def mechanism_of(scene: Scene) -> Mechanism:
     """Make the mechanism of a scene; all its faults together are one SceneError, a wrong mobility a StructureError."""
-    mechanism: Mechanism | None = scene.meaning["linkage"].mechanism
+    mechanism = scene.meaning.of(LinkageSurvey).mechanism
     faults = scene.meaning.faults
     if faults or mechanism is None:
         raise SceneError(faults)

@@ -1,0 +1,17 @@
+"""The sheets of a linkage (листы рычажного механизма)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from drawings.linkage import kinematics, positions
+from drawings.linkage.due import due
+from drawings.linkage.positions import of_linkage
+from drawings.sheets.kind import SheetKind
+
+POSITIONS: Final = {"positions": "length"}
+MOTION: Final = {"velocities-": "velocity", "accelerations-": "acceleration", "diagrams": "angle"}
+SHEETS: Final = {
+    "kinematics": SheetKind(kinematics.leaves, due, {**POSITIONS, **MOTION}, of_linkage),
+    "positions": SheetKind(positions.leaves, due, POSITIONS, of_linkage),
+}
