@@ -44,13 +44,7 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
 def _loads(statics: Statics, language: str) -> Iterator[str]:
     """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
     machine = statics.machine
-    lines = [
-        _load(load, f"{number(load.size, language)}{NBSP}{word(language, 'N')}", language) for load in machine.forces
-    ]
-    lines += [
-        _load(moment, f"{number(moment.size, language)}{NBSP}{word(language, 'N*m')}", language)
-        for moment in machine.moments
-    ]
+    lines = [_load(load, language) for load in machine.loads]
     for spring in machine.springs:
         stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
         free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
@@ -68,9 +62,10 @@ def _loads(statics: Statics, language: str) -> Iterator[str]:
     yield from lines
 
 
-def _load(load: Force | Moment, size: str, language: str) -> str:
+def _load(load: Force | Moment, language: str) -> str:
     """Tell one load: its size and law, on which stroke, with what overrun."""
-    name = force_letter(load.name, language)
+    name, unit = force_letter(load.name, language), word(language, "N" if isinstance(load, Force) else "N*m")
+    size = f"{number(load.size, language)}{NBSP}{unit}"
     if isinstance(load, Force) and load.diagram is not None:
         said = word(language, "load diagram", name=name)
     elif isinstance(load, Force) and load.direction is None and load.line is None:

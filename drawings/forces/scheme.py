@@ -45,13 +45,6 @@ class ShownSpring(NamedTuple):
     fixed: bool
 
 
-class FrictionCircle(NamedTuple):
-    """The friction circle of a hinge: its letter, and the radius f*r, m."""
-
-    point: str
-    radius: float
-
-
 def shown_springs(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[ShownSpring]:
     """Give the springs that act on a cut, each once."""
     places = {load.name: at(load.at.point, column) for load in cut.loads}
@@ -76,13 +69,13 @@ def _shown(plan: ForcePlan, spring: Spring, name: str, start: complex, far: int,
     return ShownSpring(name, start, end, spring.points[far], spring.links[far] == FRAME)
 
 
-def friction_circles_of(plan: ForcePlan, cut: Cut) -> Iterator[FrictionCircle]:
-    """Give the friction circles of a cut's hinges."""
+def friction_circles_of(plan: ForcePlan, cut: Cut) -> Iterator[tuple[str, float]]:
+    """Give the friction circles of a cut's hinges: a letter, and the radius f*r, m."""
     for key, rubbing in plan.machine.friction.items():
         radius = rubbing.coefficient * rubbing.radius
         links = {int(link) for link in key.split("-")}
         if radius > 0 and links & set(cut.links):
-            yield from (FrictionCircle(name, radius) for name in _hinges(plan, links))
+            yield from ((name, radius) for name in _hinges(plan, links))
 
 
 def _hinges(plan: ForcePlan, links: set[int]) -> list[str]:
@@ -116,7 +109,7 @@ class Scheme:
     arms: tuple[Leverage, ...]
     wheel: Wheel | None
     springs: tuple[ShownSpring, ...] = ()
-    circles: tuple[FrictionCircle, ...] = ()
+    circles: tuple[tuple[str, float], ...] = ()  # letters of hinges, radii m
 
     @property
     def coupled(self) -> bool:
@@ -199,11 +192,11 @@ def drawn_springs(shown: Scheme, place: Place, hand: Hand) -> Iterator[Group]:
 
 def drawn_circles(shown: Scheme, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw the friction circles that are to be seen at the scheme's scale, each about its hinge."""
-    for friction in dict.fromkeys(shown.circles):  # a point that joins three links has a circle for each two of them
-        radius = place.length(friction.radius)
-        if radius > HINGE * hand.symbol + WIDER and friction.point in shown.named:
-            circle = Circle(place.on(shown.named[friction.point]), radius, hand.drafted)
-            yield Group((circle,), "", {"kind": "friction", "name": friction.point})
+    for point, true in dict.fromkeys(shown.circles):  # a point that joins three links has one for each two of them
+        radius = place.length(true)
+        if radius > HINGE * hand.symbol + WIDER and point in shown.named:
+            circle = Circle(place.on(shown.named[point]), radius, hand.drafted)
+            yield Group((circle,), "", {"kind": "friction", "name": point})
 
 
 def coupled(shown: Scheme, place: Place, hand: Hand, ink: Ink) -> Iterator[Group]:

@@ -17,6 +17,7 @@ import numpy.typing as npt
 from geometry.board import Mark
 from plans.forces import polygon as statics
 from plans.forces.cut import CLOSING, PART, Cut, Equation, ForcePlan, Load, Side, indices
+from plans.forces.loading import carried
 from plans.linkage import leads
 from plans.linkage.ram import apart
 from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction
@@ -190,10 +191,10 @@ def _growth(mechanism: Mechanism, motion: Motion) -> tuple[Complexes, Floats]:
     """Give the unit direction from the cylinder's foot to its point, and how fast they part, m/s."""
     span, *rates = (apart(mechanism, motion, order) for order in range(3))
     along = span / np.abs(span)
-    return along, (np.conj(along) * _way(mechanism, motion, (rates[0], rates[1]))).real
+    return along, (np.conj(along) * _way(mechanism, motion, rates)).real
 
 
-def _way(mechanism: Mechanism, motion: Motion, rates: tuple[Any, Any]) -> Any:
+def _way(mechanism: Mechanism, motion: Motion, rates: Sequence[Any]) -> Any:
     """Give the rates by which powers are told: of first order, and where all rests those of second, as those begin."""
     ends = motion.points[mechanism.drive.end]
     return np.where(ends.v == 0, rates[1], rates[0])
@@ -222,7 +223,7 @@ def _power(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loadin
     total = np.zeros(len(motion.phi))
     for load in loads.forces:
         if load.link != FRAME:
-            rates = _rates(mechanism, motion, load.link, load.at)
+            _, *rates = carried(mechanism, motion, load.link, load.at)
             total += (np.conj(load.force) * _way(mechanism, motion, rates)).real
     for twist in loads.moments:
         turned = motion.links[twist.link]
@@ -232,16 +233,8 @@ def _power(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loadin
 
 def _borne(mechanism: Mechanism, machine: Machine, motion: Motion, body: Body) -> Floats:
     """Give the power W of the weight and the inertia of a link."""
-    v, a = _rates(mechanism, motion, body.link, body.centre)
+    _, v, a = carried(mechanism, motion, body.link, body.centre)
     turned = motion.links[body.link]
     force = body.mass * (machine.gravity - a)
     way, turning = (_way(mechanism, motion, pair) for pair in ((v, a), (turned.omega, turned.epsilon)))
     return np.asarray((np.conj(force) * way).real - body.inertia * turned.epsilon * turning)
-
-
-def _rates(mechanism: Mechanism, motion: Motion, link: int, spot: complex) -> tuple[Complexes, Complexes]:
-    """Give the velocity and the acceleration of a point of a link by its place in the link's own frame."""
-    name, first = next(iter(mechanism.links[link].points.items()))
-    turned, point = motion.links[link], motion.points[name]
-    arm = (spot - first) * np.exp(1j * turned.angle)
-    return point.v + 1j * turned.omega * arm, point.a + (1j * turned.epsilon - turned.omega**2) * arm

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from plans.forces import polygon
-from plans.forces.cut import Cut, ForcePlan
+from plans.forces.cut import CLOSING, Cut, ForcePlan, Side
 from plans.model.dyad import Dyad, Pair
 from plans.words.words import because
 
@@ -62,8 +62,8 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> Cut:
     )
     pin = polygon.stone_reaction(plan, dyad, chain, across, part)
     slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, chain.start, inner), pin)
-    supports = [pin, pivot]
-    return polygon.cut(plan, dyad, supports, slotted, [across], (*chain.sides, polygon.closing(name, chain)))
+    sides = *chain.sides, Side(name, chain.end, chain.start, CLOSING)
+    return polygon.cut(plan, dyad, [pin, pivot], slotted, [across], sides)
 
 
 def prp(plan: ForcePlan, dyad: Dyad) -> Cut:

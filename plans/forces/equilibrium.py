@@ -13,6 +13,7 @@ import numpy as np
 
 from geometry.meet import EPS, cross, dot
 from geometry.precision import OWN
+from plans.forces.loading import carried
 from plans.linkage.quantities import largest_of
 from plans.model.dyad import Group
 from plans.model.kinetostatics import Kinetostatics, Loading
@@ -64,16 +65,13 @@ def _body(
     mechanism: Mechanism, machine: Machine, motion: Motion, body: Body, bound: tuple[Floats, Floats]
 ) -> LinkForce:
     """Give inertia and weight of a link; where it is and how it moves follow from one of its points and its turning."""
-    turned = motion.links[body.link]
-    name, spot = next(iter(mechanism.links[body.link].points.items()))
-    point = motion.points[name]
-    arm = (body.centre - spot) * np.exp(1j * turned.angle)
-    bent = point.a + (1j * turned.epsilon - turned.omega**2) * arm
+    first = motion.points[next(iter(mechanism.links[body.link].points))].a
+    r, _, bent = carried(mechanism, motion, body.link, body.centre)
     force = body.mass * (machine.gravity - bent)
     # Taken here from a point and the turning of the link, on the plan from the image of the mass centre: twice a bound.
-    rounded = OWN * EPS * (np.abs(body.mass * machine.gravity) + body.mass * (np.abs(point.a) + np.abs(bent - point.a)))
-    couple = -body.inertia * turned.epsilon
-    return LinkForce(body.link, point.r + arm, force, couple, 2 * bound[0] + rounded, 2 * bound[1])
+    rounded = OWN * EPS * (np.abs(body.mass * machine.gravity) + body.mass * (np.abs(first) + np.abs(bent - first)))
+    couple = -body.inertia * motion.links[body.link].epsilon
+    return LinkForce(body.link, r, force, couple, 2 * bound[0] + rounded, 2 * bound[1])
 
 
 def _drive(mechanism: Mechanism, forces: Kinetostatics, bound: tuple[Floats, Floats]) -> LinkForce:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import chain
 from typing import Any, NamedTuple
@@ -52,25 +52,35 @@ class ForceDrawing:
 
     def read(self, plan: ForcePlan, phi: Floats) -> Kinetostatics:
         """Read all reactions and the balancing moment off the force plan."""
-        supports = (support for cut in plan.cuts for support in cut.reactions)
-        found = [_reaction(plan, support, len(phi)) for support in supports]
-        reactions = {f"{reaction.giver}-{reaction.taker}": reaction for reaction in found}
-        return Kinetostatics("construction", phi, reactions, _balancing(plan, len(phi)), ())
+        return read(plan, phi, lambda mark: mark.point)
 
 
-def _reaction(plan: ForcePlan, support: Support, count: int) -> Reaction:
-    def value(mark: Mark | None) -> Any:
-        return None if mark is None else mark.point
+def read(plan: ForcePlan, phi: Floats, value: Callable[[Mark], Any]) -> Kinetostatics:
+    """Read all reactions and the balancing moment off a force plan, by the value of each mark over the positions."""
 
-    along = None if support.slide is None else leads.direction(plan.positions, support.slide, support.slide.owner)
-    return reaction_of(support, *map(value, (support.at, support.force, support.moment, along)), count=count)
+    def numbers(mark: Mark) -> Any:
+        return row(value(mark), len(phi))
+
+    reactions = {}
+    for support in (support for cut in plan.cuts for support in cut.reactions):
+        reaction = _reaction(plan, support, numbers)
+        reactions[f"{reaction.giver}-{reaction.taker}"] = reaction
+    moment = numbers(plan.balancing).real.copy()
+    driving = () if plan.drive is None or plan.driven is None else (numbers(plan.drive), numbers(plan.driven))
+    return Kinetostatics("construction", phi, reactions, Balancing(moment, *driving), ())
 
 
-def _balancing(plan: ForcePlan, count: int) -> Balancing:
-    moment = row(plan.balancing.point, count).real.copy()
-    if plan.drive is None or plan.driven is None:
-        return Balancing(moment)
-    return Balancing(moment, row(plan.drive.point, count), row(plan.driven.point, count))
+def _reaction(plan: ForcePlan, support: Support, numbers: Callable[[Mark], Any]) -> Reaction:
+    """Make a reaction of its numbers, told from the lower link on; it may have been found as the opposite one."""
+    rising = support.giver < support.taker
+    force, r = numbers(support.force), numbers(support.at)
+    low, high = sorted((support.giver, support.taker))
+    reaction = Reaction(low, high, support.point, r, force if rising else -force)
+    if support.slide is None:
+        return reaction
+    moment = row(0.0, len(r)).real if support.moment is None else numbers(support.moment).real
+    along = numbers(leads.direction(plan.positions, support.slide, support.slide.owner))
+    return reaction._replace(moment=moment if rising else -moment, along=along)
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
@@ -93,16 +103,6 @@ class ForcePlans(NamedTuple):
     lever: Lever | None
 
 
-class _Places(NamedTuple):
-    """Where the numbers of a reaction are among those of the pattern."""
-
-    support: Support
-    r: int
-    force: int
-    moment: int | None
-    along: int | None
-
-
 class ForcePattern:
     """The force plan over a pattern of accelerations; the lever is hung when it is looked at."""
 
@@ -111,7 +111,6 @@ class ForcePattern:
         self.plan = forces(pattern.plans[2], groups, machine, loading)
         self._below = [plan.board for plan in pattern.plans]
         self.tracing = pattern.tracing.over(behind(*chain(*self._below, self.plan.board)), self.plan.given)
-        self._reactions = [self._found(support) for cut in self.plan.cuts for support in cut.reactions]
 
     @cached_property
     def lever(self) -> Lever | None:
@@ -123,18 +122,6 @@ class ForcePattern:
         """The acts of the lever over those of the force plan."""
         boards = [*self._below, self.plan.board, *([self.lever.board] if self.lever is not None else [])]
         return self.tracing.over(behind(*chain(*boards)), ())
-
-    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-    def hang(self, numbers: list[Any]) -> list[Any]:
-        """Work out the numbers of the lever over those of the force plan."""
-        return self._hung.follow_on(numbers, {})
-
-    def _found(self, support: Support) -> _Places:
-        place, along = self.tracing.place, None
-        if support.slide is not None:
-            along = place(leads.direction(self.plan.positions, support.slide, support.slide.owner))
-        moment = None if support.moment is None else place(support.moment)
-        return _Places(support, place(support.at), place(support.force), moment, along)
 
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
     def follow(self, numbers: list[Any], loading: Loading) -> list[Any]:
@@ -151,41 +138,17 @@ class ForcePattern:
 
     def read(self, numbers: list[Any], phi: Floats) -> Kinetostatics:
         """Read all reactions and the balancing moment off the force plan."""
-        reactions = {}
-        for places in self._reactions:
-            values = (None if place is None else numbers[place] for place in places[1:])
-            found = reaction_of(places.support, *values, count=len(phi))
-            reactions[f"{found.giver}-{found.taker}"] = found
-        return Kinetostatics("construction", phi, reactions, self._balancing(numbers, len(phi)), ())
+        return read(self.plan, phi, lambda mark: numbers[self.tracing.place(mark)])
 
-    def _balancing(self, numbers: list[Any], count: int) -> Balancing:
-        plan = self.plan
-        moment = row(numbers[self.tracing.place(plan.balancing)], count).real.copy()
-        if plan.drive is None or plan.driven is None:
-            return Balancing(moment)
-        force, r = (numbers[self.tracing.place(mark)] for mark in (plan.drive, plan.driven))
-        return Balancing(moment, row(force, count), row(r, count))
-
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
     def plans_of(self, numbers: list[Any]) -> ForcePlans:
         """Make the plans that have these numbers of the force plan, and the lever."""
-        boards, made = self._hung.boards(self.hang(numbers))
+        boards, made = self._hung.boards(self._hung.follow_on(numbers, {}))
         plans: list[Plan] = []
         for plan in self.pattern.plans:
             plans.append(plan.redraw(boards[plan.board.subject], made, tuple(plans)))
         found = self.plan.redraw(boards, made, plans)
         return ForcePlans(found, remade(self.lever, made, boards))
-
-
-def reaction_of(support: Support, r: Any, force: Any, moment: Any, along: Any, *, count: int) -> Reaction:
-    """Make a reaction of its numbers, told from the lower link on; it may have been found as the opposite one."""
-    rising = support.giver < support.taker
-    ends = min(support.giver, support.taker), max(support.giver, support.taker)
-    force, r = row(force, count), row(r, count)
-    force = force if rising else -force
-    if along is None:
-        return Reaction(*ends, support.point, r, force)
-    moment = row(0.0 if moment is None else moment, count).real
-    return Reaction(*ends, support.point, r, force, moment if rising else -moment, row(along, count))
 
 
 def row(value: Any, count: int) -> Any:

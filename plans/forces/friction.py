@@ -9,11 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.meet import cross, dot
+from plans.forces.loading import carried
 from plans.model.dyad import Group, pair
 from plans.model.kinetostatics import CENTRAL, SLANTED, TILTED, Friction, Jam, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine, Rubbing
 from plans.model.mechanism import FRAME, Mechanism
-from plans.model.motion import Complexes, Floats, Motion, PointMotion
+from plans.model.motion import Complexes, Floats, Motion
 from plans.words.words import Message
 
 
@@ -60,9 +61,7 @@ def useful_power(mechanism: Mechanism, motion: Motion, loading: Loading) -> Floa
     given = np.zeros(len(motion.phi))
     for load in loading.forces:
         if load.useful and load.link != FRAME:
-            spot, point = _first(mechanism, motion, load.link)
-            arm = (load.at - spot) * np.exp(1j * motion.links[load.link].angle)
-            given += dot(load.force, _velocity(mechanism, motion, load.link, point.r + arm))
+            given += dot(load.force, carried(mechanism, motion, load.link, load.at).v)
     for twist in loading.moments:
         if twist.useful:
             given += twist.moment * _omega(motion, twist.link)
@@ -71,14 +70,8 @@ def useful_power(mechanism: Mechanism, motion: Motion, loading: Loading) -> Floa
 
 def _velocity(mechanism: Mechanism, motion: Motion, link: int, r: Complexes) -> Complexes:
     """Give the velocity m/s of that point of a link which is at r."""
-    _, point = _first(mechanism, motion, link)
+    point = motion.points[next(iter(mechanism.links[link].points))]
     return np.asarray(point.v + 1j * _omega(motion, link) * (r - point.r))
-
-
-def _first(mechanism: Mechanism, motion: Motion, link: int) -> tuple[complex, PointMotion]:
-    """Give the first named point of a link: its place in the link, and its motion."""
-    name, spot = next(iter(mechanism.links[link].points.items()))
-    return spot, motion.points[name]
 
 
 def _omega(motion: Motion, link: int) -> Floats:

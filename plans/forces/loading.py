@@ -229,6 +229,15 @@ def _moment(moment: Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> 
     return np.where(np.isnan(angle), np.nan, size_of(moment, motion, strokes) * sense + 0.0)
 
 
+def carried(mechanism: Mechanism, motion: Motion, link: int, spot: complex) -> PointMotion:
+    """Carry the motion of a link's first named point to a spot of the link, by its place in the link's own frame."""
+    name, first = next(iter(mechanism.links[link].points.items()))
+    turned, point = motion.links[link], motion.points[name]
+    arm = (spot - first) * np.exp(1j * turned.angle)
+    bent = point.a + (1j * turned.epsilon - turned.omega**2) * arm
+    return PointMotion((point.r + arm, point.v + 1j * turned.omega * arm, bent))
+
+
 def size_of(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
     """Give the size of a load, N or N*m: nothing on a stroke that is not its own, nor in the overruns at the ends."""
     if not asks(load):

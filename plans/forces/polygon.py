@@ -217,11 +217,6 @@ def cut_at(plan: ForcePlan, dyad: Dyad, corner: Mark, inner: Mark) -> Mark:
     return plan.board.join(f"R_{indices(*dyad.links[::-1])}", inner, corner, because("closes", link=dyad.links[0]))
 
 
-def closing(name: str, chained: Chain) -> Side:
-    """Give the side that closes a chain back to its start."""
-    return Side(name, chained.end, chained.start, CLOSING)
-
-
 def cut(
     plan: ForcePlan, dyad: Dyad, supports: Sequence[Support], inner: Support,
     equations: Sequence[Equation | None], sides: Sequence[Side],

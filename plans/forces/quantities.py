@@ -238,7 +238,10 @@ def numbers(study: Study, by: str) -> Numbers:
     below = study.numbers("linkage", by)
     assert isinstance(below, MotionNumbers)
     rubs = "friction" in study.plans and (study.chosen or bool(statics.machine.friction))
-    solved, friction = _analysed(statics, below, rubs) if by == "analysis" else _constructed(statics, below, rubs)
+    if by == "analysis":
+        solved, friction = _analysed(statics, below, rubs)
+    else:
+        solved, friction = statics.forces, statics.losses if rubs else None
     written: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in solved.gaps]}
     if "forces" in study.plans:
         written |= described(solved, below.datum)
@@ -248,19 +251,6 @@ def numbers(study: Study, by: str) -> Numbers:
     if friction is not None:
         written |= rubbed(friction)
     return Numbers(written, bool(solved.gaps) or (friction is not None and bool(friction.jams)))
-
-
-def _constructed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:
-    if not rubs:
-        return statics.forces, None
-    from plans.forces.friction import friction  # noqa: PLC0415  (only friction pays for it)
-
-    study, motion = statics.study, below.motion
-    loads = statics.loading(motion)
-    times = study.turn.times
-    return statics.forces, friction(
-        study.mechanism, study.groups, statics.machine, motion, loads, statics.forces, times
-    )
 
 
 def _analysed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:

@@ -296,11 +296,14 @@ class Statics:
         else:  # one block after another is made and read, and none is kept
             yield from (ForceDrafts(self, drafts) for drafts, _ in self.study.blocks())
 
-    @cached_property
+    @property
     def friction(self) -> Friction | None:
         """What friction takes, by construction; None where the scene gives no coefficients."""
-        if not self.machine.friction:
-            return None
+        return self.losses if self.machine.friction else None
+
+    @cached_property
+    def losses(self) -> Friction:
+        """What friction takes, by construction; nothing where the scene gives no coefficients."""
         from plans.forces.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
 
         study, motion = self.study, self.study.motion(2)

@@ -97,7 +97,7 @@ def test_a_jam_that_one_road_alone_tells_is_seen(monkeypatch: pytest.MonkeyPatch
     assert comparison.friction[0].jams
     right = friction.friction
     monkeypatch.setattr(friction, "friction", lambda *given: Wrong("jams", "").spoilt(right(*given)))
-    del statics.__dict__["friction"]
+    del statics.__dict__["losses"]
     compared = compare_forces(statics, compare(statics.study))
     assert {finding.name[:3] for finding in compared.findings if finding.excess.max() > 1} == {"jam"}
 
