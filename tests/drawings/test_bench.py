@@ -119,21 +119,6 @@ def test_without_mpmath_the_replay_is_a_row_that_says_so(monkeypatch: pytest.Mon
     assert next(row.note for row in found.rows if row.technique == REPLAY) == NOT_INSTALLED
 
 
-def test_a_spoilt_sheet_is_seen() -> None:
-    """A vector drawn a millimetre too long, and a cell that says something else, are errors of that size."""
-    drawn = sheet.draw(read_scene(GALLERY / "shaper.toml"))
-    assert sheet.errors(drawn, sheet.by_ruler).worst < 1e-4
-    (kind, leaf, seen), *others = drawn.sheets
-    vectors = list(seen.measured.vectors)
-    place, longer = next((k, one) for k, one in enumerate(vectors) if one.name == "p b")
-    vectors[place] = replace(longer, value=longer.value * (1 + longer.scale / abs(longer.value)))
-    spoilt = seen._replace(measured=seen.measured._replace(vectors=tuple(vectors)))
-    off = sheet.errors(drawn._replace(sheets=((kind, leaf, spoilt), *others)), sheet.by_ruler)
-    largest = max(abs(one.value) for one in vectors if one.plan == longer.plan)
-    assert off.name.startswith("p b")
-    assert off.worst == pytest.approx(longer.scale / largest, rel=0.05)
-
-
 def test_the_plain_pen_draws_the_same_strokes() -> None:
     strokes = (
         Line(1 + 2j, 3 + 4j, LineStyle(0.5, (4, 1.5))),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -22,7 +21,7 @@ from tests.forgeries.chance_edits import CHANGES
 from tests.forgeries.leaf_edits import swapped
 from tests.forgeries.sheets import GALLERY, KINDS, forged, judged
 from tests.fuzz_sheets import tried
-from tests.parts import first, several
+from tests.parts import first
 
 SCENE = GALLERY / "fan.toml"
 NAME = "fan-rotor.svg"
@@ -72,26 +71,6 @@ def test_without_a_scene_the_file_alone_is_checked(folder: Path, capsys: Capture
     code, said = told(capsys, folder / NAME)
     assert code == 4 and "Fix: give its scene with --scene" in said
     assert told(capsys, folder / NAME, "--scene", SCENE)[0] == 0
-
-
-Change = Callable[[Path], object]
-
-
-@pytest.mark.parametrize(
-    ("change", "says"),
-    several([
-        (lambda folder: (folder / NAME).write_bytes((folder / NAME).read_bytes()[:9000]), "torn: the file breaks off"),
-        (lambda folder: (folder / NAME).write_bytes((folder / NAME).read_bytes() + b"\n"), "the seal is broken"),
-        (lambda folder: (folder / "fan-report.md").unlink(), "of the same set, fan-report.md is not there"),
-        (lambda folder: (folder / "fan-report.md").write_bytes(b"x"), "of the same set, fan-report.md was changed"),
-        (lambda folder: (folder / NAME).write_bytes(other_text()), "not the sheet that fan-manifest.json names"),
-        (lambda folder: (folder / "fan.toml").write_bytes(SCENE.read_bytes() + b"#"), "drawn from another scene"),
-    ], 2),
-)  # fmt: skip
-def test_what_became_of_a_file_is_told(folder: Path, capsys: Capture, change: Change, says: str) -> None:
-    change(folder)
-    code, said = told(capsys, folder / NAME, "--language", "en")
-    assert code == 5 and says in said
 
 
 def test_a_drawing_that_an_editor_saved_anew_is_as_it_was(folder: Path, capsys: Capture) -> None:
@@ -186,16 +165,3 @@ def test_a_sheet_that_was_changed_at_random_ends_as_it_should(number: int, tmp_p
     chance = Random(f"check {number}")
     source = CHANGES[number % len(CHANGES)](fan().drawn(fan().sheets[0]), chance)
     assert tried(fan(), NAME, source, tmp_path)
-
-
-def test_measure_names_marks_that_are_missing_and_added(folder: Path, capsys: Capture) -> None:
-    leaf = fan().sheets[0].leaf
-    figure = next(group for group in leaf.groups if group.name == "unbalances")
-    gone = next(one for one in figure.strokes if getattr(one, "data", {}).get("kind") == "vector")
-    other = gone._replace(data=dict(gone.data) | {"name": "X"})
-    (folder / NAME).write_bytes(svg(swapped(leaf, gone, other)))
-    code = cli.main(["measure", str(folder / NAME), "--scene", str(SCENE)])
-    said = capsys.readouterr().out
-    assert code == 5
-    assert f"нет: статические моменты {gone.data['quantity']} {gone.data['name']}" in said
-    assert f"лишнее: статические моменты {gone.data['quantity']} X" in said

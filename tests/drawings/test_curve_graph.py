@@ -11,7 +11,6 @@ from drawings.kinds.hodograph import Hodograph
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
-from drawings.lettering.extent import bounds
 from drawings.page.page import Field
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import hand_of
@@ -78,19 +77,6 @@ def rocking(phi: np.ndarray) -> np.ndarray:
     return np.where(np.minimum(phi, 310 - phi) < 0, -1.0, 1.0) / np.where((phi < 130) | (phi > 310), 130 - phi, np.nan)
 
 
-def test_a_crank_that_cannot_turn_fully_is_followed_through_its_positions() -> None:
-    stations = np.array([20.0, 50.0, 80.0, 350.0])
-    whole = CURVE._replace(values=rocking(DENSE), stations=stations, ordinates=rocking(stations))
-    part = curve_graph.swing(whole)
-    assert part.length == 90  # from 350 through 0 to 80 degrees
-    assert not part.closed
-    assert part.stations.tolist() == [30, 60, 90, 0]
-    assert np.isfinite(part.values).all()
-    assert np.interp(part.stations, part.angles, part.values) == pytest.approx(whole.ordinates)
-    vectors = measured(graph(part)).vectors
-    assert sorted(vector.position or 0 for vector in vectors) == [0, 1, 2, 3]
-
-
 def test_a_crank_that_turns_fully_is_followed_over_its_turn_whatever_its_positions() -> None:
     few = CURVE._replace(stations=AT[:3], ordinates=CURVE.ordinates[:3])
     assert curve_graph.swing(few) is few
@@ -142,17 +128,6 @@ def test_a_position_that_is_a_gap_is_left_out_of_a_hodograph() -> None:
     ends[2] = complex(math.nan, math.nan)
     found = measured(figure(SHOWN._replace(ends=ends)))
     assert found.vectors == () and 2 not in {point.position for point in found.points}
-
-
-def test_of_360_positions_as_many_are_numbered_as_have_room_and_the_shown_one_always() -> None:
-    at = np.arange(360.0)
-    drawn = graph(CURVE._replace(stations=at, ordinates=moment(at), shown=(87,)))
-    told = [text for text in flat(drawn) if isinstance(text, Text) and text.plain.isdigit()]
-    assert "87" in {text.plain for text in told}
-    assert 10 < len(told) < 60
-    middles = sorted(sum(bounds(text)[::2]) / 2 for text in told)
-    assert min(np.diff(middles)) > HAND.number, "no number stands on another"
-    assert {vector.name for vector in measured(drawn).vectors} == {text.plain for text in told}
 
 
 def test_a_turn_that_ends_with_position_0_again_begins_with_it_also_where_the_shown_one_is_beside_it() -> None:

@@ -35,14 +35,6 @@ def number(text: str, letter: str) -> tuple[float, int]:
     return float(found[1]), int(found[2])
 
 
-def test_a_scotch_yoke_goes_as_the_cranks_shadow() -> None:
-    """Of x = r cos φ the stroke is 2r, the velocity r ω at most, and r ω² the acceleration at the ends."""
-    told, omega = said("scotch-yoke"), 4 * np.pi
-    assert "\nH = 0.12 m, K = 1.0000, " in told
-    assert number(told, "v_B") == (pytest.approx(0.06 * omega, rel=5e-5), 3)
-    assert number(told, "a_B") == (pytest.approx(0.06 * omega**2, rel=5e-5), 0)
-
-
 def test_the_greatest_balancing_moment_is_that_of_the_energy() -> None:
     """M ω is what yoke and block gain of energy, and what the load takes on the stroke to the right."""
     phi, omega, crank = np.radians(30.0 * np.arange(12)), 4 * np.pi, 0.06

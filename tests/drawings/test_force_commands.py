@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
-from drawings.forces.report import friction_lines
 from tests.drawings.conftest import Run
-from tests.plans.force_cases import ROADS, WORKED, compared, text_of
+from tests.plans.force_cases import ROADS, WORKED, text_of
 from tests.plans.scenes import scene
 
 STEEP = scene(
@@ -66,29 +63,6 @@ def test_the_worked_example_as_json(run: Run, worked: Path, road: str) -> None:
     assert told["jams"] == []
 
 
-def test_the_two_roads_tell_the_same_over_a_turn(run: Run) -> None:
-    one, other = (numbers(run, LOADED, "--by", road, "--only", "forces") for road in ROADS)
-    assert set(one) == set(other)
-    assert "friction" not in one
-    for key, told in one["reactions"].items():
-        largest = max(abs(complex(*force)) for force in told["force"])
-        for ours, theirs in zip(told["force"], other["reactions"][key]["force"], strict=True):
-            assert complex(*ours) == pytest.approx(complex(*theirs), abs=1e-9 * largest)
-
-
-def test_places_are_those_of_the_scene_wherever_it_lies(run: Run, worked: Path, tmp_path: Path) -> None:
-    moved = tmp_path / "moved.toml"
-    text = text_of("shaper", ("O = [0, 0]", "O = [100, 20]"), ("C = [0, -0.350]", "C = [100, 19.650]"))
-    text = text.replace("through = [0, 0.3287", "through = [0, 20.3287").replace(
-        "B = [0.20, 0.32]", "B = [100.2, 20.32]"
-    )
-    moved.write_text(text.replace("D = [0.40, 0.33]", "D = [100.4, 20.33]"), "utf-8")
-    here, there = (numbers(run, scene, "--only", "forces") for scene in (worked, moved))
-    at = [complex(*told["reactions"]["1-2"]["at"][0]) for told in (here, there)]
-    assert at[1] - at[0] == pytest.approx(100 + 20j)
-    assert here["balancing"]["moment"] == pytest.approx(there["balancing"]["moment"], rel=1e-9)
-
-
 def test_only_forces_of_a_scene_on_which_nothing_acts_is_refused_with_advice(run: Run) -> None:
     code, out, err = run("solve", GALLERY / "shaper.toml", "--only", "forces")
     assert (code, out) == (3, "")
@@ -120,18 +94,6 @@ def test_the_steps_behind_a_force_end_with_it(run: Run, worked: Path, mark: str,
     assert not any(": meet (" in step and "[forces]" not in step for step in steps)  # the plans below are left out
 
 
-def test_all_steps_behind_a_force_go_back_to_the_fixed_points(run: Run, worked: Path) -> None:
-    code, out, _ = run("explain", worked, "R_34", "--all")
-    assert code == 0
-    assert "O: given = (0, 0) m. fixed point" in out
-    assert "R_34 [forces]: join" in out.splitlines()[-1]
-
-
-def test_a_reaction_the_other_way_round_is_the_opposite_of_the_one_that_was_found(run: Run, worked: Path) -> None:
-    code, out, _ = run("explain", worked, "R_23")
-    assert code == 0 and "R_23 is the opposite of R_32" in out
-
-
 def test_what_a_table_tells_is_explained_by_what_shows_it_and_by_both_roads(run: Run, worked: Path) -> None:
     code, out, _ = run("explain", worked, "v_{DB}")
     assert code == 0 and out.startswith("v_{DB}, 34 steps")
@@ -151,13 +113,6 @@ def test_a_force_that_there_is_not_is_refused_with_what_there_is(run: Run, worke
     assert "also v_B, a_B, omega_3, dS/dt, R_12, M_bal" in err
 
 
-def test_compare_tells_every_sum_that_must_vanish(run: Run, worked: Path) -> None:
-    code, out, _ = run("compare", worked)
-    assert code == 0
-    for said in ("ΣF 3", "ΣM 2-3", "ΣF whole", "power", "M_bal lever", "M_bal energy", "agree"):
-        assert said in out
-
-
 def test_masses_that_solve_is_asked_for_are_in_use(run: Run, tmp_path: Path) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text(LOADED.read_text("utf-8").replace('sheets = ["forces"]', ""), "utf-8")
@@ -173,30 +128,3 @@ def test_a_pair_that_jams_is_named_and_ends_with_4(run: Run, tmp_path: Path) -> 
     assert code == 4
     assert "pair 0-3 jams by friction in positions" in err
     assert "make the rod longer" in err
-
-
-def test_a_failed_balance_withholds_the_sheet(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from plans.forces import quantities
-
-    found = quantities.balancing_moment
-
-    def wrong(*given: Any) -> Any:
-        return found(*given) * 1.00001
-
-    monkeypatch.setattr(quantities, "balancing_moment", wrong)
-    code, _, err = run("draw", LOADED, "-o", tmp_path / "out")
-    assert code == 5
-    assert "M_bal power" in err
-    assert not (tmp_path / "out").exists()
-
-
-def test_beside_a_position_that_all_but_jams_no_power_is_written_as_nothing() -> None:
-    comparison = compared(STEEP)
-    assert comparison.friction is not None
-    found = comparison.friction[0]
-    enormous = replace(found, lost=np.where(np.arange(len(found.lost)) == len(found.lost) - 1, 1e15, found.lost))
-    tables = [
-        [line.split(" | ")[1:-3] for line in friction_lines(comparison, one, "ru") if line[:3] == "| 0"]
-        for one in (found, enormous)
-    ]
-    assert tables[0] == tables[1] and tables[0] != []

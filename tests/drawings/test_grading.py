@@ -9,7 +9,6 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-import numpy as np
 import pytest
 
 from drawings.checks.expected import Expected
@@ -21,14 +20,12 @@ from drawings.grading.sheet_task import SheetTask
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.redrawn.originals import Original, Originals
-from tests.draughtsman import Draughtsman, copies
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.mistakes import mistakes
-from tests.parts import first, several
+from tests.parts import first
 
 HAND = Allowances()
 MISTAKES = mistakes("student_mistakes")
-POLES = {"velocities": "p", "accelerations": "π"}
 
 
 def made(own: Task, row: dict[str, Any], without: tuple[str, ...] = ASIDE) -> bytes:
@@ -94,26 +91,6 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
 
 def said(own: Task, source: bytes) -> list[str]:
     return sorted(f"{one.name} {one.kind}" for one in grade(source, SheetTask(own.plans), HAND).wrong)
-
-
-@pytest.mark.parametrize(("slip", "share"), several([(0.2, 1.0), (2.0, 0.0)], 9))
-def test_a_fair_hand_is_accepted_and_a_poor_one_refused(slip: float, share: float) -> None:
-    own = task("shaper")
-    plans = [plan for plan in own.plans if plan.plan in POLES and plan.position == 2]
-    marks = [mark for plan in plans for mark in marks_of(plan).values()]
-    scales = {name: np.array([mu]) for name, mu in plans[-1].scales.items()}
-    count = 4
-    places = copies(Draughtsman(slip, scales, count, np.random.default_rng(7)), *marks)
-    passed = 0
-    for k in range(count):
-        spots = {
-            letter: complex(np.broadcast_to(places[mark], (count, 1))[k, 0])
-            for letter, mark in marks_of(plans[-1]).items()
-        }
-        source = drawn(own.sheet(plans[-1].sheet), plans[-1], spots)
-        vectors = [one for one in grade(source, SheetTask(own.plans), HAND).wrong if one.letters != ("", "")]
-        passed += not vectors
-    assert passed == share * count
 
 
 @pytest.mark.parametrize(

@@ -4,25 +4,21 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from copy import copy
 from pathlib import Path
 
 import pytest
 
 from drawings.form.form import form_of
 from drawings.grading.allowance import Allowances
-from drawings.grading.cells.asked_table import tables_asked
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, UNREAD, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import points_of, read_marking
-from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
 from tests.drawings.test_grading import laid
 from tests.mistakes import mistakes
-from tests.parts import several
 from tests.rows import over
 
 DRAWN = ("positions", "velocities", "accelerations", "diagrams", "notes")  # figures, which take long to read
@@ -33,45 +29,6 @@ MISTAKES = mistakes("table_mistakes")
 def said(own: TableTask, source: bytes) -> list[str]:
     wrong = grade(source, SheetTask(tables=own.tables), HAND).wrong
     return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) for one in wrong)
-
-
-@pytest.mark.parametrize(
-    ("name", "row", "head", "position", "true", "called"),
-    several(
-        [
-            ("values", "vB", "by plan", 2, 1.517, "v_B (by plan)"),
-            ("values", "vB", "by analysis", 2, 1.517, "v_B (by analysis)"),
-            ("output", "5", "v", None, 1.581, "v"),
-        ],
-        3,
-    ),
-)
-def test_a_cell_that_we_print_wrongly_is_not_the_truth(
-    name: str, row: str, head: str, position: int | None, true: float, called: str
-) -> None:
-    """The analysis tells what a cell must say: the scene's own sheet is wrong then, and no student."""
-    own = table_task("shaper")
-    table, sheet = own.table(name), own.originals.sheets[0]
-    key = key_of(table, row, head, position)
-    leaf = printed(tables_of(sheet), cells_of(sheet.leaf, table)[key].texts, "2.517")
-    originals = copy(own.originals)
-    originals.__dict__ |= {"sheets": (sheet._replace(leaf=leaf),), "_drawn": {}, "_seen": {}}
-    tables = tables_asked(originals)
-    asked = next(one for one in tables if one.sought == table.sought).cells[key]
-    assert asked.true == pytest.approx(true, abs=5e-4)
-    wrong = grade(svg(leaf), SheetTask(tables=tables), HAND).wrong
-    assert [one.name for one in wrong] == [called]
-
-
-def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
-    """Print a number in place of some texts."""
-
-    def again(one: Stroke) -> Stroke:
-        if isinstance(one, Group):
-            return one._replace(strokes=tuple(map(again, one.strokes)))
-        return one._replace(content=number) if isinstance(one, Text) and one in texts else one
-
-    return leaf._replace(groups=tuple(group for one in leaf.groups if isinstance(group := again(one), Group)))
 
 
 @pytest.mark.rest

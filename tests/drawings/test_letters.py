@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import string
 
-import numpy as np
 import pytest
 
 from drawings.forces.lever import hanging
@@ -13,38 +12,19 @@ from plans.forces.quantities import compare_forces
 from plans.linkage.parts import AnalysedVectors
 from plans.linkage.plan import PlanLetters
 from plans.linkage.quantities import compare
-from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body
 from plans.model.mechanism import Mechanism
-from plans.scene.scene import parse_scene
 from tests import parts
 from tests.parts import several
 from tests.plans import linkages
 from tests.plans.alterations import renamed
 from tests.plans.loaded import Loaded
 from tests.plans.machines import machine
-from tests.plans.scenes import scene
 
 SIGNED = (
     "P'", "P''", "A3", "A'", "B1", "B2", "K2", "N3", "S2", "S3", "O1", "p", "p'", "π", "a", "n_B", "k_A", "Π", "Р",
 )  # fmt: skip
 NAMES = (*string.ascii_uppercase, *SIGNED)
-TWO_STONES = scene(
-    frame="O = [0, 0]; C = [0, -0.3]; D = [0.4, 0]",
-    links="OA A CB A DE",
-    lengths="OA = 0.1; CB = 0.5; DE = 0.6",
-    slides=['link = 2; along = "CB"', 'link = 4; along = "DE"'],
-    sketch="B = [0.1, 0.2]; E = [-0.2, 0.1]",
-    drive="link = 1; speed = 10; positions = 12",
-)
-YOKE = scene(
-    frame="O = [0, 0]; C = [0, -0.35]",
-    links="OA A CB B DE",
-    lengths="OA = 0.12; CB = 0.7; DE = 0.3",
-    slides=['link = 2; along = "CB"', 'link = 4; along = "DE"', 'link = 5; along = "OA"; angle = 90'],
-    sketch="B = [0.1, 0.3]",
-    drive="link = 1; speed = 10; positions = 12",
-)
 MECHANISMS = {
     "slider-crank": linkages.slider_crank(0.06, 0.2, 0.02),
     "slotted lever": linkages.slotted_link(0.12, 0.35, 0.7),
@@ -113,33 +93,3 @@ def test_two_coriolis_parts_of_a_pin_over_one_link_have_letters_of_their_own() -
     for pair in ((2, 3), (5, 4), (3, 4)):
         letters.slides(pair, "A", 3 if 3 in pair else 4)
     assert [letters.coriolis("A", 3, pair) for pair in ((2, 3), (3, 4))] == ["k_A3", "k_A3'"]
-
-
-def study(text: str) -> LinkageStudy:
-    return LinkageStudy(parse_scene(text))
-
-
-def test_two_stones_on_one_pin_have_two_coriolis_parts_by_the_links_that_they_slide_in() -> None:
-    drafts = study(TWO_STONES).drafts([1])
-    names = [arrow.name for arrow in diagram(drafts.accelerations, 0).arrows]
-    assert {"a k_A3", "a k_A5", "k_A3 a3", "k_A5 a5", "π a3", "π a5"} <= {*names}
-    assert twice(names) == []
-    parts = [complex(drafts.accelerations.board[f"a^k_A{link}"].point[0]) for link in (3, 5)]
-    assert parts == pytest.approx([coriolis(-0.3j), coriolis(0.4 + 0j)])
-
-
-def coriolis(pivot: complex, phi: float = np.pi / 6) -> complex:
-    """2 omega times the velocity of the slot's point over the pin, turned by a quarter: |OA| = 0.1 m, 10 rad/s."""
-    arm = 0.1 * np.exp(1j * phi) - pivot
-    v, unit = 1j * np.exp(1j * phi), arm / abs(arm)
-    omega = (unit.conjugate() * v).imag / abs(arm)
-    slip = -unit * (unit.conjugate() * v).real
-    return complex(2j * omega * slip)
-
-
-def test_a_pin_that_slides_over_two_turning_guides_has_two_coriolis_parts() -> None:
-    """RPP: stone 4 at B of the slotted lever, in the slot of yoke 5, which slides along the crank."""
-    drafts = study(YOKE).drafts([1])
-    names = [arrow.name for arrow in diagram(drafts.accelerations, 0).arrows]
-    assert {"b k_B5", "b1 k_B1"} <= {*names}
-    assert twice(names) == []

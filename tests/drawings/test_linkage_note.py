@@ -59,15 +59,6 @@ def test_the_shaper_has_the_numbers_of_the_worked_example() -> None:
     assert r"= 0.2228 / 0.2 = 1.114\text{ rad/s}$, clockwise" in told
 
 
-def test_what_is_known_of_a_vector_stands_under_it() -> None:
-    told = note("crank-rocker")
-    double, single = r"\underline{\underline{\bar %s}}", r"\underline{\bar %s}"
-    assert rf"$$\bar v_{{B}} = {double % 'v_{A}'} + {single % 'v_{BA}'}$$" in told
-    parts = f"{double % 'a_{C}'} + {double % 'a_{BC}^{n}'} + {single % 'a_{BC}^{t}'}"
-    assert rf"$$\bar a_{{B}} = {parts},\quad a_{{C}} = 0$$" in told
-    assert rf"$${single % 'v_{D}'} = {double % 'v_{B}'} + {single % 'v_{DB}'}$$" in note("shaper")
-
-
 KINDS = ("crank-rocker", "slider-crank", "shaper", "tangent", "scotch-yoke", "walking-leg", "oscillating-cylinder")
 
 
@@ -86,11 +77,3 @@ def test_markdown_leaves_the_formulas_alone(name: str, language: str) -> None:
         assert formula == formula.strip() and formula.count("{") == formula.count("}"), formula
         assert not re.search("[а-яё]", re.sub(r"\\text\{.*?\}", "", formula)), formula
     assert not re.search(r"\$\d", re.sub(MATH, "", told))
-
-
-def test_a_slide_that_is_pushed_has_the_velocity_that_the_scene_gives() -> None:
-    made = Study(parse_scene((Path(__file__).parents[1] / "cases/kinematics/ram.toml").read_text("utf-8")))
-    linkage, motion = made["linkage"], made.comparison("linkage").construction
-    told = "\n".join(equations(linkage, motion, {0: SCALES[2]}, [0]))
-    assert "### Position 0, s = 500 mm\n" in told
-    assert "\nPrimary link 1:\n\n" + r"- $v_{A} = pa \cdot \mu_{v} = 20 \cdot 0.01 = 0.2\text{ m/s}$" in told

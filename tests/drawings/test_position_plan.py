@@ -21,16 +21,11 @@ from drawings.paper.walk import flat
 from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene, read_scene
-from tests import parts
 from tests.drawings import mechanisms
 from tests.drawings.collisions import ink
 from tests.gallery import LINKAGES
-from tests.parts import several
-from tests.rows import over
 
-NAMES = sorted({path.stem for path in LINKAGES} | mechanisms.ALL.keys())
-SHOWN = NAMES if parts.whole else NAMES[12::36]
-A1, A4 = Hand(0.7, 0.35, 0.25), Hand(0.5, 0.25, 0.18, letter=3.5, number=2.5, symbol=0.6)
+A1 = Hand(0.7, 0.35, 0.25)
 ROOM = Field(40, 40, 400, 400)
 HAIR = 1e-6  # mm: rounding of places on paper
 
@@ -75,56 +70,9 @@ def shape(stroke: Stroke) -> BaseGeometry:
     return ink(stroke).line
 
 
-def disc(circle: Circle) -> object:
-    return shapely.Point(circle.centre.real, circle.centre.imag).buffer(circle.radius, quad_segs=90)
-
-
-def hinges(found: Figure) -> dict[str, Circle]:
-    return {name: found.circle(name) for name in found.bones.mechanism.hinges}
-
-
 def thick(found: Figure) -> list[Stroke]:
     bars = [s for s in found.strokes("shown-position", "pairs") if isinstance(s, Line)]
     return [bar for bar in bars if bar.style.width == found.hand.main]
-
-
-@pytest.mark.part
-@over(
-    "hand, name",
-    [(A1, name) for name in SHOWN] + [(A4, name) for name in (NAMES if parts.whole else NAMES[1::36])],
-)
-def test_links_end_at_the_circles_of_their_hinges(name: str, hand: Hand) -> None:
-    found = drawn(name, hand)
-    assert thick(found)
-    bars = np.array([shape(bar) for bar in thick(found)])
-    for letter, circle in hinges(found).items():
-        inside = shapely.length(shapely.intersection(bars, disc(circle)))
-        assert inside.max() < 1e-3 * circle.radius, (letter, thick(found)[inside.argmax()])
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_no_thin_line_runs_inside_a_hinge(name: str) -> None:
-    found = drawn(name)
-    lines = found.strokes("paths", "all-positions", "extremes", "guides", "notches")
-    area = shapely.union_all([disc(circle) for circle in hinges(found).values()])
-    for line in lines:
-        assert shape(line).intersection(area).length < 0.02, line
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_every_bar_of_the_shown_position_reaches_its_hinges(name: str) -> None:
-    """Trimming takes nothing but what is inside: from every hinge of a bar a thick line starts at its circle."""
-    found = drawn(name)
-    ends = [end for bar in thick(found) for end in (bar.start, bar.end) if isinstance(bar, Line)]
-    blocks = {(slide.slider, slide.point) for slide in found.bones.mechanism.slides}  # a rod ends at its own block
-    for link in found.bones.links:
-        points = found.bones.mechanism.links[link].points
-        for letter in points if len(points) > 1 else ():
-            if letter in found.bones.mechanism.hinges and (link, letter) not in blocks:
-                circle = found.circle(letter)
-                assert any(abs(abs(end - circle.centre) - circle.radius) < HAIR for end in ends), (link, letter)
 
 
 @pytest.mark.parametrize(("name", "pin"), [("offset stone", "D"), ("offset block", "B")])
@@ -148,15 +96,6 @@ def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pi
     assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
 
 
-def test_two_blocks_on_one_pin_are_a_block_and_a_slot_about_the_pin() -> None:
-    found = drawn("cross-slide")
-    shapes = [s for s in found.strokes("shown-position") if isinstance(s, Polyline)]
-    corners = sorted(len(s.points) for s in shapes)
-    assert corners[:2] == [4, 4] and corners[2] > 8  # the stone A, the frame's block, and a slot with round ends
-    pin = found.on("D")
-    assert sum(abs(complex(np.mean(s.points)) - pin) < HAIR for s in shapes) == 2
-
-
 def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
     """The point K of the press's arm follows the rocker: what it draws forwards it draws again backwards."""
     found = drawn("toggle press")
@@ -170,10 +109,3 @@ def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:
     found = drawn("eccentric")
     first, second = found.circle("O"), found.circle("A")
     assert first.radius + second.radius < abs(first.centre - second.centre)
-
-
-@pytest.mark.parametrize(("name", "letter", "circles"), several([("v-engine", "A", 2), ("v-engine", "B", 1)], 9))
-def test_a_hinge_of_three_links_is_a_double_circle(name: str, letter: str, circles: int) -> None:
-    marks = drawn(name).groups["pairs"].strokes
-    mark = next(mark for mark in marks if isinstance(mark, Group) and mark.title == letter)
-    assert sum(isinstance(stroke, Circle) for stroke in mark.strokes) == circles

@@ -58,18 +58,6 @@ def test_a_mechanism_that_reaches_no_position_gets_a_sheet_that_explains_why() -
     assert "Velocity plan" not in said
 
 
-def test_gaps_are_crossed_out_on_the_crank_circle_and_named() -> None:
-    study, leaf = drawn(four_bar(crank=0.3, rod=0.2, rocker=0.25, start=20))
-    assert study.lost.any() and not study.lost.all()
-    said = " ".join(text.plain for text in texts(leaf))
-    assert "Gaps:" in said and "out of reach at B" in said
-
-
-def test_a_crank_at_rest_is_said_to_be_at_rest() -> None:
-    _, leaf = drawn(four_bar(speed=0))
-    assert sum("at rest" in text.plain for text in texts(leaf)) == 4
-
-
 def test_a_position_that_is_a_gap_is_not_drawn_as_the_shown_one() -> None:
     study = LinkageStudy(parse_scene(four_bar(crank=0.3, rod=0.2, rocker=0.25, start=20) + "[sheet]\nposition = 6\n"))
     with pytest.raises(ValueError, match="position = 6"):

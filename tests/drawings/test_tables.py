@@ -11,8 +11,7 @@ from drawings.commands import cli
 from drawings.report.table import report_of
 from drawings.sheets.kind import sheet_kind
 from plans.techniques import TECHNIQUES, name_of, techniques
-from tests.gallery import GALLERY
-from tests.parts import first, some
+from tests.parts import some
 from tests.plans.scenes import scene
 
 # A four-bar of which some positions are out of reach, with masses, and a rotor on whose bearings nothing is asked.
@@ -70,19 +69,3 @@ def test_a_rotor_beside_a_linkage_asks_nothing_of_it(both: Path, capsys: pytest.
     made = trace_of(capsys.readouterr().err)
     assert "velocities" not in made
     assert "positions" in made
-
-
-@pytest.mark.parametrize("name", first(["crank-rocker", "scotch-yoke"]))
-def test_positions_alone_are_drawn_and_nothing_else_is_made(
-    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    text = (GALLERY / f"{name}.toml").read_text("utf-8").replace('start = "extreme"', "start = 30")
-    lines = [line for line in text.splitlines() if not line.startswith(("sheets", "forces =", "hodographs"))]
-    alone = tmp_path / "alone.toml"
-    alone.write_text("\n".join(['sheets = ["positions"]', *lines]), "utf-8")
-    assert cli.main(["draw", str(alone), "-o", str(tmp_path / "out"), "--trace"]) == 0
-    told = capsys.readouterr()
-    assert (tmp_path / "out" / "alone-positions.svg").is_file()
-    assert trace_of(told.err) == "positions"
-    report = (tmp_path / "out" / "alone-report.md").read_text("utf-8")
-    assert "- Plans not made: extremes, velocities, accelerations." in report

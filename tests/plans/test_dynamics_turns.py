@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 
 from plans.analytic.dynamics.flywheel import Exact, exact_cycle, flywheel, flywheel_of_points, sampled_cycle
-from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel, without_flywheel
+from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, without_flywheel
 from plans.model.dynamics import Task
 from plans.model.machine import Body, Force, Machine, Moment
 from plans.model.motion import Floats
@@ -35,6 +35,19 @@ def test_constant_inertia_and_no_load_ask_for_nothing() -> None:
     swing = with_flywheel(found, TASK, its)
     assert isinstance(swing, Swing)
     assert swing.speeds(edges(found)).omega == pytest.approx(SPEED, rel=1e-14)
+
+
+def test_a_machine_that_would_stop_is_told_where() -> None:
+    """Without a flywheel the cut uses up all there is, at its end."""
+    stall = without_flywheel(planer(), TASK)
+    assert isinstance(stall, Stall)
+    assert np.degrees(stall.turned) == pytest.approx(150.3837539, abs=5e-8)
+    assert stall.mean > SPEED
+    barely = steady(planer(), planer().own, stall.mean * 1.01)
+    assert isinstance(barely, Swing)
+    low, high = barely.extremes()[1]
+    assert low < 0.02 * high
+    assert isinstance(steady(planer(), planer().own, stall.mean * 0.99), Stall)
 
 
 def worked_with(bodies, *loads: Force | Moment) -> Exact:

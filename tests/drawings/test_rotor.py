@@ -1,16 +1,26 @@
-"""A rotor by the command: solved by both roads, compared, explained, timed."""
+"""A rotor: solved, compared and explained by the command, and what its sheet says."""
 
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
+from drawings.paper.strokes import Leaf
+from drawings.reading.measure import Measured
+from drawings.rotor.sheet import leaves
+from plans.model.rotor import Plane, Rotor
 from plans.rotor.reading import notes_of
+from plans.rotor.study import RotorStudy
 from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.drawings.conftest import Run
+from tests.drawings.held import faults_on, measured
+from tests.drawings.pages import texts
 from tests.gallery import GALLERY
+from tests.plans.rotors import mass
 
 FAN = GALLERY / "fan.toml"
 
@@ -30,39 +40,6 @@ def test_solve_gives_the_textbook_s_values_by_both_roads(run: Run) -> None:
         assert told["quality"]["grade"] == "G4000"
 
 
-def test_only_what_is_asked_for_is_told_and_made(run: Run) -> None:
-    code, out, err = run("solve", FAN, "--only", "couples", "--trace")
-    assert code == 0
-    assert json.loads(out)["rotor"].keys() == {"couple"}
-    (made,) = (line for line in err.splitlines() if line.startswith(("made", "построено", "сделано")))
-    assert "реакции" not in made and "reactions" not in made
-
-
-def test_both_roads_agree(run: Run) -> None:
-    code, out, _ = run("compare", FAN, "--json")
-    names = {(one["plan"], one["name"]) for one in json.loads(out)["findings"]}
-    assert code == 0
-    assert {("unbalances", "m_ID_I"), ("unbalances", "m_IID_II"), ("reactions", "R_A")} <= names
-    assert {("equilibrium", "ΣmD"), ("equilibrium", "ΣmDh")} <= names
-
-
-def test_explain_tells_moments_first_then_forces(run: Run) -> None:
-    code, out, _ = run("explain", FAN, "m_IID_II", "--json")
-    steps = json.loads(out)
-    plans = [step["plan"] for step in steps]
-    assert code == 0
-    assert (steps[-1]["name"], steps[-1]["op"]) == ("m_IID_II", "join")
-    assert [step["name"] for step in steps].index("m_ID_Ih_I") < [step["name"] for step in steps].index("m_ID_I")
-    assert {"couples", "unbalances"} == set(plans)
-    assert all(step["why"] for step in steps)
-
-
-def test_a_mark_that_no_polygon_has_is_told_with_the_near_ones(run: Run) -> None:
-    code, out, err = run("explain", FAN, "m_1D_2")
-    assert (code, out) == (3, "")
-    assert "m_1D_1" in err
-
-
 def test_what_vanishes_is_explained_as_zero(run: Run, tmp_path: Path) -> None:
     """Rounding alone is nothing: neither a reaction of a balanced rotor, nor what closes a star of masses."""
     told = json.loads(run("explain", FAN, "R_A'", "--json")[1])
@@ -80,15 +57,6 @@ def test_what_vanishes_is_explained_as_zero(run: Run, tmp_path: Path) -> None:
 def test_a_mark_is_known_by_its_letters_in_any_language(run: Run, mark: str) -> None:
     code, out, _ = run("explain", GALLERY / "flywheel.toml", mark, "--json")
     assert (code, json.loads(out)[-1]["name"]) == (0, "m_cwD_cw")
-
-
-def test_the_steps_have_the_letters_of_the_sheet(run: Run, tmp_path: Path) -> None:
-    scene = tmp_path / "flywheel.toml"
-    scene.write_text(
-        (GALLERY / "flywheel.toml").read_text("utf-8").replace("[sheet]", '[sheet]\nlanguage = "ru"'), "utf-8"
-    )
-    out = run("explain", scene, "m_cwD_cw")[1]
-    assert "m_прD_пр:1" in out and "_cw" not in out.partition("\n")[2]
 
 
 def test_a_rotor_has_no_positions(run: Run) -> None:
@@ -116,3 +84,26 @@ def test_one_plane_is_noted_where_a_couple_about_it_is_left(angle: int, noted: b
     rows = f'{{ moment = 1, angle = 0, place = "0.5 m" }}, {{ moment = 1, angle = {angle}, place = "0.5 m" }}'
     scene = parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n')
     assert bool(list(notes_of(scene))) == noted
+
+
+SHEET = (
+    'sheets = ["rotor"]\nrotor.masses = [{ moment = 1, angle = 0 }]\n[sheet]\nformat = "A3"\nlanguage = "LANGUAGE"\n'
+)
+
+
+def drawn(rotor: Rotor, language: str = "en") -> tuple[tuple[Leaf, ...], list[Measured]]:
+    """Draw a rotor's sheets, and measure each as it stands in its file."""
+    study = Study(parse_scene(SHEET.replace("LANGUAGE", language)))
+    study._made["rotor"] = RotorStudy(rotor)
+    found = leaves(study)
+    assert faults_on(study, "rotor", found) == []
+    return found, [measured(leaf) for leaf in found]
+
+
+def test_a_moment_beyond_the_last_plane_is_negative() -> None:
+    """A mass 2 m beyond plane II turns the other way about it: m·D·h = 4·(−2) kg·m², at the angle of the mass."""
+    planes = (Plane("I", Fraction(3)), Plane("II", Fraction(2)))
+    beyond, within = mass(1, "4", "1", 40, "0"), mass(2, "4", "1", 130, "4")
+    (leaf,), _ = drawn(Rotor((beyond, within), planes))
+    table = [text.plain for group in leaf.groups if "masses" in group.name for text in texts(group)]
+    assert {"−2000", "−8", "40"} <= set(table) and "8" in table

@@ -1,21 +1,49 @@
-"""A sheet whose root does not say how long its units are is graded as its editor meant it, and as it is shown."""
+"""Sheets as they are handed in: ours graded by nobody's mistake, pages in the units of their programs."""
 
 from __future__ import annotations
 
 import base64
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from drawings.commands import cli
 from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import PASS, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.units import stated
 from drawings.reading.transform import PIXEL, viewport
+from drawings.redrawn.originals import Original, Originals
 from tests import parts
+from tests.drawings import (
+    students,
+    test_grading,
+)
 from tests.drawings.students import Task, task
+from tests.gallery import GALLERY
+
+
+def one_vector() -> tuple[Any, bytes]:
+    own = students.task("slider-crank")
+    return own, test_grading.made(own, next(row for row in test_grading.MISTAKES if row["scene"] == "slider-crank"))
+
+
+@pytest.mark.rest
+def test_nobody_is_graded_by_a_sheet_of_ours_that_is_wrong(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drawn, (_, source) = Originals.drawn, one_vector()
+
+    def broken(own: Originals, sheet: Original) -> bytes:
+        return source if sheet.kind == "kinematics" else drawn(own, sheet)
+
+    monkeypatch.setattr(Originals, "drawn", broken)
+    assert cli.main(["grade", str(GALLERY / "slider-crank.toml"), "any.svg"]) == 1
+    assert capsys.readouterr().out == ""
+
 
 BOX = re.compile(rb' viewBox="[^"]*"')
 MM = re.compile(rb'(width|height)="([\d.]+)mm"')

@@ -1,0 +1,124 @@
+"""Schemes of loading: transmissions, arms of forces, arrows that a hand may turn."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from functools import cache
+from types import MappingProxyType
+
+import pytest
+
+from drawings.forces.loading_scheme import leverages, scheme
+from drawings.forces.scheme import LONG, SHORT, lengths
+from drawings.grading.allowance import Allowance, Allowances
+from drawings.grading.asked import PlanAsked
+from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.onlooker import segments
+from drawings.grading.scheme_arrows import arrow_verdicts
+from drawings.lettering.extent import bounds
+from drawings.page.scale import Scale
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Group, Leaf, Line
+from drawings.pens.svg import svg
+from drawings.reading.sheet import see
+from drawings.symbols.couples import coupling, spring
+from drawings.symbols.figure import Subject
+from drawings.symbols.force_arrow import to_scale
+from geometry.board import at
+from plans.forces.cut import ForcePlan
+from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
+from plans.scene.scene import parse_scene
+from tests.plans.force_cases import text_of
+
+HAND = hand_of("A1")
+
+
+def test_a_spring_without_length_is_a_point() -> None:
+    assert set(spring(5j, 5j, HAND).points) == {5j}
+
+
+def test_the_plates_of_a_coupling_face_each_other_across_its_shaft() -> None:
+    first, second, *shafts = coupling(50 + 50j, 1j, HAND)
+    assert abs(first.start - second.start) == pytest.approx(1.6) and abs(first.end - first.start) == pytest.approx(12.0)
+    assert len(shafts) == 2 and bounds(shafts[0])[3] <= bounds(shafts[1])[1]
+
+
+def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
+    one = to_scale("Φ_5", 0j, 20 + 20j, Scale(20.0, "F", "N"), Subject("forces-4-5", "F", 2))
+    (shaft,) = one.draw(HAND).strokes
+    assert isinstance(shaft, Line) and shaft.start == shaft.end == 20 + 20j
+
+
+# The ram's mass centre is off its pin.
+ASIDE = ("5 = { mass = 25 }", "5 = { mass = 25, inertia = 0.3, centre = [0.03, 0.02] }")
+
+
+@cache
+def plan_of(text: str) -> ForcePlan:
+    return Statics(LinkageStudy(parse_scene(text))).drafts().plans.plan
+
+
+def test_the_arms_of_the_worked_example_are_lettered_through_its_groups() -> None:
+    """M5.7: letters h go on from group to group, the leads keep their own; the gear's arm is its base radius."""
+    plan = plan_of(text_of("shaper"))
+    arms = [leverages(plan, cut, 0) for cut in plan.cuts]
+    assert [[arm.letter for arm in own] for own in arms] == [
+        ["h_{1}", "h_{2}", "l_{BD}"],
+        ["h_{3}", "h_{4}", "h_{5}", "l_{CA}"],
+        ["h_{6}", "h_{7}"],
+    ]
+    (gear,) = (arm for arm in arms[-1] if arm.name == "P_bal")
+    assert gear.length == pytest.approx(0.18 * math.cos(math.radians(20)), rel=1e-12)
+
+
+def test_a_guide_presses_where_the_moments_about_the_pin_balance() -> None:
+    plan = plan_of(text_of("shaper", ASIDE))
+    cut = plan.cuts[0]
+    pin = at(plan.positions.point("D").point, 0)
+    places = ((at(one.at.point, 0) - pin, at(one.force.point, 0)) for one in cut.loads if one.link == 5)
+    moments = sum((arm.conjugate() * force).imag for arm, force in places)
+    press = next(force for force in scheme(plan, cut, 0).acting.forces if force.name == "R_05")
+    assert (press.at - pin).imag == pytest.approx(0, abs=1e-12)  # along the guide
+    assert (press.at - pin).real * press.value.imag == pytest.approx(-moments, rel=1e-9)
+
+
+def test_larger_forces_have_longer_arrows_within_bounds() -> None:
+    found = lengths([0.5, 3.0, 40.0, 5000.0])
+    assert found == sorted(found) and found[0] == SHORT and found[-1] == LONG
+
+
+SHARE, OWN = Allowances(Allowance(share=0.02)), Allowances(named=MappingProxyType({"G": Allowance(1.0)}))
+
+
+def kind(force: str, turned: float, by: Allowances) -> str:
+    """Draw an arrow of 20 mm turned by an angle, rad, and give what is said of it."""
+    asked = PlanAsked("scheme 2-3", 9, "forces", "N", (), {}, ways={force: -1j})
+    start = 100 + 100j
+    arrow = Group((Line(start, start - 20j * cmath.rect(1.0, turned)),), data={"kind": "force", "name": force})
+    rod = Line(start, start + 40)
+    seen = see(svg(Leaf(200.0, 200.0, (Group((rod, arrow), "scheme-2-3-9"),))))
+    (said,) = arrow_verdicts(seen, DrawnPlan(asked, {}, 1.0, {}, True), by)
+    return said.kind
+
+
+@pytest.mark.parametrize(
+    ("force", "turned", "by", "said"),
+    [
+        ("G_2", 0.06, Allowances(), "right"),
+        ("G_2", 0.3, Allowances(), "turned"),
+        ("G_2", 0.06, SHARE, "right"),  # a share of the largest vector is no angle
+        ("G_2", 0.3, SHARE, "turned"),
+        ("G_2", 0.3, OWN, "right"),
+        ("R_12", 0.3, OWN, "turned"),
+    ],
+)
+def test_an_arrow_may_be_turned_as_far_as_a_hand_slips(force: str, turned: float, by: Allowances, said: str) -> None:
+    assert kind(force, turned, by) == said
+
+
+@pytest.mark.parametrize(("kind", "sides"), [("force", 0), ("vector", 1)])
+def test_an_arrow_that_is_not_to_scale_is_no_side_of_a_polygon(kind: str, sides: int) -> None:
+    arrow = Group((Line(100 + 100j, 120 + 100j),), data={"kind": kind, "name": "F_s"})
+    assert len(segments(Leaf(200.0, 200.0, (Group((arrow,)),)), {})) == sides
