@@ -48,6 +48,7 @@ from plans.scene.scene import Scene, parse_scene, read_scene
 from plans.study import Study
 from plans.words.words import message
 from tests.drawings.cam_contours import apart, view_of
+from tests.drawings.conftest import Run
 from tests.drawings.exhibits import SHEET, exhibited, read_back
 from tests.gallery import GALLERY
 from tests.parts import first
@@ -296,3 +297,11 @@ def test_crossings_and_corners_are_told_for_what_they_are() -> None:
     assert [text.rpartition("cut away")[2][:11] for text in told] == [", and up to", ", but none ", ", and on wh"]
     corner = notes.flaw(0, CamFlaw("undercut", 0.0, 0.0, Extreme(0.0, 0.0)))
     assert corner.startswith("Corner at φ = 0° (hard shock)")
+
+
+def test_what_cannot_be_made_is_told_with_its_place(run: Run, tmp_path: Path) -> None:
+    scene = tmp_path / "cam.toml"
+    scene.write_text(one("flat", "[cam.limits]\nrise = 30\n").replace("30 mm", "0 mm"), "utf-8")
+    code, _, err = run("solve", scene)
+    assert code == 3
+    assert f"{scene}:4:1: cam[0].follower: cam K1: its follower does not move" in err

@@ -62,3 +62,11 @@ def test_a_plan_of_positions_alone_says_nothing_of_strokes_and_velocities() -> N
 
 def test_gaps_have_no_greatest() -> None:
     assert greatest(np.array([np.nan, np.nan])) is None
+
+
+def test_a_scotch_yoke_goes_as_the_cranks_shadow() -> None:
+    """Of x = r cos φ the stroke is 2r, the velocity r ω at most, and r ω² the acceleration at the ends."""
+    told, omega = said("scotch-yoke"), 4 * np.pi
+    assert "\nH = 0.12 m, K = 1.0000, " in told
+    assert number(told, "v_B") == (pytest.approx(0.06 * omega, rel=5e-5), 3)
+    assert number(told, "a_B") == (pytest.approx(0.06 * omega**2, rel=5e-5), 0)

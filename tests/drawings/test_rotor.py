@@ -107,3 +107,9 @@ def test_a_moment_beyond_the_last_plane_is_negative() -> None:
     (leaf,), _ = drawn(Rotor((beyond, within), planes))
     table = [text.plain for group in leaf.groups if "masses" in group.name for text in texts(group)]
     assert {"−2000", "−8", "40"} <= set(table) and "8" in table
+
+
+def test_a_mark_that_no_polygon_has_is_told_with_the_near_ones(run: Run) -> None:
+    code, out, err = run("explain", FAN, "m_1D_2")
+    assert (code, out) == (3, "")
+    assert "m_1D_1" in err

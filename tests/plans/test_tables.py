@@ -68,3 +68,11 @@ def test_a_table_is_frozen_and_shows_its_keys() -> None:
     with pytest.raises(AttributeError, match="Inner is frozen"):
         found.size = 3
     assert repr(found) == "Inner(size=2, name='pin')"
+
+
+def test_what_is_given_is_read_and_the_rest_stands_as_declared() -> None:
+    found = read(Outer, {"inner": {"size": 2}, "sizes": [4, 6], "named": {"a": 8}, "form_or_size": {"size": 2}})
+    assert (found.inner.size, found.inner.name, found.sizes, found.named) == (2, "pin", (4, 6), {"A": 8})
+    assert found.form_or_size == found.inner == Inner(size=2) != Inner(size=4)
+    assert found.inner.given == {"size"}
+    assert read(Outer, {"inner": {"size": 2}, "form_or_size": 4}).form_or_size == 4
