@@ -35,17 +35,21 @@ _SHARES = {"start": 0.0, "middle": 0.5, "end": 1.0}
 _RISES = {-1: -LOWERED, 1: RAISED}
 
 
-def plain(leaf: Leaf, lettering: str) -> Leaf:
-    """Give a leaf with the plainest strokes that look as its own do, one for one, as it is written in a lettering."""
+def plain(leaf: Leaf, lettering: str, stating: bool = True) -> Leaf:
+    """Give a leaf with the plainest strokes that look as its own do, one for one, as it is written in a lettering.
+
+    Without `stating` what does nothing but state is its strokes alone, as it is written.
+    """
     lined = lettering == "strokes"
-    return leaf._replace(groups=tuple(_group(group, lined) for group in leaf.groups), lettering=lettering)
+    return leaf._replace(groups=tuple(_group(group, lined, stating) for group in leaf.groups), lettering=lettering)
 
 
-def _group(group: Group, lined: bool) -> Group:
-    return Group(tuple(_strokes(group.strokes, lined)), group.name, group.data, group.title, group.states)
+def _group(group: Group, lined: bool, stating: bool) -> Group:
+    strokes = tuple(_strokes(group.strokes, lined, stating))
+    return Group(strokes, group.name, group.data, group.title, group.states if stating else None)
 
 
-def _strokes(strokes: Iterable[Stroke], lined: bool) -> Iterator[Stroke]:
+def _strokes(strokes: Iterable[Stroke], lined: bool, stating: bool) -> Iterator[Stroke]:
     """Give strokes without those that leave no trace: a chain of one point, a circle of no radius, blank lettering.
 
     Of texts that are written in lines, `lined`, a lone dash looks alike slanted and upright.
@@ -53,8 +57,10 @@ def _strokes(strokes: Iterable[Stroke], lined: bool) -> Iterator[Stroke]:
     for stroke in strokes:
         match stroke:
             case Group():
-                if stroke.strokes or stroke.name or stroke.data or stroke.title:
-                    yield _group(stroke, lined)
+                if stroke.name or stroke.data or stroke.title or (stroke.strokes and (stating or not stroke.states)):
+                    yield _group(stroke, lined, stating)
+                elif stroke.strokes:
+                    yield from _strokes(stroke.strokes, lined, stating)
             case Text():
                 if stroke.plain.strip(_SPACES):
                     yield _text(stroke, lined)

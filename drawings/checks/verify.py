@@ -16,7 +16,6 @@ from drawings.files.file_error import Enclosure
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.statement import Key
 from drawings.paper.strokes import Arc, Leaf, Text
-from drawings.paper.walk import unstated
 from drawings.reading.covering import COVERED, OUTSIDE, small, veiled
 from drawings.reading.measure import Measured, check
 from drawings.reading.sheet import SeenSheet, see
@@ -71,7 +70,7 @@ def _wrong(one: Written, due: Mapping[Key, Expected], sheet: SheetTable) -> Iter
     if isinstance(one.seen, SheetRefused):
         yield message("check.unmeasured", refusal=one.seen)
         return
-    yield from differences(unstated(plain(one.leaf, one.seen.leaf.lettering)), one.seen)
+    yield from differences(plain(one.leaf, one.seen.leaf.lettering, stating=False), one.seen)
     yield from measured_wrongs(one.seen.measured, one.leaf, due)
     yield from block_faults(one.leaf, sheet)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -21,17 +21,21 @@ class Beam(NamedTuple):
     slopes: Floats
 
 
-def along_table(law: Law, k: Floats, order: int, before: bool) -> Floats:
-    """Give s, s' or s'' of a table at shares of the phase, (N,)."""
+Rates: TypeAlias = tuple[Floats, Floats, Floats]  # s, s', s'' at shares of a phase, (N,) each
+Closed: TypeAlias = Callable[[Law, Floats, bool], Rates]  # by a law, shares, before a joint or after
+
+
+def along_table(law: Law, k: Floats, before: bool) -> Rates:
+    """Follow a table."""
     share, s = np.array(law.points, dtype=float).T
     if law.through == LINES:
         slopes = np.diff(s) / np.diff(share)
-        return (np.interp(k, share, s), slopes[_interval(share, k, before)], np.zeros_like(k))[order]
-    return _hermite(beam(law), k, order, before)
+        return np.interp(k, share, s), slopes[_interval(share, k, before)], np.zeros_like(k)
+    return _hermite(beam(law), k, before)
 
 
-def along_shape(law: Law, k: Floats, order: int, before: bool) -> Floats:
-    """Give s, s' or s'' under a shape of acceleration at shares of the phase, (N,)."""
+def along_shape(law: Law, k: Floats, before: bool) -> Rates:
+    """Follow a shape of acceleration."""
     share, a = np.array(law.points, dtype=float).T
     wide, low, high = np.diff(share), a[:-1], a[1:]
     areas = wide * (low + high) / 2
@@ -40,11 +44,11 @@ def along_shape(law: Law, k: Floats, order: int, before: bool) -> Floats:
     piece = _interval(share, k, before)
     t, rise = k - share[piece], (high - low)[piece] / wide[piece]
     s = k * passed[piece] - turned[piece] + t**2 * (low[piece] / 2 + rise * t / 6)
-    found = (s, passed[piece] + t * (low[piece] + rise * t / 2), low[piece] + rise * t)[order]
-    return np.asarray(found / (passed[-1] - turned[-1]))
+    whole = passed[-1] - turned[-1]
+    return s / whole, (passed[piece] + t * (low[piece] + rise * t / 2)) / whole, (low[piece] + rise * t) / whole
 
 
-GIVEN: Final[Mapping[str, Callable[[Law, Floats, int, bool], Floats]]] = {TABLE: along_table, SHAPE: along_shape}
+GIVEN: Final[Mapping[str, Closed]] = {TABLE: along_table, SHAPE: along_shape}
 
 
 def departure(law: Law) -> float:
@@ -59,7 +63,7 @@ def _interval(share: Floats, k: Floats, before: bool) -> np.ndarray[tuple[int], 
     return np.asarray(np.clip(interval, solid[0], solid[-1]), dtype=int)
 
 
-def _hermite(bent: Beam, k: Floats, order: int, before: bool) -> Floats:
+def _hermite(bent: Beam, k: Floats, before: bool) -> Rates:
     """Follow each interval by the cubic that has the ordinates and slopes of its ends."""
     piece = _interval(bent.share, k, before)
     h, rise = np.diff(bent.share)[piece], np.diff(bent.s)[piece]
@@ -68,7 +72,7 @@ def _hermite(bent: Beam, k: Floats, order: int, before: bool) -> Floats:
     first = bent.s[piece] + rise * x + x * (1 - x) * (left * (1 - x) + right * x)
     second = rise + left * (1 - x) * (1 - 3 * x) + right * x * (2 - 3 * x)
     third = left * (6 * x - 4) + right * (2 - 6 * x)
-    return np.asarray((first, second / h, third / h**2)[order])
+    return first, second / h, third / h**2
 
 
 @lru_cache(maxsize=64)
@@ -116,63 +120,71 @@ def _slopes(share: Floats, s: Floats) -> Floats:
 
 
 PI = np.pi
-Closed = Callable[[Law, Floats, int, bool], Floats]  # law, shares, order of the derivative, before a joint or after
 
 
-def _velocity(_: Law, k: Floats, order: int, before: bool) -> Floats:
-    return (k, np.ones_like(k), np.zeros_like(k))[order]
+def _velocity(_: Law, k: Floats, before: bool) -> Rates:
+    return k, np.ones_like(k), np.zeros_like(k)
 
 
-def _acceleration(law: Law, k: Floats, order: int, before: bool) -> Floats:
+def _acceleration(law: Law, k: Floats, before: bool) -> Rates:
     q, left = law.first, 1 - k
     early = k <= law.first if before else k < law.first
-    early_half = (k**2 / q, 2 * k / q, np.full_like(k, 2 / q))[order]
     r = 1 - q
-    other = (1 - left**2 / r, 2 * left / r, np.full_like(k, -2 / r))[order]
-    return np.where(early, early_half, other)
+    return (
+        np.where(early, k**2 / q, 1 - left**2 / r),
+        np.where(early, 2 * k / q, 2 * left / r),
+        np.where(early, 2 / q, -2 / r),
+    )
 
 
-def _cosine(_: Law, k: Floats, order: int, before: bool) -> Floats:
+def _cosine(_: Law, k: Floats, before: bool) -> Rates:
     x = PI * k
-    return np.asarray(((1 - np.cos(x)) / 2, PI / 2 * np.sin(x), PI**2 / 2 * np.cos(x))[order])
+    return (1 - np.cos(x)) / 2, PI / 2 * np.sin(x), PI**2 / 2 * np.cos(x)
 
 
-def _sine(_: Law, k: Floats, order: int, before: bool) -> Floats:
+def _sine(_: Law, k: Floats, before: bool) -> Rates:
     x = 2 * PI * k
-    return np.asarray((k - np.sin(x) / (2 * PI), 1 - np.cos(x), 2 * PI * np.sin(x))[order])
+    return k - np.sin(x) / (2 * PI), 1 - np.cos(x), 2 * PI * np.sin(x)
 
 
-def _p345(k: Floats, order: int) -> Floats:
-    return (k**3 * (10 - 15 * k + 6 * k**2), 30 * k**2 * (1 - k) ** 2, 60 * k * (1 - k) * (1 - 2 * k))[order]
+def _p345(k: Floats) -> Rates:
+    return k**3 * (10 - 15 * k + 6 * k**2), 30 * k**2 * (1 - k) ** 2, 60 * k * (1 - k) * (1 - 2 * k)
 
 
-def _p4567(k: Floats, order: int) -> Floats:
+def _p4567(k: Floats) -> Rates:
     s = k**4 * (35 - 84 * k + 70 * k**2 - 20 * k**3)
-    return (s, 140 * k**3 * (1 - k) ** 3, 420 * k**2 * (1 - k) ** 2 * (1 - 2 * k))[order]
+    return s, 140 * k**3 * (1 - k) ** 3, 420 * k**2 * (1 - k) ** 2 * (1 - 2 * k)
 
 
-def _half(first: Callable[[Floats, int], Floats]) -> Closed:
+def _half(first: Callable[[Floats], Rates]) -> Closed:
     """Give a law of which the second half is the first one turned about the middle, so that its end loses no digit."""
 
-    def whole(_: Law, k: Floats, order: int, before: bool) -> Floats:
-        early = first(np.minimum(k, 1 - k), order)
-        late = (1 - early, early, -early)[order]
-        return np.asarray(np.where(k <= 0.5, early, late))
+    def whole(_: Law, k: Floats, before: bool) -> Rates:
+        s, slope, bend = first(np.minimum(k, 1 - k))
+        early = k <= 0.5
+        return np.where(early, s, 1 - s), slope, np.where(early, bend, -bend)
 
     return whole
 
 
-def _trapezoid(k: Floats, order: int) -> Floats:
+def _joined(k: Floats, ramp: Rates, flat: Rates, last: Rates) -> Rates:
+    """Join the parts of half a law: to an eighth, to three, to the middle."""
+    bounds = [k < 1 / 8, k < 3 / 8]
+    s, slope, bend = (np.select(bounds, [*own[:2]], own[2]) for own in zip(ramp, flat, last, strict=True))
+    return s, slope, bend
+
+
+def _trapezoid(k: Floats) -> Rates:
     a, q = 16 / 3, 1 / 8
     ramp = (a * k**3 / (6 * q), a * k**2 / (2 * q), a * k / q)
     x = k - q
     flat = (a * q**2 / 6 + a * q * x / 2 + a * x**2 / 2, a * q / 2 + a * x, np.full_like(k, a))
     y = 0.5 - k
     last = (0.5 - 2 * y + a * y**3 / (6 * q), 2 - a * y**2 / (2 * q), a * y / q)
-    return np.select([k < q, k < 3 * q], [ramp[order], flat[order]], last[order])
+    return _joined(k, ramp, flat, last)
 
 
-def _modified_trapezoid(k: Floats, order: int) -> Floats:
+def _modified_trapezoid(k: Floats) -> Rates:
     big = 8 * PI / (2 + PI)
     c, q = big / (4 * PI), 1 / 8
     ramp = (c * (k - np.sin(4 * PI * k) / (4 * PI)), c * (1 - np.cos(4 * PI * k)), big * np.sin(4 * PI * k))
@@ -181,10 +193,10 @@ def _modified_trapezoid(k: Floats, order: int) -> Floats:
     y = k - 3 * q
     s = sq + c / 4 + big / 32 + (c + big / 4) * y + c / (4 * PI) * (1 - np.cos(4 * PI * y))
     last = (s, c + big / 4 + c * np.sin(4 * PI * y), big * np.cos(4 * PI * y))
-    return np.select([k < q, k < 3 * q], [ramp[order], flat[order]], last[order])
+    return _joined(k, ramp, flat, last)
 
 
-def _modified_sine(k: Floats, order: int) -> Floats:
+def _modified_sine(k: Floats) -> Rates:
     big = 4 * PI**2 / (4 + PI)
     c, q = big / (4 * PI), 1 / 8
     ramp = (c * (k - np.sin(4 * PI * k) / (4 * PI)), c * (1 - np.cos(4 * PI * k)), big * np.sin(4 * PI * k))
@@ -195,7 +207,8 @@ def _modified_sine(k: Floats, order: int) -> Floats:
         c - 3 * c * np.cos(x),
         big * np.sin(x),
     )
-    return np.where(k < q, ramp[order], rest[order])
+    s, slope, bend = (np.where(k < q, *parts) for parts in zip(ramp, rest, strict=True))
+    return s, slope, bend
 
 
 LAWS: Final[Mapping[str, Closed]] = {
@@ -224,7 +237,7 @@ def breaks(law: Law) -> tuple[float, ...]:
 
 def limits(law: Law, share: float, order: int, before: bool) -> float:
     """Give the limit of s, s' or s'' at a share of the phase, from before it or from after it."""
-    return float(LAWS[law.name](law, np.array([share]), order, before)[0])
+    return float(LAWS[law.name](law, np.array([share]), before)[order][0])
 
 
 def travel(cam: Cam, turned: Floats, before: bool = False) -> FollowerTravel:
@@ -249,9 +262,9 @@ def _within(phase: Phase, phi: Floats, before: bool) -> Floats:
     if phase.law is None:
         return np.array([np.full_like(phi, phase.level), 0 * phi, 0 * phi])
     k, closed = _shares(phase, phase.law, phi), LAWS[phase.law.name]
-    found = [closed(phase.law, k, order, before) for order in range(3)]
-    rows = [phase.level + phase.change * found[0]]
-    return np.array([*rows, *(phase.change * found[order] / phase.angle**order for order in (1, 2))])
+    s, *rates = closed(phase.law, k, before)
+    ways = (phase.change * rate / phase.angle**order for order, rate in enumerate(rates, 1))
+    return np.array([phase.level + phase.change * s, *ways])
 
 
 def _shares(phase: Phase, law: Law, phi: Floats) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
@@ -31,13 +31,16 @@ class LawPart(NamedTuple):
         k, phase = np.clip(share, self.start, self.end), self.phase
         if phase.law is None:
             return FollowerTravel(np.full_like(k, phase.level), np.zeros_like(k), np.zeros_like(k))
-        rows = [self._closed(phase.law, k, order) * (phase.change / phase.angle**order) for order in range(3)]
-        return FollowerTravel(phase.level + rows[0], *rows[1:])
+        s, *rates = self._closed(phase.law, k)
+        ways = (rate * (phase.change / phase.angle**order) for order, rate in enumerate(rates, 1))
+        return FollowerTravel(phase.level + s * phase.change, *ways)
 
-    def _closed(self, law: Law, k: Floats, order: int) -> Floats:
-        """Give a derivative of the law in shares of phase and lift."""
-        found, last = LAWS[law.name](law, k, order, False), k >= self.end
-        return np.where(last, LAWS[law.name](law, k, order, True), found) if last.any() else found
+    def _closed(self, law: Law, k: Floats) -> Sequence[Floats]:
+        """Give the law and its derivatives in shares of phase and lift."""
+        found, last = LAWS[law.name](law, k, False), k >= self.end
+        if not last.any():
+            return found
+        return [np.where(last, *pair) for pair in zip(LAWS[law.name](law, k, True), found, strict=True)]
 
     def turned(self, share: float) -> float:
         """Give the cam's turn at a share of the phase."""
