@@ -16,7 +16,7 @@ from drawings.kinds.outlines import Poses, offset_foot, places
 from drawings.kinds.polygon import ShownVector
 from drawings.linkage.skeleton import poses
 from geometry.board import at
-from plans.forces.cut import INERTIA, REACTION, WEIGHT, Cut, ForcePlan, Support
+from plans.forces.cut import INERTIA, REACTION, WEIGHT, CutGroup, ForcePlan, Support
 from plans.forces.drive import BALANCING, DRIVING
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
 from plans.model.motion import NOTHING
@@ -96,7 +96,7 @@ class CutLinks:
         return sum(self.of(link, spot) for spot in spots) / len(spots)
 
 
-def cut_links(plan: ForcePlan, cut: Cut, column: int) -> CutLinks:
+def cut_links(plan: ForcePlan, cut: CutGroup, column: int) -> CutLinks:
     """Take the links of a cut out of the mechanism in one position."""
     whole = plan.mechanism
     all_poses = poses(whole, plan.positions, _count(plan, column))
@@ -138,7 +138,7 @@ def _travel(all_poses: Poses, slide: Slide) -> tuple[float, float]:
     return min(along), max(along)
 
 
-def _masses(plan: ForcePlan, cut: Cut) -> dict[str, tuple[int, complex]]:
+def _masses(plan: ForcePlan, cut: CutGroup) -> dict[str, tuple[int, complex]]:
     """Give the mass centres that forces act at and no point of their link names."""
     masses = {}
     for link in sorted({load.link for load in cut.loads if load.kind in (WEIGHT, INERTIA)}):
@@ -161,7 +161,7 @@ class ShownMoment(NamedTuple):
     unknown: bool = False
 
 
-class Shift(NamedTuple):
+class GuideShift(NamedTuple):
     """How far from its slider's point a guide's reaction acts: two places on the guide's line m, and its value N."""
 
     name: str
@@ -175,10 +175,10 @@ class SchemeForces(NamedTuple):
 
     forces: tuple[ShownVector, ...]
     moments: tuple[ShownMoment, ...]
-    shifts: tuple[Shift, ...]
+    shifts: tuple[GuideShift, ...]
 
 
-def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> SchemeForces:
+def acting(plan: ForcePlan, cut: CutGroup, links: CutLinks, column: int) -> SchemeForces:
     """List what acts on a cut in one position; what is zero there is left out."""
     least = NOTHING * largest(plan, column)
     forces = list[ShownVector]()
@@ -187,7 +187,7 @@ def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> SchemeFor
         letter = links.name(load.at.name, place)
         forces.append(ShownVector(load.name, KNOWN, place, at(load.force.point, column), letter))
     moments = list(_couples(plan, cut, links, column))
-    shifts: list[Shift] = []
+    shifts: list[GuideShift] = []
     for support in cut.supports:
         if support.slide is None:
             forces += _hinge(support, column)
@@ -202,7 +202,7 @@ def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> SchemeFor
     return SchemeForces(kept, tuple(moments), tuple(shifts))
 
 
-def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[ShownMoment]:
+def _couples(plan: ForcePlan, cut: CutGroup, links: CutLinks, column: int) -> Iterator[ShownMoment]:
     """Give the known moments at the mass centres of their links, and those of pairs at their points."""
     handed = {load.name.replace("R", "M", 1): load for load in cut.loads if load.kind == REACTION}
     for couple in cut.couples:
@@ -227,7 +227,7 @@ def _hinge(support: Support, column: int) -> Iterator[ShownVector]:
 
 def _guide(
     support: Support, links: CutLinks, column: int, least: float
-) -> tuple[ShownVector, list[ShownMoment], list[Shift]]:  # fmt: skip
+) -> tuple[ShownVector, list[ShownMoment], list[GuideShift]]:  # fmt: skip
     """Give the reaction of a guide where it acts; one that acts far off, at the slider's point with its moment."""
     assert support.slide is not None
     value, point = at(support.force.point, column), at(support.at.point, column)
@@ -243,7 +243,7 @@ def _guide(
         name = support.force.name.replace("R", "M", 1)
         return force, [ShownMoment(name, foot, 1 if turning > 0 else -1, unknown=True)], []
     end = foot + along * arm
-    return force._replace(at=end), [], [Shift(support.force.name.replace("R", "x", 1), foot, end, value)]
+    return force._replace(at=end), [], [GuideShift(support.force.name.replace("R", "x", 1), foot, end, value)]
 
 
 def _line(slide: Slide, links: CutLinks) -> tuple[complex, complex]:

@@ -13,7 +13,7 @@ from drawings.lettering.words import letter as by_language
 from drawings.page.scale import Drafting
 from drawings.paper.walk import tied
 from geometry.board import Mark, at
-from plans.forces.cut import Cut, Equation, ForcePlan
+from plans.forces.cut import CutGroup, ForcePlan, MomentEquation
 from plans.model.motion import NOTHING
 
 
@@ -43,7 +43,7 @@ class Leverage(NamedTuple):
         return self.letter.startswith("h")
 
 
-def leverages(plan: ForcePlan, cut: Cut, column: int) -> tuple[Leverage, ...]:
+def leverages(plan: ForcePlan, cut: CutGroup, column: int) -> tuple[Leverage, ...]:
     """Give the arms of all forces in a cut's equations, the force that each gives last; one without moment has none.
 
     Letters h are numbered through the cuts of the plan, so that a sheet has each of them once; forces on one line of
@@ -66,7 +66,7 @@ def largest(plan: ForcePlan, column: int) -> float:
     return max((abs(at(force.point, column)) for force in forces), default=0.0)
 
 
-def _of(plan: ForcePlan, cut: Cut, column: int, start: int) -> Iterator[Leverage]:
+def _of(plan: ForcePlan, cut: CutGroup, column: int, start: int) -> Iterator[Leverage]:
     known: list[Leverage] = []
     least = NOTHING * largest(plan, column)
     letters = {mark: name for name, mark in plan.positions.letters.items()}
@@ -86,7 +86,7 @@ def _of(plan: ForcePlan, cut: Cut, column: int, start: int) -> Iterator[Leverage
     yield from known
 
 
-def _terms(equation: Equation) -> Iterator[tuple[str, Mark, Mark]]:
+def _terms(equation: MomentEquation) -> Iterator[tuple[str, Mark, Mark]]:
     """Give the forces of an equation, the one that it finds last: name, point, vector."""
     for load in equation.loads:
         yield load.name, load.at, load.force
@@ -94,7 +94,7 @@ def _terms(equation: Equation) -> Iterator[tuple[str, Mark, Mark]]:
         yield equation.found.name, equation.line.step.inputs[0], equation.found
 
 
-def _lead(plan: ForcePlan, equation: Equation, spot: Mark, bare: Leverage) -> str:
+def _lead(plan: ForcePlan, equation: MomentEquation, spot: Mark, bare: Leverage) -> str:
     """Letter an arm that is the line between two named points, as the lead there is lettered; "" where it is not."""
     arm = bare.at - bare.pivot
     square = abs((arm * bare.direction.conjugate()).real) <= NOTHING * abs(arm)

@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.checks.expected import NOTES, Expected, by_hand, cells, course, phrases
 from drawings.checks.hold import stated_keys
-from drawings.forces.due_acting import Acting, ExpectedArm, diagrams, named, unbraced
+from drawings.forces.due_acting import ExpectedArm, ExpectedForces, diagrams, named, unbraced
 from drawings.forces.due_lever import lever
 from drawings.lettering.words import word
 from drawings.paper.limits import SEEN
@@ -20,7 +20,7 @@ from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.bill import ActingForce, Bearing, ForceBill
-from plans.forces.cut import Cut, Equation, indices
+from plans.forces.cut import CutGroup, MomentEquation, indices
 from plans.forces.drive import balancing_quantity
 from plans.forces.marks import forces_by_hand
 from plans.forces.quantities import ForceComparison
@@ -111,7 +111,7 @@ class _Curves:
             if np.isfinite(value):
                 yield Expected(Kind.POINT, plan, str(k), complex(value), slack, k, may_lack=True)
         for k in self.shown:
-            acting = Acting(self.statics, self.comparison, k)
+            acting = ExpectedForces(self.statics, self.comparison, k)
             name = f"R_{indices(reaction.giver, reaction.taker)}"
             value, letter = complex(reaction.force[k]), acting.letter(name)
             yield Expected(Kind.VECTOR, plan, acting.name(name), value, slack, k, may_lack=True, letter=letter)
@@ -150,7 +150,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     for k in shown:
         drawn = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]
         scales, keys = drawn[0].metadata["scales"], [stated_keys(leaf) for leaf in drawn]
-        sheet = _Sheet(Acting(statics, comparison, k), scales, frozenset(chain(*keys)))
+        sheet = _Sheet(ExpectedForces(statics, comparison, k), scales, frozenset(chain(*keys)))
         yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.terms(), sheet.table())
         yield from lever(sheet.acting, scales, keys)
     yield from curves(statics, comparison, shown)
@@ -162,7 +162,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 class _Sheet:
     """The sheets of one position: the scales of their figures, and the keys of all that sheets state."""
 
-    acting: Acting
+    acting: ExpectedForces
     scales: Mapping[str, float]
     keys: frozenset[Key]
 
@@ -269,7 +269,7 @@ class _Sheet:
             for equation in cut.equations:
                 yield from self._terms(cut, equation)
 
-    def _terms(self, cut: Cut, equation: Equation) -> Iterator[Expected]:
+    def _terms(self, cut: CutGroup, equation: MomentEquation) -> Iterator[Expected]:
         acting, about, found = self.acting, equation.about.name, equation.found.name
         least, moments = acting.none[1], acting.bills[cut.label].moments
         armed = {load.name for load in equation.loads} | {found}

@@ -17,8 +17,8 @@ from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter, word
 from drawings.paper.statement import Kind
 from plans.forces.bill import ActingForce, ForceBill, LoadedPosition
-from plans.forces.cut import Cut, Equation
-from plans.forces.loading import Stroke, asks
+from plans.forces.cut import CutGroup, MomentEquation
+from plans.forces.loading import OutputStroke, asks
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Moment, Track
@@ -54,7 +54,7 @@ class ExpectedArm(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Acting:
+class ExpectedForces:
     """All that acts on the links in one position."""
 
     statics: Statics
@@ -120,7 +120,7 @@ class Acting:
             start += len({arm.letter for arm in found[cut.label] if arm.letter.startswith("h")})
         return found
 
-    def _arms(self, cut: Cut, start: int) -> Iterator[ExpectedArm]:
+    def _arms(self, cut: CutGroup, start: int) -> Iterator[ExpectedArm]:
         bill, known = self.bills[cut.label], list[ExpectedArm]()
         share = 1 / ABOUT if self.doubtful else 1.0  # all that rounding may have an arm for
         for equation in cut.equations:
@@ -148,12 +148,12 @@ class Acting:
         known = (force for bill in bills for force in (*bill.known, *(bearing.whole for bearing in bill.bearings)))
         return NOTHING * max((abs(force.value) for force in known), default=0.0)
 
-    def _forces(self, bill: ForceBill, equation: Equation) -> Iterator[ActingForce]:
+    def _forces(self, bill: ForceBill, equation: MomentEquation) -> Iterator[ActingForce]:
         """Give the forces of an equation, the one that it finds last."""
         names = [load.name for load in equation.loads] + ([] if equation.line is None else [equation.found.name])
         return (bill.forces[name] for name in names)
 
-    def _line(self, equation: Equation, arm: ExpectedArm) -> str:
+    def _line(self, equation: MomentEquation, arm: ExpectedArm) -> str:
         """Letter an arm as the line to a point where its force acts, named as the lead there is; or not at all."""
         places, k = self.comparison.motion.analysis.points, self.k
         points = (arm.force.point, *self.statics.study.mechanism.links[arm.force.link].points)
@@ -257,14 +257,14 @@ def branches(load: Force | Moment) -> Iterator[Branch]:
             yield Branch(back, shares, sense * load.size * found)
 
 
-def diagrams(loads: Iterable[Force | Moment], strokes: Mapping[Track, Stroke]) -> Iterator[Expected]:
+def diagrams(loads: Iterable[Force | Moment], strokes: Mapping[Track, OutputStroke]) -> Iterator[Expected]:
     """Give what the diagram of each load that changes over a stroke must show."""
     for load in loads:
         if asks(load):
             yield from _diagram(load, strokes[load.stroke])
 
 
-def _diagram(load: Force | Moment, stroke: Stroke) -> Iterator[Expected]:
+def _diagram(load: Force | Moment, stroke: OutputStroke) -> Iterator[Expected]:
     figure, reach = f"{FIGURE}-{load.name}", abs(stroke.reach[1] - stroke.reach[0])
     length, whole = (reach, "H") if stroke.sliding else (math.degrees(reach), "ψ")
     written = 1000 * length if stroke.sliding else length

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.expected import Expected
-from drawings.forces.due_acting import ABOUT, REACTION, Acting, unbraced
+from drawings.forces.due_acting import ABOUT, REACTION, ExpectedForces, unbraced
 from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter
 from drawings.paper.limits import SEEN
@@ -30,7 +30,7 @@ TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
 QUARTER = -1j
 
 
-def lever(acting: Acting, scales: Mapping[str, float], sheets: Sequence[frozenset[Key]]) -> Iterator[Expected]:
+def lever(acting: ExpectedForces, scales: Mapping[str, float], sheets: Sequence[frozenset[Key]]) -> Iterator[Expected]:
     """Give what must stand on the lever of a position, where there is one, by what its sheets state.
 
     Beside its equation on a sheet without it the arms are told in true units.
@@ -70,7 +70,7 @@ class _Hung(NamedTuple):
 class _Lever:
     """The lever of one position at a scale, what a unit of its arms is in the equation, and the images it shows."""
 
-    acting: Acting
+    acting: ExpectedForces
     mu: float
     unit: float
     names: frozenset[str]

@@ -29,18 +29,18 @@ from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group
 from geometry.board import Mark, at
-from plans.forces.cut import CLOSING, INERTIA, REACTION, WEIGHT, Couple, Cut, Equation, ForcePlan
+from plans.forces.cut import CLOSING, INERTIA, REACTION, WEIGHT, Couple, CutGroup, ForcePlan, MomentEquation
 from plans.forces.drive import BALANCING, DRIVING
 from plans.model.motion import NOTHING
 
 DIGITS = 5
 
 
-class Equations:
+class SheetEquations:
     """What a sheet writes beside a cut in one position."""
 
     def __init__(
-        self, plan: ForcePlan, cut: Cut, column: int, drafting: Drafting, nothing: tuple[float, float]
+        self, plan: ForcePlan, cut: CutGroup, column: int, drafting: Drafting, nothing: tuple[float, float]
     ) -> None:
         self.plan, self.cut, self.column, self.drafting = plan, cut, column, drafting
         self.nothing = nothing  # force N and moment N*m below which there is none
@@ -90,7 +90,7 @@ class Equations:
                 self.statement(part.name, self._size(part), "N"),
             )
 
-    def _moments(self, equation: Equation) -> Iterator[WrittenEquation]:
+    def _moments(self, equation: MomentEquation) -> Iterator[WrittenEquation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
         unknown = equation.found.name
         named = {load.name for load in equation.loads} | {unknown}
@@ -110,12 +110,12 @@ class Equations:
             yield moments(self._about(equation), [*every.values()], states=states)
         yield from () if given else (plain(self.statement(unknown, value, unit)),)
 
-    def _said(self, equation: Equation, name: str) -> Statement:
+    def _said(self, equation: MomentEquation, name: str) -> Statement:
         """Say whose a term is: by its force or moment, the point, and what the equation gives."""
         figure = f"equations-{self.cut.label}-{self.column}"
         return Statement(Kind.LETTER, figure, f"{name} about {equation.about.name} for {equation.found.name}")
 
-    def _about(self, equation: Equation) -> str:
+    def _about(self, equation: MomentEquation) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""
         links = {load.link for load in equation.loads} | {couple.link for couple in equation.couples}
         several = len(self.cut.equations) > 1

@@ -27,8 +27,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import arrowhead
-from plans.forces.loading import Stroke as Way
-from plans.forces.loading import asks, size_of, working_of
+from plans.forces.loading import OutputStroke, asks, size_of, working_of
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Machine, Moment, Track
 from plans.model.motion import Motion
 
@@ -79,7 +78,9 @@ def _bends(branch: Branch) -> Iterator[complex]:
             yield corner
 
 
-def courses(machine: Machine, strokes: Mapping[Track, Way], motion: Motion | None = None) -> Iterator[LoadCourse]:
+def courses(
+    machine: Machine, strokes: Mapping[Track, OutputStroke], motion: Motion | None = None
+) -> Iterator[LoadCourse]:
     """Give the course of every load that changes over a stroke, with its places at the positions of a motion."""
     for load in machine.loads:
         if asks(load):
@@ -87,7 +88,9 @@ def courses(machine: Machine, strokes: Mapping[Track, Way], motion: Motion | Non
             yield bare if motion is None else _placed(bare, load, strokes, motion)
 
 
-def _placed(bare: LoadCourse, load: Force | Moment, strokes: Mapping[Track, Way], motion: Motion) -> LoadCourse:
+def _placed(
+    bare: LoadCourse, load: Force | Moment, strokes: Mapping[Track, OutputStroke], motion: Motion
+) -> LoadCourse:
     """Give where a load is on its course in each position of a motion."""
     stroke = strokes[load.stroke]
     back = ~working_of(load, stroke, motion)
@@ -96,7 +99,7 @@ def _placed(bare: LoadCourse, load: Force | Moment, strokes: Mapping[Track, Way]
     return bare._replace(places=tuple(places.tolist()), returning=tuple(np.flatnonzero(back).tolist()))
 
 
-def course_of(load: Force | Moment, stroke: Way) -> LoadCourse:
+def course_of(load: Force | Moment, stroke: OutputStroke) -> LoadCourse:
     """Give the course of a load over its stroke."""
     low, high = stroke.reach
     length = abs(high - low) if stroke.sliding else math.degrees(abs(high - low))

@@ -46,7 +46,7 @@ NARROW = 0.4  # what an arc of half a turn costs against one of three quarters
 
 
 @dataclass(frozen=True)
-class Layout:
+class SchemeLayout:
     """A scheme at its place on paper."""
 
     shown: Scheme
@@ -273,7 +273,7 @@ def measure(shown: Scheme, drafting: Drafting) -> Picture:
     least *= extent / links if links else 1.0  # the links are as large beside a long spring as without one
     bare = bare._replace(least=least if extent else 0.0)  # a lone point is not drawn smaller at any scale
     place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
-    left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, drafting, None).strokes())))
+    left, bottom, right, top = bounds(Group(tuple(SchemeLayout(shown, place, drafting, None).strokes())))
     wide, high = bare.wide / place.scale.mu / 2, bare.high / place.scale.mu / 2
     around = LETTERS * hand.letter
     side = max(-left - wide, right - wide, 0.0) + BESIDE * hand.letter
@@ -294,14 +294,14 @@ def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> Letter
     """Draw the scheme in its spot, with its title and its written scale above it."""
     place, hand = room.place(*spot), drafting.hand
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
-    layout = Layout(shown, place, drafting, box)
+    layout = SchemeLayout(shown, place, drafting, box)
     under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
     title = heading(spot.box, _title(shown, drafting), under, hand)
     name = f"scheme-{shown.cut.label}-{shown.column}"
     return LetteredFigure(name, (title, *layout.strokes()), partial(_letters, layout, hand))
 
 
-def _letters(layout: Layout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
+def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
     for arm in layout.arms:
         yield arm.letter_beside(labels, hand)
@@ -318,7 +318,7 @@ def _letters(layout: Layout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     yield from link_numbers(layout.joints, layout.shown.links.links, labels, hand)
 
 
-def _points(layout: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
+def _points(layout: SchemeLayout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter each point where the widest angle between the lines at it is free."""
     lines = [*_lines(layout.links), *(arrow.shaft for arrow in layout.arrows)]
     for name, value in layout.shown.named.items():

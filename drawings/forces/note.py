@@ -16,7 +16,7 @@ from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, t
 from drawings.report.table import chapter, header, row
 from geometry.board import Mark, at
 from geometry.meet import cross
-from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, Cut, Equation, ForcePlan
+from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, CutGroup, ForcePlan, MomentEquation
 from plans.forces.lever import Lever
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
@@ -52,7 +52,7 @@ class CutEquations:
         """Give a force N, or a moment N*m or W as a real number."""
         return at(mark.point, self.column)
 
-    def lines(self, cut: Cut) -> Iterator[str]:
+    def lines(self, cut: CutGroup) -> Iterator[str]:
         """Write the equations of moments with what they give, the equation of forces, and the reactions."""
         arms = leverages(self.plan, cut, self.column)
         for equation in cut.equations:
@@ -61,7 +61,7 @@ class CutEquations:
         yield from self._forces(cut)
         yield from self._reactions(cut)
 
-    def given(self, cut: Cut) -> Iterator[str]:
+    def given(self, cut: CutGroup) -> Iterator[str]:
         """Write the weights, inertia forces and couples of a cut's links, and its loads."""
         for load in (load for load in cut.loads if load.kind != REACTION):
             size = abs(self.value(load.force))
@@ -95,7 +95,7 @@ class CutEquations:
             yield letters
             yield rf"{number(factor)} \cdot {self.formula.factor(other)}"
 
-    def _moments(self, equation: Equation, arms: tuple[Leverage, ...], cut: Cut) -> Iterator[str]:
+    def _moments(self, equation: MomentEquation, arms: tuple[Leverage, ...], cut: CutGroup) -> Iterator[str]:
         """Write an equation of moments, and the force or the moment that it gives."""
         formula, unknown = self.formula, equation.found.name
         named = {load.name for load in equation.loads} | {unknown}
@@ -121,7 +121,7 @@ class CutEquations:
         numbers += [formula.number(value) for value in moments]
         yield f"- {inline(found, self._solved(numbers, lever_arm), self._found(equation))}"
 
-    def _product(self, arm: Leverage, equation: Equation) -> str:
+    def _product(self, arm: Leverage, equation: MomentEquation) -> str:
         load = next(load for load in equation.loads if load.name == arm.name)
         size = abs(self.value(load.force))
         return rf"{self.formula.number(size)} \cdot {self.formula.number(arm.length)}"
@@ -132,20 +132,20 @@ class CutEquations:
             return whole
         return f"({whole}) / {self.formula.number(arm.length)}"
 
-    def _found(self, equation: Equation) -> str:
+    def _found(self, equation: MomentEquation) -> str:
         if equation.line is None:
             value = self._turned(self.value(equation.found).real)
             return self.formula.quantity(value, "N*m")
         return self.formula.quantity(self._sized(abs(self.value(equation.found))), "N")
 
-    def _slotted(self, cut: Cut) -> Iterator[str]:
+    def _slotted(self, cut: CutGroup) -> Iterator[str]:
         """Write the part along a slot, which holds nothing along it."""
         for part in (part for support in cut.supports for part in support.parts if part.name.startswith("R^u")):
             size = self._sized(abs(self.value(part)))
             known = rf"-{self.formula.letter('Σ')} {self.formula.letter('F_u')}"
             yield f"- {inline(self.letter(part.name), known, self.formula.quantity(size, 'N'))}"
 
-    def _forces(self, cut: Cut) -> Iterator[str]:
+    def _forces(self, cut: CutGroup) -> Iterator[str]:
         """Write that the forces of a cut balance, with what is known of each."""
         closers = [side for side in cut.sides if side.kind == CLOSING]
         known = DIRECTION if len(closers) > 1 else 0
@@ -157,7 +157,7 @@ class CutEquations:
         if len(terms) > 1:
             yield f"$${' + '.join(terms)} = 0$$"
 
-    def _reactions(self, cut: Cut) -> Iterator[str]:
+    def _reactions(self, cut: CutGroup) -> Iterator[str]:
         """Write the reactions: their lengths on the force plan by its scale, the moments of sliding pairs."""
         formula = self.formula
         for support in cut.reactions:
@@ -266,7 +266,7 @@ def equations(statics: Statics, comparison: ForceComparison, drafting: Drafting,
             yield from lever_equation(plans.lever, written, drawn[LEVER])
 
 
-def _cut(cut: Cut, written: CutEquations) -> Iterator[str]:
+def _cut(cut: CutGroup, written: CutEquations) -> Iterator[str]:
     """Write a cut: what is given of it, then its equations, each on a line of its own."""
     language = written.formula.drafting.language
     yield word(language, "report.cut" if cut.group is not None else "report.primary_cut", links=cut.label)

@@ -23,7 +23,7 @@ from drawings.symbols.figure import LINE, Subject, heading, heading_width
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, between
 from geometry.meet import EPS
-from plans.forces.cut import Cut, ForcePlan
+from plans.forces.cut import CutGroup, ForcePlan
 from plans.model.motion import NOTHING
 
 USUAL = 2.0  # times its least size: a plan is seldom drawn larger, and what is seen then needs no detail
@@ -109,7 +109,7 @@ class ForcePolygon(NamedTuple):
         return tuple(force.name for force in self.forces if abs(force.value) < SEEN * mu)
 
 
-def polygon(plan: ForcePlan, cut: Cut, column: int) -> ForcePolygon:
+def polygon(plan: ForcePlan, cut: CutGroup, column: int) -> ForcePolygon:
     """Read a force polygon from its record; forces that are zero are left out, all where no force acts on the cut."""
     named = {side.name: _vector(side.name, side.kind, side.start, side.end, column) for side in cut.sides}
     for support in cut.reactions:

@@ -24,7 +24,7 @@ from drawings.symbols.couples import spring as coil
 from drawings.symbols.force_arrow import ForceArrow
 from drawings.symbols.symbols import HINGE, fixed_hinge
 from geometry.board import at
-from plans.forces.cut import INERTIA, WEIGHT, Cut, ForcePlan
+from plans.forces.cut import INERTIA, WEIGHT, CutGroup, ForcePlan
 from plans.forces.drive import action
 from plans.model.machine import COUPLING, GEAR, Spring
 from plans.model.mechanism import FRAME
@@ -45,7 +45,7 @@ class ShownSpring(NamedTuple):
     fixed: bool
 
 
-def shown_springs(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[ShownSpring]:
+def shown_springs(plan: ForcePlan, cut: CutGroup, links: CutLinks, column: int) -> Iterator[ShownSpring]:
     """Give the springs that act on a cut, each once."""
     places = {load.name: at(load.at.point, column) for load in cut.loads}
     for spring in plan.machine.springs:
@@ -69,7 +69,7 @@ def _shown(plan: ForcePlan, spring: Spring, name: str, start: complex, far: int,
     return ShownSpring(name, start, end, spring.points[far], spring.links[far] == FRAME)
 
 
-def friction_circles_of(plan: ForcePlan, cut: Cut) -> Iterator[tuple[str, float]]:
+def friction_circles_of(plan: ForcePlan, cut: CutGroup) -> Iterator[tuple[str, float]]:
     """Give the friction circles of a cut's hinges: a letter, and the radius f*r, m."""
     for key, rubbing in plan.machine.friction.items():
         radius = rubbing.coefficient * rubbing.radius
@@ -87,7 +87,7 @@ def _hinges(plan: ForcePlan, links: set[int]) -> list[str]:
 WHOLE = 2.0  # cranks: of a larger wheel only a part of the pitch circle is drawn
 
 
-class Wheel(NamedTuple):
+class DrivingWheel(NamedTuple):
     """The wheel that drives the crank: shaft, pitch radius m, direction of the pitch point rad and of the force."""
 
     centre: complex
@@ -102,12 +102,12 @@ class Scheme:
     """The loading scheme of a cut in one position."""
 
     plan: ForcePlan
-    cut: Cut
+    cut: CutGroup
     column: int
     links: CutLinks
     acting: SchemeForces
     arms: tuple[Leverage, ...]
-    wheel: Wheel | None
+    wheel: DrivingWheel | None
     springs: tuple[ShownSpring, ...] = ()
     circles: tuple[tuple[str, float], ...] = ()  # letters of hinges, radii m
 
@@ -154,7 +154,7 @@ class Scheme:
         return places
 
 
-def scheme(plan: ForcePlan, cut: Cut, column: int) -> Scheme:
+def scheme(plan: ForcePlan, cut: CutGroup, column: int) -> Scheme:
     """Gather what the loading scheme of a cut shows in one position."""
     links = cut_links(plan, cut, column)
     wheel = _wheel(plan, links) if cut.group is None else None
@@ -163,14 +163,14 @@ def scheme(plan: ForcePlan, cut: Cut, column: int) -> Scheme:
     return Scheme(plan, cut, column, links, loads, arms, wheel, hung, tuple(friction_circles_of(plan, cut)))
 
 
-def _wheel(plan: ForcePlan, links: CutLinks) -> Wheel | None:
+def _wheel(plan: ForcePlan, links: CutLinks) -> DrivingWheel | None:
     how, drive = plan.machine.transmission, plan.mechanism.drive
     if how.kind != GEAR:
         return None
     shaft = links.spot(drive.pivot, links.shown)
     crank = abs(links.spot(drive.end, links.shown) - shaft)
     along = action(how, drive.omega)
-    return Wheel(shaft, how.radius, how.at, along / abs(along), how.radius <= WHOLE * crank)
+    return DrivingWheel(shaft, how.radius, how.at, along / abs(along), how.radius <= WHOLE * crank)
 
 
 WIDER = 0.4  # mm that a friction circle must be wider than the hinge's own circle

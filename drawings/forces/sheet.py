@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.forces import lever, load_diagram, loading_scheme, polygon
 from drawings.forces.due import due
-from drawings.forces.equations import Equations, LeverEquation, forces_of_masses
+from drawings.forces.equations import LeverEquation, SheetEquations, forces_of_masses
 from drawings.forces.letters import LAID, force_letter, letter_of
 from drawings.forces.lever import of_arm
 from drawings.forces.load_diagram import courses
@@ -38,7 +38,7 @@ from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, see_ordinates
 from geometry.board import at
-from plans.forces.cut import Cut, ForcePlan, indices
+from plans.forces.cut import CutGroup, ForcePlan, indices
 from plans.forces.drive import BALANCING, balancing_quantity
 from plans.forces.marks import forces_by_hand
 from plans.forces.quantities import ForceComparison
@@ -139,7 +139,7 @@ class _ForceSheet:
         """The forces over a whole turn, dense enough for curves."""
         return self.statics.around(STEPS)
 
-    def _column(self, cut: Cut) -> Iterator[Exhibit | Caption]:
+    def _column(self, cut: CutGroup) -> Iterator[Exhibit | Caption]:
         """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
         yield from (self._scheme(cut), self._equations(cut))
         shown = self._polygons[cut.label]
@@ -156,13 +156,13 @@ class _ForceSheet:
             found[cut.label], before = shown._replace(details=details), before + len(details)
         return found
 
-    def _scheme(self, cut: Cut) -> Exhibit:
+    def _scheme(self, cut: CutGroup) -> Exhibit:
         shown = loading_scheme.scheme(self.plan, cut, self.position)
         largest = LARGEST if cut is self.plan.cuts[-1] else 0.0
         return exhibit(loading_scheme, shown, self.drafting, largest, together=cut.label)
 
-    def _equations(self, cut: Cut) -> Caption:
-        equations = Equations(self.plan, cut, self.position, self.drafting, self.forces.nothing_at(self.position))
+    def _equations(self, cut: CutGroup) -> Caption:
+        equations = SheetEquations(self.plan, cut, self.position, self.drafting, self.forces.nothing_at(self.position))
         passage = equations.passage(f"equations-{cut.label}")
         return Caption(Panel(passage.block(), together=cut.label), partial(passage.write, hand=self.drafting.hand))
 
@@ -192,7 +192,7 @@ class _ForceSheet:
             yield forces_of_masses(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
             yield vector_plan.plan_working(diagram(plan.velocities, self.position), LEVER, drafting)
 
-    def _polygon_workings(self, cut: Cut) -> Iterator[Working]:
+    def _polygon_workings(self, cut: CutGroup) -> Iterator[Working]:
         """How the known forces of a cut are laid off, and those that close its polygon are read."""
         name, drafting = f"{POLYGON}{cut.label}", self.drafting
         known, found = dict[str, float](), dict[str, float]()

@@ -16,7 +16,7 @@ from geometry.board import Board, Mark
 from geometry.calculus import Integral, integral
 from geometry.strips import middles, strips
 from plans.dynamics.reduction import Reducing, Reduction
-from plans.forces.loading import ROUNDING, Stroke, asks, working_of
+from plans.forces.loading import ROUNDING, OutputStroke, asks, working_of
 from plans.linkage.sweep import NODES, at_angles, changes_of_sign
 from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Touch, Wheel, settled
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
@@ -78,7 +78,7 @@ class Level(NamedTuple):
 
     height: Height
     load: Force | Moment | None = None
-    stroke: Stroke | None = None
+    stroke: OutputStroke | None = None
     point: str = ""  # that must be at rest there, and not only go square to the way that it had before
 
     def counts(self, motion: Motion) -> npt.NDArray[np.bool_]:
@@ -141,7 +141,7 @@ def _shares(load: Force | Moment) -> list[float]:
     return sorted(place for place in places if 0.0 < place < 1.0)
 
 
-def _going(stroke: Stroke) -> Height:
+def _going(stroke: OutputStroke) -> Height:
     """Tell how fast the coordinate of a stroke changes: its zero is known better than an end, by all its digits."""
     if stroke.parting is not None:
         return _away(stroke.point, stroke.parting.other, stroke.parting.line)
@@ -150,7 +150,7 @@ def _going(stroke: Stroke) -> Height:
     return _along(stroke.point, stroke.way.direction)
 
 
-def _passing(stroke: Stroke, share: float) -> Height:
+def _passing(stroke: OutputStroke, share: float) -> Height:
     return lambda motion: stroke.share(motion) - share
 
 

@@ -39,7 +39,7 @@ from plans.analytic.dynamics.speeds import (
     without_flywheel_of_points,
 )
 from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStudy
-from plans.forces.loading import Stroke, loading
+from plans.forces.loading import OutputStroke, loading
 from plans.linkage.quantities import ANALYSIS, MotionComparison
 from plans.model.dynamics import Cycle, Flywheel, Methods, Speeds
 from plans.model.kinetostatics import Loading
@@ -276,13 +276,13 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     return DynamicsComparison(ours, sampled, found, true, turn, after, before, others, motion=motion)
 
 
-def _road(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, Stroke]]:
+def _road(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, OutputStroke]]:
     strokes = study.statics.over(motion.road.extremes)
     loads, start = partial(_loads, study, strokes), float(study.linkage.turn.phi[0])
     return Reducing(motion.road, study.statics.machine, loads, start), strokes
 
 
-def _loads(study: DynamicsStudy, strokes: Mapping[Track, Stroke], motion: Motion) -> Loading:
+def _loads(study: DynamicsStudy, strokes: Mapping[Track, OutputStroke], motion: Motion) -> Loading:
     return loading(study.statics.machine, motion, strokes)
 
 

@@ -30,7 +30,7 @@ class ForcePlan:
         self.loads: dict[int, list[Load]] = {link: [] for link in self.mechanism.links}
         self.couples: dict[int, list[Couple]] = {link: [] for link in self.mechanism.links}
         self.given: list[Mark] = []  # the loads, in the order of the loading: they change with the position
-        self.cuts: list[Cut] = []
+        self.cuts: list[CutGroup] = []
         self.drive: Mark | None = None  # force by which the crank is driven; None: a moment drives it
         self.driven: Mark | None = None  # where it acts
         self.balancing = self.pole  # moment about the shaft, once it is found
@@ -172,7 +172,7 @@ class Support(NamedTuple):
     point: str  # the letter of the hinge, or of the slider's point
 
 
-class Side(NamedTuple):
+class PolygonSide(NamedTuple):
     """A side of a force polygon: a known force, a part found by moments, or one that closes the polygon."""
 
     name: str
@@ -181,7 +181,7 @@ class Side(NamedTuple):
     kind: str
 
 
-class Equation(NamedTuple):
+class MomentEquation(NamedTuple):
     """An equation of moments about a point: loads and couples in it, and the force along a line that it gives."""
 
     about: Mark
@@ -191,7 +191,7 @@ class Equation(NamedTuple):
     found: Mark
 
 
-class Cut(NamedTuple):
+class CutGroup(NamedTuple):
     """A group, or the primary link, with its known forces, its reactions, its equations and its polygon in order."""
 
     group: Group | None
@@ -200,8 +200,8 @@ class Cut(NamedTuple):
     couples: tuple[Couple, ...]
     supports: tuple[Support, ...]  # outer reactions on the group's links
     inner: Support | None
-    equations: tuple[Equation, ...]
-    sides: tuple[Side, ...]
+    equations: tuple[MomentEquation, ...]
+    sides: tuple[PolygonSide, ...]
 
     @property
     def reactions(self) -> tuple[Support, ...]:

@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from geometry.board import Mark
 from plans.forces import polygon as statics
-from plans.forces.cut import CLOSING, PART, Cut, Equation, ForcePlan, Load, Side, indices
+from plans.forces.cut import CLOSING, PART, CutGroup, ForcePlan, Load, MomentEquation, PolygonSide, indices
 from plans.forces.loading import carried
 from plans.linkage import leads
 from plans.linkage.ram import apart
@@ -44,13 +44,13 @@ def balancing_quantity(drive: Drive) -> BalancingQuantity:
     return BalancingQuantity(DRIVING, "N", 1.0 / drive.unit) if by_force else BalancingQuantity(BALANCING, "N*m")
 
 
-def primary(plan: ForcePlan) -> Cut:
+def primary(plan: ForcePlan) -> CutGroup:
     """Balance the primary link, and close its polygon in the frame: a crank by moments, a slide along its guide."""
     slide = plan.mechanism.drive.guide
     return _turned(plan) if slide is None else _pushed(plan, slide)
 
 
-def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
+def _pushed(plan: ForcePlan, slide: Slide) -> CutGroup:
     """Close the polygon of a slide along its guide and square to it; no moment is needed for what pushes it."""
     drive, board = plan.mechanism.drive, plan.board
     (loads, couples), along = plan.acting(drive.link), leads.direction(plan.positions, slide, FRAME)
@@ -69,7 +69,7 @@ def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
     force = board.join(name, chain.end, closed.corner, because("closing"))
     pushing = Load(DRIVING, drive.link, plan.driven, plan.drive, PART)
     support = statics.support(plan, (FRAME, drive.link), slide, force, (), [*loads, pushing], couples)
-    return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (), closed.polygon)
+    return CutGroup(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (), closed.polygon)
 
 
 def _foot(plan: ForcePlan, slide: Slide, along: Mark) -> Mark:
@@ -89,7 +89,7 @@ def _wheel(plan: ForcePlan, along: Mark, end: Mark) -> Mark:
     return board.lay_off(f"W{plan.mechanism.drive.link}", end, arm, because("wheel_centre"))
 
 
-def _turned(plan: ForcePlan) -> Cut:
+def _turned(plan: ForcePlan) -> CutGroup:
     """Balance the crank by moments about its shaft, then close its polygon in the frame (figure 6.17)."""
     drive, board = plan.mechanism.drive, plan.board
     shaft, (loads, couples) = plan.positions.point(drive.pivot), plan.acting(drive.link)
@@ -106,13 +106,13 @@ def _turned(plan: ForcePlan) -> Cut:
         plan.balancing = board.moment(BALANCING, shaft, plan.driven, plan.drive, because("driving_moment"))
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)
-    equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
+    equation = MomentEquation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
     chain = statics.chain(plan, str(drive.link), *driving, *statics.known_sides(loads))
     name = f"R_{indices(FRAME, drive.link)}"
     force = board.join(name, chain.end, chain.start, because("closing"))
     support = statics.support(plan, (FRAME, drive.link), drive.pivot, force)
-    sides = (*chain.sides, Side(name, chain.end, chain.start, CLOSING))
-    return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (equation,), sides)
+    sides = (*chain.sides, PolygonSide(name, chain.end, chain.start, CLOSING))
+    return CutGroup(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (equation,), sides)
 
 
 def _line(plan: ForcePlan) -> Mark | None:

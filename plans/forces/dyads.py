@@ -6,14 +6,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from plans.forces import polygon
-from plans.forces.cut import CLOSING, Cut, ForcePlan, Side
+from plans.forces.cut import CLOSING, CutGroup, ForcePlan, PolygonSide
 from plans.model.dyad import Dyad, Pair
 from plans.words.words import because
 
 Of = TypeVar("Of")  # what groups of the kind are, such as dyads
 
 
-def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
+def rrr(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     """Find the tangential parts by moments about B, then close the polygon along both leads (M5.2)."""
     board, (first, second) = plan.board, dyad.links
     equations = [polygon.tangential(plan, dyad, end) for end in (0, 1)]
@@ -30,7 +30,7 @@ def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
     return polygon.cut(plan, dyad, supports, pin, equations, closed.polygon)
 
 
-def rrp(plan: ForcePlan, dyad: Dyad) -> Cut:
+def rrp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     """Find the tangential part by moments about B, then close along the rod and square to the guide (M5.3)."""
     board, (rod, slider) = plan.board, dyad.links
     equation = polygon.tangential(plan, dyad, 0)
@@ -48,7 +48,7 @@ def rrp(plan: ForcePlan, dyad: Dyad) -> Cut:
     return polygon.cut(plan, dyad, supports, pin, [equation], closed.polygon)
 
 
-def rpr(plan: ForcePlan, dyad: Dyad) -> Cut:
+def rpr(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     """Find the pin's part along the slot, then the one square to it by moments about C, and close in C (M5.4)."""
     part = polygon.along_slot(plan, dyad)
     across = polygon.across_slot(plan, dyad, part)
@@ -62,11 +62,11 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> Cut:
     )
     pin = polygon.stone_reaction(plan, dyad, chain, across, part)
     slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, chain.start, inner), pin)
-    sides = *chain.sides, Side(name, chain.end, chain.start, CLOSING)
+    sides = *chain.sides, PolygonSide(name, chain.end, chain.start, CLOSING)
     return polygon.cut(plan, dyad, [pin, pivot], slotted, [across], sides)
 
 
-def prp(plan: ForcePlan, dyad: Dyad) -> Cut:
+def prp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     """Close the polygon of all forces square to both guides; the pin's moments give their moments (M5.5)."""
     chain, inner = polygon.lay_out(plan, dyad)
     guides = polygon.guide_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
@@ -81,7 +81,7 @@ def prp(plan: ForcePlan, dyad: Dyad) -> Cut:
     return polygon.cut(plan, dyad, supports, pin, [], closed.polygon)
 
 
-def rpp(plan: ForcePlan, dyad: Dyad) -> Cut:
+def rpp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     """Find the pin's part along the slot, then close square to the slot and square to the guide (M5.6)."""
     board = plan.board
     part = polygon.along_slot(plan, dyad)
@@ -125,7 +125,7 @@ def stone(dyad: Dyad) -> Iterator[Split]:
 class ForceKind(NamedTuple, Generic[Of]):
     """The forces of one kind of group: its construction, and which outer reactions that may show in parts."""
 
-    cut: Callable[[ForcePlan, Of], Cut]
+    cut: Callable[[ForcePlan, Of], CutGroup]
     splits: Callable[[Of], Iterable[Split]]
 
 

@@ -80,7 +80,7 @@ def _omega(motion: Motion, link: int) -> Floats:
     return motion.links[link].omega
 
 
-class Driven(NamedTuple):
+class DrivenLink(NamedTuple):
     """A link that a group drives over the frame: the reaction of its pair there, that of the inner pair, and the ray.
 
     The ray goes through `through` in the direction of `ray`, a vector of any length.
@@ -140,7 +140,7 @@ class Driven(NamedTuple):
         return SLANTED if rubbing.coefficient * abs(ray.imag) >= abs(ray.real) else TILTED
 
 
-def drives(groups: Sequence[Group], reactions: Mapping[str, Reaction]) -> Iterator[tuple[str, Driven]]:
+def drives(groups: Sequence[Group], reactions: Mapping[str, Reaction]) -> Iterator[tuple[str, DrivenLink]]:
     """Find the pairs of the frame whose links are driven by a group that hangs on a moving link."""
     for group in groups:
         outer = group.outer_pairs
@@ -152,13 +152,13 @@ def drives(groups: Sequence[Group], reactions: Mapping[str, Reaction]) -> Iterat
             continue  # two slides bring a couple alone, which presses nothing
         found = f"{driven.giver}-{driven.taker}"
         if inner.along is not None:
-            yield found, Driven(driven, inner, driving.r, 1j * inner.along)
+            yield found, DrivenLink(driven, inner, driving.r, 1j * inner.along)
         else:
             ray = inner.r - driving.r if driving.along is None else 1j * driving.along
-            yield found, Driven(driven, inner, inner.r, ray)
+            yield found, DrivenLink(driven, inner, inner.r, ray)
 
 
-def jams_of(driven: Driven, rubbing: Rubbing, rate: Floats, phi: Floats) -> list[Jam]:
+def jams_of(driven: DrivenLink, rubbing: Rubbing, rate: Floats, phi: Floats) -> list[Jam]:
     """Find the positions in which a driven link jams; `rate` is its own over the frame."""
     key, ratio = f"{driven.outer.giver}-{driven.outer.taker}", driven.ratio(rubbing)
     jammed = np.flatnonzero((driven.power(rubbing, rate) > 0) & (ratio >= 1)).tolist()

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from plans.forces.cut import ForcePlan
 
 
-class Pairing(NamedTuple):
+class LeverCouple(NamedTuple):
     """A couple on the lever: two forces at the turned images of a link's points, square to it."""
 
     name: str
@@ -35,7 +35,7 @@ class Lever(NamedTuple):
     board: Board
     pole: Mark
     loads: tuple[Load, ...]  # at the turned images of their points
-    pairs: tuple[Pairing, ...]
+    pairs: tuple[LeverCouple, ...]
     moments: tuple[tuple[str, Mark], ...]  # about the pole, of each load and each pair by its letters
     driven: Mark  # turned image of the point where the drive's force acts
     force: Mark  # balancing force there
@@ -49,7 +49,7 @@ def lever(plan: ForcePlan) -> Lever | None:
     board = Board("lever")
     pole = board.given("p", 0j, because("lever_pole"))
     links = sorted(plan.mechanism.links)
-    loads, pairs, moments = list[Load](), list[Pairing](), list[tuple[str, Mark]]()
+    loads, pairs, moments = list[Load](), list[LeverCouple](), list[tuple[str, Mark]]()
     for load in _loads(plan, board, [load for link in links for load in plan.loads[link] if load.kind != REACTION]):
         loads.append(load)
         moments.append((load.name, board.moment(f"p({load.name})", pole, load.at, load.force, because("moment"))))
@@ -74,7 +74,7 @@ def _loads(plan: ForcePlan, board: Board, loads: Iterable[Load]) -> Iterator[Loa
             yield load._replace(at=_turned(board, image))
 
 
-def _pairs(plan: ForcePlan, board: Board, couples: Iterable[Couple]) -> Iterator[Pairing]:
+def _pairs(plan: ForcePlan, board: Board, couples: Iterable[Couple]) -> Iterator[LeverCouple]:
     """Replace couples by two forces at the ends of a vector of their link; one on a link that does not turn rests."""
     for couple in couples:
         reading = plan.velocities.readings.get(couple.link)
@@ -82,7 +82,7 @@ def _pairs(plan: ForcePlan, board: Board, couples: Iterable[Couple]) -> Iterator
             yield _pair(plan, board, couple, reading)
 
 
-def _pair(plan: ForcePlan, board: Board, couple: Couple, reading: Reading) -> Pairing:
+def _pair(plan: ForcePlan, board: Board, couple: Couple, reading: Reading) -> LeverCouple:
     arm = reading.arm.step.inputs[0] if reading.arm.step.op == "transfer" else reading.arm
     start, end = arm.step.inputs
     base = plan.positions.board
@@ -90,10 +90,10 @@ def _pair(plan: ForcePlan, board: Board, couple: Couple, reading: Reading) -> Pa
     holding = board.balance(f"-{couple.name}/{arm.name}", start, line, couple.moment, why=because("against_couple"))
     force = board.turn(f"{couple.name}/{arm.name}", holding, -1.0, because("couple", line=arm.name))
     images = [_turned(board, image) for image in reading.turning.step.inputs]
-    return Pairing(couple.name, images[0], images[1], force)
+    return LeverCouple(couple.name, images[0], images[1], force)
 
 
-def _turning(board: Board, pair: Pairing) -> Mark:
+def _turning(board: Board, pair: LeverCouple) -> Mark:
     why = because("couple_moment")
     return board.moment(f"p({pair.name})", pair.start, pair.end, pair.force, why)
 

@@ -34,7 +34,7 @@ FIT = 0.01  # share of a stroke that a diagram's lengths may differ by: as exact
 ROUNDING = 8 * 2.0**-52 * KAPPA**2
 
 
-class Stroke(NamedTuple):
+class OutputStroke(NamedTuple):
     """The working and the idle stroke of an output over a turn of the crank (рабочий и холостой ход)."""
 
     begin: float  # rad: crank where the working stroke begins
@@ -65,7 +65,7 @@ class Stroke(NamedTuple):
     def working(self, phi: Floats) -> npt.NDArray[np.bool_]:
         """Tell the crank angles of the working stroke; the extreme position from which it begins is of it.
 
-        >>> Stroke(0.5, 4.0, 1, (0.0, 0.1), 3).working(np.array([0.5 - 1e-12, 1.0, 4.0, 6.0, 7.0])).tolist()
+        >>> OutputStroke(0.5, 4.0, 1, (0.0, 0.1), 3).working(np.array([0.5 - 1e-12, 1.0, 4.0, 6.0, 7.0])).tolist()
         [True, True, False, False, True]
         """
         slack = ROUNDING * TURN
@@ -120,9 +120,9 @@ def asks(load: Force | Moment) -> bool:
 
 def strokes(
     machine: Machine, mechanism: Mechanism, output: Output, extremes: Callable[[Output], Extremes | None]
-) -> dict[Track, Stroke]:
+) -> dict[Track, OutputStroke]:
     """Find the strokes that loads ask for; `extremes` is that of either road."""
-    found: dict[Track, Stroke] = {}
+    found: dict[Track, OutputStroke] = {}
     for load in machine.loads:
         if asks(load) and load.stroke not in found:
             shown = counted(mechanism, load, output)
@@ -135,7 +135,7 @@ def strokes(
     return found
 
 
-def _check_length(load: Force | Moment, stroke: Stroke, thing: Message) -> None:
+def _check_length(load: Force | Moment, stroke: OutputStroke, thing: Message) -> None:
     """See that a diagram over lengths is as long as the stroke."""
     if not isinstance(load, Force) or load.diagram is None or not load.diagram.length:
         return
@@ -176,16 +176,16 @@ def output_at(mechanism: Mechanism, point: str) -> Output | None:
     return next((Output(link, point) for link in (*sliding, *hung)), None)
 
 
-def _stroke(mechanism: Mechanism, shown: Output, reached: Extremes) -> Stroke:
+def _stroke(mechanism: Mechanism, shown: Output, reached: Extremes) -> OutputStroke:
     sense = -1 if mechanism.drive.omega < 0 else 1
     point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
-    return Stroke(*reached.phi, sense, reached.reach, shown.link, shown.point or point, way, shown.parting)
+    return OutputStroke(*reached.phi, sense, reached.reach, shown.link, shown.point or point, way, shown.parting)
 
 
 APART = 8 * 2.0**-52  # share of two places: points nearer to each other than their rounding are in one place
 
 
-def loading(machine: Machine, motion: Motion, strokes: Mapping[Track, Stroke]) -> Loading:
+def loading(machine: Machine, motion: Motion, strokes: Mapping[Track, OutputStroke]) -> Loading:
     """Give all loads over the positions of a motion of order 2; NaN at gaps."""
     forces = [end for force in machine.forces for end in _acting(force, motion, strokes)]
     forces += [end for spring in machine.springs for end in _ends(spring, motion)]
@@ -195,7 +195,7 @@ def loading(machine: Machine, motion: Motion, strokes: Mapping[Track, Stroke]) -
     return Loading(tuple(forces), moments)
 
 
-def _acting(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> Iterator[Applied]:
+def _acting(force: Force, motion: Motion, strokes: Mapping[Track, OutputStroke]) -> Iterator[Applied]:
     """Give a force at its point, and of one between two links the opposite at the other, where that moves."""
     value = _force(force, motion, strokes)
     yield Applied(force.name, force.link, force.point, force.at, value, force.useful)
@@ -203,7 +203,7 @@ def _acting(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> It
         yield Applied(f"{force.name}′", *force.other, 0.0 - value, force.useful)  # of a zero no -0
 
 
-def _force(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> Complexes:
+def _force(force: Force, motion: Motion, strokes: Mapping[Track, OutputStroke]) -> Complexes:
     r = motion.points[force.point].r
     course = _direction(force, motion)
     return np.where(np.isnan(r), np.nan, size_of(force, motion, strokes) * course + 0.0)  # of a zero no -0
@@ -223,7 +223,7 @@ def _direction(force: Force, motion: Motion) -> Any:
     return -_parting(motion, force.point, force.other.point, force.line) * along
 
 
-def _moment(moment: Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
+def _moment(moment: Moment, motion: Motion, strokes: Mapping[Track, OutputStroke]) -> Floats:
     sense = -_sense(motion, moment.link) if moment.against else 1.0
     angle = motion.links[moment.link].angle
     return np.where(np.isnan(angle), np.nan, size_of(moment, motion, strokes) * sense + 0.0)
@@ -238,7 +238,7 @@ def carried(mechanism: Mechanism, motion: Motion, link: int, spot: complex) -> P
     return PointMotion((point.r + arm, point.v + 1j * turned.omega * arm, bent))
 
 
-def size_of(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
+def size_of(load: Force | Moment, motion: Motion, strokes: Mapping[Track, OutputStroke]) -> Floats:
     """Give the size of a load, N or N*m: nothing on a stroke that is not its own, nor in the overruns at the ends."""
     if not asks(load):
         return np.full(motion.phi.shape, load.size)
@@ -254,7 +254,7 @@ def size_of(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke
     return np.where(acts | np.isnan(share), size + 0 * share, 0.0)
 
 
-def working_of(load: Force | Moment, stroke: Stroke, motion: Motion) -> npt.NDArray[np.bool_]:
+def working_of(load: Force | Moment, stroke: OutputStroke, motion: Motion) -> npt.NDArray[np.bool_]:
     """Tell the positions that a load counts as of the working stroke: by the crank, or by the way the output goes."""
     if load.during not in (FORWARD, BACKWARD):
         return stroke.working(motion.phi)
@@ -262,7 +262,7 @@ def working_of(load: Force | Moment, stroke: Stroke, motion: Motion) -> npt.NDAr
     return np.asarray(sense * _going(stroke, motion) > 0)
 
 
-def _going(stroke: Stroke, motion: Motion) -> Floats:
+def _going(stroke: OutputStroke, motion: Motion) -> Floats:
     """Give the sense in which the coordinate of a stroke changes; from a rest that in which it will."""
     if stroke.parting is not None:
         return _parting(motion, stroke.point, stroke.parting.other, stroke.parting.line)

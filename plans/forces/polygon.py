@@ -12,11 +12,11 @@ from plans.forces.cut import (
     PART,
     REACTION,
     Couple,
-    Cut,
-    Equation,
+    CutGroup,
     ForcePlan,
     Load,
-    Side,
+    MomentEquation,
+    PolygonSide,
     Support,
     indices,
 )
@@ -26,11 +26,11 @@ from plans.model.mechanism import Slide
 from plans.words.words import because
 
 
-class Chain(NamedTuple):
+class ForceChain(NamedTuple):
     """Known forces laid off one after another from the start of a polygon: its corners, its sides between them."""
 
     corners: tuple[Mark, ...]
-    sides: tuple[Side, ...]
+    sides: tuple[PolygonSide, ...]
 
     @property
     def start(self) -> Mark:
@@ -43,13 +43,13 @@ class Chain(NamedTuple):
         return self.corners[-1]
 
 
-def chain(plan: ForcePlan, label: str, *forces: tuple[str, Mark, str]) -> Chain:
+def chain(plan: ForcePlan, label: str, *forces: tuple[str, Mark, str]) -> ForceChain:
     """Lay forces off one after another; each is its name, its vector, and what it is in the polygon."""
     corners, sides = [plan.pole], []
     for number, (name, vector, kind) in enumerate(forces, 1):
         corners.append(plan.board.lay_off(f"{label}:{number}", corners[-1], vector, name))
-        sides.append(Side(name, corners[-2], corners[-1], kind))
-    return Chain(tuple(corners), tuple(sides))
+        sides.append(PolygonSide(name, corners[-2], corners[-1], kind))
+    return ForceChain(tuple(corners), tuple(sides))
 
 
 def known_sides(loads: Sequence[Load]) -> list[tuple[str, Mark, str]]:
@@ -66,7 +66,7 @@ def moments(plan: ForcePlan, about: Mark, loads: Sequence[Load], couples: Sequen
     return [*taken, *(couple.moment for couple in couples)]
 
 
-def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> Equation | None:
+def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> MomentEquation | None:
     """Find the part of an outer hinge's reaction square to its lead, by moments about the inner hinge (M5.2).
 
     None where nothing on the lead has a moment: its reaction runs along it.
@@ -79,7 +79,7 @@ def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> Equation | None:
         return None
     line = base.board.square(f"⊥{arm.name}", at, arm, because("square_tangential", line=arm.name))
     found = plan.board.balance(f"R^t_{index}", about, line, *terms, why=because("moments", point=about.name, link=link))
-    return Equation(about, tuple(load for load in loads if load.at is not about), tuple(couples), line, found)
+    return MomentEquation(about, tuple(load for load in loads if load.at is not about), tuple(couples), line, found)
 
 
 def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
@@ -125,9 +125,9 @@ def direction_on(plan: ForcePlan, direction: Mark) -> Mark:
 class Closed(NamedTuple):
     """A polygon closed by two reactions of known direction: its chain, its last corner, its sides in order."""
 
-    chain: Chain
+    chain: ForceChain
     corner: Mark
-    polygon: tuple[Side, ...]
+    polygon: tuple[PolygonSide, ...]
 
 
 def name_of(dyad: Dyad, end: int) -> str:
@@ -140,7 +140,7 @@ def normal_name(dyad: Dyad, end: int, part: Mark | None) -> str:
     return name_of(dyad, end) if part is None else name_of(dyad, end).replace("R", "R^n", 1)
 
 
-def lay_out(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None = None) -> tuple[Chain, Mark]:
+def lay_out(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None = None) -> tuple[ForceChain, Mark]:
     """Lay off a group's forces, link after link, between the parts found before; give the corner between the links."""
     before = [(part.name, part, PART) for part in first if part is not None]
     after = [] if last is None else [(last.name, last, PART)]
@@ -149,10 +149,10 @@ def lay_out(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None 
     return found, found.corners[len(before) + len(near)]
 
 
-def close(plan: ForcePlan, chained: Chain, names: tuple[str, str], lines: tuple[Mark, Mark]) -> Closed:
+def close(plan: ForcePlan, chained: ForceChain, names: tuple[str, str], lines: tuple[Mark, Mark]) -> Closed:
     """Close a chain by the two lines drawn through its start and its end."""
     corner = plan.board.meet(f"{names[0]} {names[1]}", *lines, why=because("close_polygon"))
-    ends = Side(names[0], corner, chained.start, CLOSING), Side(names[1], chained.end, corner, CLOSING)
+    ends = PolygonSide(names[0], corner, chained.start, CLOSING), PolygonSide(names[1], chained.end, corner, CLOSING)
     return Closed(chained, corner, (ends[0], *chained.sides, ends[1]))
 
 
@@ -178,7 +178,7 @@ def guide_reaction(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, inner: 
     return support(plan, pair, dyad.slide(end), force, (), [*loads, *loaded], [*couples, *holding])
 
 
-def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | None:
+def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> MomentEquation | None:
     """Find the stone's outer reaction square to the slot by moments of the whole group about the pivot (M5.4)."""
     base, slide = plan.positions, dyad.slide()
     about, at = base.point(dyad.hinge(1)), base.point(dyad.hinge(0))
@@ -192,10 +192,12 @@ def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | No
     name, why = normal_name(dyad, 0, part), because("group_moments", point=about.name)
     found = plan.board.balance(name, about, line, *terms, why=why)
     armed = tuple(load for load in (*along, *loads) if load.at is not about)
-    return Equation(about, armed, tuple(couples), line, found)
+    return MomentEquation(about, armed, tuple(couples), line, found)
 
 
-def stone_reaction(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation | None, part: Mark | None) -> Support:
+def stone_reaction(
+    plan: ForcePlan, dyad: Dyad, chained: ForceChain, across: MomentEquation | None, part: Mark | None
+) -> Support:
     """Give the reaction on a stone's pin: its two parts together, or the one that there is (book figure 6.16)."""
     pair = dyad.hosts[0], dyad.links[0]
     parts = [mark for mark in (part, across and across.found) if mark is not None]
@@ -219,12 +221,12 @@ def cut_at(plan: ForcePlan, dyad: Dyad, corner: Mark, inner: Mark) -> Mark:
 
 def cut(
     plan: ForcePlan, dyad: Dyad, supports: Sequence[Support], inner: Support,
-    equations: Sequence[Equation | None], sides: Sequence[Side],
-) -> Cut:  # fmt: skip
+    equations: Sequence[MomentEquation | None], sides: Sequence[PolygonSide],
+) -> CutGroup:  # fmt: skip
     """Put the group together as it was cut out."""
     loads, couples = plan.acting(*dyad.links)
     kept = tuple(equation for equation in equations if equation is not None)
-    return Cut(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), inner, kept, tuple(sides))
+    return CutGroup(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), inner, kept, tuple(sides))
 
 
 def support(

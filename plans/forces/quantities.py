@@ -19,7 +19,7 @@ from plans.forces.drive import BALANCING as BALANCED
 from plans.forces.drive import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.force_template import ForcePlans
-from plans.forces.loading import Stroke
+from plans.forces.loading import OutputStroke
 from plans.forces.statics import Statics
 from plans.linkage.quantities import ANALYSIS, MotionComparison, MotionNumbers, cap, largest_of, with_analysis
 from plans.linkage.ram import cylinder
@@ -168,7 +168,7 @@ class ForceFindings:
         drive = self.statics.study.mechanism.drive
         return balancing_quantity(drive) if drive.pushed else BalancingQuantity(BALANCED, "N*m")
 
-    def cylinder(self, found: Mapping[Track, Stroke]) -> Iterator[Quantity]:
+    def cylinder(self, found: Mapping[Track, OutputStroke]) -> Iterator[Quantity]:
         """Compare the force of a cylinder that turns the crank, where one does: its power is that of all others."""
         statics, motion, drive = self.statics, self.motion, self.statics.study.mechanism.drive
         if drive.ram is None:

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from plans.forces.drive import balancing_quantity, joined, push, with_cylinder, without
 from plans.forces.force_template import ForceDrawing, ForcePattern, ForcePlans
-from plans.forces.loading import ROUNDING, NoStroke, OtherStroke, Stroke, counted, loading, strokes
+from plans.forces.loading import ROUNDING, NoStroke, OtherStroke, OutputStroke, counted, loading, strokes
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
 from plans.linkage.drafts import Drafts, near_edge
@@ -164,11 +164,11 @@ class Statics:
         return pairs(self.study.mechanism, self.study.groups)
 
     @cached_property
-    def strokes(self) -> Mapping[Track, Stroke]:
+    def strokes(self) -> Mapping[Track, OutputStroke]:
         """The strokes over which loads change, by construction."""
         return self.over(self._extremes)
 
-    def over(self, extremes: Callable[[Output], Extremes | None]) -> dict[Track, Stroke]:
+    def over(self, extremes: Callable[[Output], Extremes | None]) -> dict[Track, OutputStroke]:
         """Find the strokes over which loads change by the extreme positions of either road."""
         study = self.study
         try:
@@ -212,11 +212,13 @@ class Statics:
         """Give the loads at the positions of a motion."""
         return self.loading_over(motion, self.strokes)
 
-    def loading_over(self, motion: Motion, strokes: Mapping[Track, Stroke]) -> Loading:
+    def loading_over(self, motion: Motion, strokes: Mapping[Track, OutputStroke]) -> Loading:
         """Give the loads at the positions of a motion of either road, with the strokes that it finds."""
         return with_cylinder(self.study.mechanism, self.machine, motion, loading(self.machine, motion, strokes))
 
-    def given(self, forces: Kinetostatics, motion: Motion, strokes: Mapping[Track, Stroke] | None = None) -> Floats:
+    def given(
+        self, forces: Kinetostatics, motion: Motion, strokes: Mapping[Track, OutputStroke] | None = None
+    ) -> Floats:
         """Give what is told of the drive over the positions: the moment of a crank, the force of a slide or a cylinder.
 
         See `balancing_quantity`; the strokes are those that the road of the motion finds.

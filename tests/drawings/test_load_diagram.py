@@ -7,13 +7,13 @@ import pytest
 from drawings.forces import load_diagram
 from drawings.forces.load_diagram import course_of, courses
 from drawings.paper.walk import texts
-from plans.forces.loading import Stroke
+from plans.forces.loading import OutputStroke
 from plans.model.machine import ALWAYS, IDLE, OUTPUT, WORKING, Diagram, Force, Machine, Moment, Transmission
 from plans.model.mechanism import Way
 from tests.drawings.exhibits import exhibited
 
-SLIDES = Stroke(0.0, 3.0, 1, (0.5, 0.3), 3, "B", Way(0j, 1 + 0j))
-SWINGS = Stroke(0.0, 3.0, 1, (0.3, 1.3), 3)
+SLIDES = OutputStroke(0.0, 3.0, 1, (0.5, 0.3), 3, "B", Way(0j, 1 + 0j))
+SWINGS = OutputStroke(0.0, 3.0, 1, (0.3, 1.3), 3)
 PLANER = Force("F_us", 3, "B", 0j, 2000.0, None, WORKING, None, (0.05, 0.05))
 GAS = Force("F_g", 3, "B", 0j, 1.0, -1j, ALWAYS, Diagram((0, 0.2, 1), (7500, 3200, 700), (7500, 1100, 700)))
 RUBS = Force("F_D", 3, "B", 0j, 1.0, None, ALWAYS, Diagram((0, 0.2, 1), (500, 700, 1000), (100, 200, 300)), (0.1, 0.0))

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from plans.analytic.dynamics.flywheel import Exact, exact
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.kinematics import Analysis
-from plans.forces.loading import Stroke, loading, strokes
+from plans.forces.loading import OutputStroke, loading, strokes
 from plans.model.machine import ALWAYS, IDLE, WORKING, Body, Diagram, Force, Machine, Moment, Spring, Transmission
 from plans.model.mechanism import Mechanism, Output
 from plans.model.motion import Extremes, Motion
@@ -32,7 +32,7 @@ class Steady(NamedTuple):
     start: float = 0.0
 
     @property
-    def strokes(self) -> Mapping[str, Stroke]:
+    def strokes(self) -> Mapping[str, OutputStroke]:
         return strokes(self.machine, self.mechanism, self.mechanism.output, self._extremes)
 
     def _extremes(self, output: Output) -> Extremes | None:

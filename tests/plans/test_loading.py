@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.forces.loading import Stroke, loading, strokes
+from plans.forces.loading import OutputStroke, loading, strokes
 from plans.forces.reading.inventory import machine_of
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import extremes
@@ -54,7 +54,7 @@ AGAINST = 'against = "motion"\n'
 class Loaded(NamedTuple):
     machine: Machine
     motion: Motion
-    strokes: dict[Track, Stroke]
+    strokes: dict[Track, OutputStroke]
     loading: Loading
 
     def force(self, k: int = 0) -> Complexes:
@@ -76,11 +76,11 @@ def loaded(text: str, by: str = "construction") -> Loaded:
 
 
 def test_an_extreme_is_the_same_position_to_the_rounding_of_its_angle() -> None:
-    stroke = Stroke(1.0, 4.5, 1, (0.0, 0.2), 3)
+    stroke = OutputStroke(1.0, 4.5, 1, (0.0, 0.2), 3)
     rounding = 16 * np.pi * np.finfo(float).eps
     beginning = np.array([1 - rounding, 1 + rounding, 1 + 2 * np.pi - rounding, 4.5 - 1e-6, 4.5 + rounding])
     assert stroke.working(beginning).tolist() == [True, True, True, True, False]
-    back = Stroke(1.0, 4.5, -1, (0.0, 0.2), 3)
+    back = OutputStroke(1.0, 4.5, -1, (0.0, 0.2), 3)
     assert back.working(np.array([1 + rounding, 0.9, 4.6, 4.5, 1.1])).tolist() == [True, True, True, False, False]
 
 

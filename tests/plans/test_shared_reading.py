@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.forces.loading import Stroke
+from plans.forces.loading import OutputStroke
 from plans.forces.reading.inventory import machine_of
 from plans.forces.statics import Statics
 from plans.linkage.reading.guides import direction, triangle
@@ -311,4 +311,4 @@ def test_a_rocker_s_share_of_its_swing_is_counted_from_where_the_working_stroke_
     reach: tuple[float, float], angle: float, share: float
 ) -> None:
     motion = Motion("analysis", np.zeros(1), {}, {3: LinkMotion([np.array([angle])])}, ())
-    assert Stroke(0.0, 3.0, 1, reach, 3).share(motion)[0] == pytest.approx(share)
+    assert OutputStroke(0.0, 3.0, 1, reach, 3).share(motion)[0] == pytest.approx(share)

@@ -17,7 +17,7 @@ from drawings.paper.strokes import Leaf
 from drawings.symbols.force_arrow import plain_name
 from geometry.board import Board, Mark
 from geometry.steps import Span
-from plans.forces.cut import Cut
+from plans.forces.cut import CutGroup
 from plans.forces.drive import BALANCING
 from plans.forces.force_template import ForcePlans
 from plans.forces.marks import FIGURES
@@ -93,7 +93,7 @@ def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:
     return scales, boards
 
 
-def _sides(drawn: ForcePlans, cut: Cut) -> Iterator[Found]:
+def _sides(drawn: ForcePlans, cut: CutGroup) -> Iterator[Found]:
     """Give the forces of a cut's polygon, each between its corners, and the whole reactions across it."""
     corners = {side.name: Span(side.start, side.end) for side in cut.sides}
     sides = set(corners)
@@ -106,7 +106,7 @@ def _sides(drawn: ForcePlans, cut: Cut) -> Iterator[Found]:
             yield Found(name, Span(drawn.plan.pole, marks[name]), side, name not in sides)
 
 
-def _marks(drawn: ForcePlans, cut: Cut) -> Iterator[tuple[str, Mark]]:
+def _marks(drawn: ForcePlans, cut: CutGroup) -> Iterator[tuple[str, Mark]]:
     """Give the marks of the forces of a cut by their names."""
     for load in cut.loads:
         yield load.name, load.force
@@ -117,7 +117,7 @@ def _marks(drawn: ForcePlans, cut: Cut) -> Iterator[tuple[str, Mark]]:
         yield drawn.plan.drive.name, drawn.plan.drive
 
 
-def _arms(drawn: ForcePlans, cut: Cut) -> Iterator[Found]:
+def _arms(drawn: ForcePlans, cut: CutGroup) -> Iterator[Found]:
     """Give the arms on the scheme of a cut: from the point of moments square to the line of action."""
     for arm in leverages(drawn.plan, cut, 0):
         if arm.dimensioned:

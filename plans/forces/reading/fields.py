@@ -166,7 +166,7 @@ def only_with_stroke(*others: Form, owned: tuple[str, ...] = ("stroke",)) -> For
     return {"dependentSchemas": {"stroke": changes, "working": {"allOf": [changes, has_own]}}}
 
 
-class LoadTable(Table):
+class LinkLoadTable(Table):
     """What loads on links have in common: when they act, and whether their work is the machine's purpose."""
 
     during: str | None = key(

@@ -12,7 +12,7 @@ from plans.forces.reading.fields import (
     PART,
     POINT_OF_LINK,
     Ends,
-    LoadTable,
+    LinkLoadTable,
     Vector,
     only_with_stroke,
     point_of,
@@ -155,7 +155,7 @@ class ForceTable(PressedTable):
         return "the size of the force, because its direction is against the motion"
 
 
-class MomentTable(LoadTable):
+class MomentTable(LinkLoadTable):
     """A moment on a link, N*m, positive counter-clockwise; or its size, against the link's rotation."""
 
     value: Decimal = key(

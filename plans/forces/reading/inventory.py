@@ -10,7 +10,7 @@ from fractions import Fraction
 from math import radians
 
 from plans.forces.reading import references
-from plans.forces.reading.fields import Ends, LoadTable, Vector, holders, point_of
+from plans.forces.reading.fields import Ends, LinkLoadTable, Vector, holders, point_of
 from plans.forces.reading.form import (
     ForceForm,
     ForceTable,
@@ -145,7 +145,7 @@ def _sized(value: Decimal | Vector | None, course: Decimal | tuple[str, ...] | N
     return 1.0 if value is None else float(value), direction(course) if isinstance(course, Decimal) else None
 
 
-def _track(load: LoadTable) -> Track:
+def _track(load: LinkLoadTable) -> Track:
     """Give whose stroke a load counts; a force between two links without another counts their own."""
     return Track(load.stroke or "", load.working)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.fields import LoadTable, Metres, Newtons, Pascals
+from plans.forces.reading.fields import LinkLoadTable, Metres, Newtons, Pascals
 from plans.scene import fields as f
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
@@ -109,7 +109,7 @@ def _first(holds: Iterable[bool]) -> int | None:
 _BESIDE = ("bore", "rod", "behind")
 
 
-class PressedTable(LoadTable):
+class PressedTable(LinkLoadTable):
     """A load that a pressure Pa may give: on a piston of a bore m, on the side of its rod less the rod."""
 
     diagram: DiagramTable | None = key(
