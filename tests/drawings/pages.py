@@ -99,9 +99,3 @@ def apart(a: Box, b: Box) -> bool:
 
 def inside(inner: Box, outer: Box) -> bool:
     return inner[0] >= outer[0] and inner[1] >= outer[1] and inner[2] <= outer[2] and inner[3] <= outer[3]
-
-
-def place_of(group: Group, page: Page, plain: str) -> complex:
-    """Where a text's middle is, from the block's lower left corner."""
-    left, bottom, right, top = inked(next(text for text in texts(group) if text.plain == plain))
-    return complex(left + right, bottom + top) / 2 - complex(page.block.left, page.block.bottom)

@@ -64,14 +64,6 @@ def test_the_curve_is_broken_at_a_gap_and_the_gap_has_no_ordinate() -> None:
     assert 4 not in {vector.position for vector in measured(drawn).vectors}
 
 
-@pytest.mark.parametrize("level", [0.0, 35.0, -35.0])
-def test_a_constant_quantity_is_a_straight_line_over_its_axis(level: float) -> None:
-    drawn = graph(CURVE._replace(values=np.full(361, level), ordinates=np.full(12, level)))
-    (line,) = (stroke for stroke in flat(drawn) if isinstance(stroke, Polyline))
-    assert len({round(point.imag, 9) for point in line.points}) == 1
-    assert len(measured(drawn).vectors) == (12 if level else 0)
-
-
 def rocking(phi: np.ndarray) -> np.ndarray:
     """A moment that goes to infinity where a crank stops 130 degrees on from position 0."""
     return np.where(np.minimum(phi, 310 - phi) < 0, -1.0, 1.0) / np.where((phi < 130) | (phi > 310), 130 - phi, np.nan)
@@ -121,16 +113,3 @@ def test_a_whole_hodograph_is_closed_and_a_gap_breaks_it() -> None:
     values[50:60] = math.nan
     parts = [stroke for stroke in flat(figure(SHOWN._replace(values=values))) if isinstance(stroke, Polyline)]
     assert [(len(part.points), part.closed) for part in parts] == [(50, False), (300, False)]
-
-
-def test_a_position_that_is_a_gap_is_left_out_of_a_hodograph() -> None:
-    ends = SHOWN.ends.copy()
-    ends[2] = complex(math.nan, math.nan)
-    found = measured(figure(SHOWN._replace(ends=ends)))
-    assert found.vectors == () and 2 not in {point.position for point in found.points}
-
-
-def test_a_turn_that_ends_with_position_0_again_begins_with_it_also_where_the_shown_one_is_beside_it() -> None:
-    at = np.arange(360.0)
-    drawn = graph(CURVE._replace(stations=at, ordinates=moment(at), shown=(1,)))
-    assert {0, 1} <= {vector.position for vector in measured(drawn).vectors}

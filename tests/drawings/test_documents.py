@@ -98,11 +98,6 @@ def told(**table: str) -> list[str]:
 
 
 @pytest.mark.parametrize("standard", ["GOST", "ISO"])
-def test_a_long_title_is_broken_and_written_small_before_it_is_cut(standard: str) -> None:
-    assert told(title=f"{LONG} and a bank of two cams", standard=standard, drawn="Preobrazhenskaya") == []
-
-
-@pytest.mark.parametrize("standard", ["GOST", "ISO"])
 def test_what_is_cut_all_the_same_is_told_at_its_line_with_the_letters_that_fit(standard: str) -> None:
     (note,) = told(title=" ".join([LONG] * 8), standard=standard)  # ISO 7200 counts on 25 letters, and on 25 more
     assert note.startswith("scene.toml:1:1: title = ")

@@ -95,11 +95,6 @@ def test_a_rectangle_with_round_corners_is_a_closed_curve() -> None:
     assert min(one.real for one in ends) == 1 and max(one.imag for one in ends) == 98
 
 
-def test_a_text_whose_index_is_written_last_is_read_askew() -> None:
-    (text,) = texts_of(seen(Text(135.911 + 175.8j, "φ_{у} = 74,577°", 2.5, slanted=True, rotation=74.171)).leaf.groups)
-    assert text.plain == "φу = 74,577°"
-
-
 def test_what_a_file_says_of_a_text_picks_among_letters_alike_and_nothing_else() -> None:
     source = svg(lettered(Leaf(100.0, 50.0, (Group((Text(10 + 10j, "TOM 3"),), "words"),)))).decode()
     for said, read in (("ТОМ 3", "ТОМ 3"), ("TOM 8", "TOM 3"), ("", "TOM 3")):

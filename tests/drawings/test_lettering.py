@@ -11,8 +11,7 @@ from drawings.lettering import alphabet
 from drawings.lettering.alphabet import SLANT, glyph
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, text_width
-from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
-from drawings.paper.strokes import LineStyle, Run, SheetError, Text, runs
+from drawings.paper.strokes import LineStyle, Run, SheetError, Text
 from plans.words.words import languages, words
 from tests import parts
 from tests.rows import over
@@ -20,8 +19,6 @@ from tests.rows import over
 FILE = Path(alphabet.__file__).with_name("alphabet.json")
 RUSSIAN, DIGITS = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ", "0123456789"
 LATIN, GREEK = "ABCDEFGHIJKLMNOPQRSTUVWXYZ", "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩ"
-ALL = RUSSIAN + RUSSIAN.lower() + LATIN + LATIN.lower() + GREEK + GREEK.lower() + "ς"
-ON_SHEETS = ".,:;!?'\"()[]/\\|+−-–—=≈≠<>≤≥±×·÷%°№…~*_&@#′″⊥∥∠√∞→←↑↓²³⁻⁰¹⁴⁵⁶⁷⁸⁹Ø{}«»$§€ µ\u00a0\u202f"
 # Widths in d, type B.
 TABLE = {
     5: "ГЕСгбвдеийклнопрухчьэя" + "023567" + "9" + "βγδεζνορυ",
@@ -155,16 +152,3 @@ def test_accents_are_written_over_letters_in_either_coding() -> None:
     assert max(point.imag for point in glyph("ї").strokes[0].points) == 6.5  # the dots replace the dot
     assert text_width(Text(0j, "oE" + 9 * "\u0301" + "o", 10.0)) == 5 + 2 + 5 + 2 + 5  # a tower of accents
     assert lacking("x\u0332") == ("x\u0332",)
-
-
-def test_the_specimen_shows_the_whole_alphabet_on_a_sheet() -> None:
-    leaf = specimen()
-    assert (leaf.width, leaf.height) == (420, 297)
-    left, bottom, right, top = map(min, zip(*[bounds(group) for group in leaf.groups], strict=True))
-    assert min(left, bottom) > 5
-    left, bottom, right, top = map(max, zip(*[bounds(group) for group in leaf.groups], strict=True))
-    assert max(right - 415, top - 292) < 0
-    shown = "".join(
-        (*LETTERS, SIGNS, LARGE.plain, *(run.text for _, *pair in PHRASES for p in pair for run in runs(p)))
-    )
-    assert set(ALL + DIGITS + ON_SHEETS) - set(shown) <= set("⁰³⁴⁵⁶⁷⁸⁹µ\u00a0\u202f")

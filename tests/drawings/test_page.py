@@ -1,10 +1,9 @@
-"""The page: every format by both standards, its margins, folds and frames; lettering that keeps to its graphs."""
+"""The page: formats by both standards, margins, folds, frames; form 1, ISO 7200; lettering that keeps to its graphs."""
 
 from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -13,16 +12,15 @@ from hypothesis import strategies as st
 
 from drawings.commands.cli import main
 from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import SIZES, lettered
+from drawings.lettering.lettering import lettered
 from drawings.page.frame import FOLDS
 from drawings.page.page import Page, page_of
-from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, SheetError
+from drawings.paper.strokes import Group, Leaf, Line, Polyline, SheetError
 from drawings.pens.svg import svg
 from plans.scene.scene import parse_scene
 from tests.drawings.pages import (
     ENTRIES,
     apart,
-    around,
     bare,
     every_page,
     flat,
@@ -49,49 +47,6 @@ def test_every_page_is_written_and_nothing_of_it_lies_beyond_the_paper(page: Pag
 
 
 @every_page
-def test_no_letter_of_a_page_touches_a_line_or_another_text(page: Page) -> None:
-    group = bare(page)
-    boxes = [(text.plain, inked(text)) for text in texts(group)]
-    for (plain, box), (line, _) in itertools.product(boxes, lines(group)):
-        assert apart(box, line), f"{plain!r} touches a line at {line}"
-    for (one, a), (other, b) in itertools.combinations(boxes, 2):
-        assert apart(a, b), f"{one!r} lies on {other!r}"
-
-
-@every_page
-def test_nothing_is_cut_and_no_letter_is_too_small(page: Page) -> None:
-    for text in texts(bare(page)):
-        assert "…" not in text.plain
-        small = text.plain in ("21.11.26", "Preobrazhensky", "Преображенский") and page.standard == "GOST"
-        assert text.size in SIZES and text.size >= (1.8 if small else 2.5)
-
-
-@every_page
-def test_margins_are_clear_the_control_bar_and_the_folding_marks_stand_alone(page: Page) -> None:
-    group = bare(page)
-    bar = named(group, "control-bar")
-    own = bounds(bar)
-    assert own[0] > 4 and own[2] < page.field.left  # a printer leaves 4 mm white
-    others = [box for box, _ in lines(Group(tuple(s for s in flat(group) if s not in set(flat(bar)))))]
-    edge = {around((a, b), page.hand.construction / 2) for a, b in _edges(page)}
-    marks = {box for box, _ in lines(named(group, "folding-marks"))} if page.name != "A4" else set()
-    for box in set(others) - edge:
-        grown = (own[0] - 0.4, own[1] - 0.4, own[2] + 0.4, own[3] + 0.4)
-        assert apart(grown, box) or inside(grown, box)
-    fills = [bounds(one) for one in flat(group) if isinstance(one, Fill | Circle | Arc)]
-    for mark in marks:
-        rest = [box for box in others if box not in marks and box not in edge]
-        assert all(apart(mark, box) for box in (*rest, *fills, own, *(inked(text) for text in texts(group))))
-        assert mark[0] < 0.5 or mark[1] < 0.5 or mark[2] > page.size[0] - 0.5 or mark[3] > page.size[1] - 0.5
-
-
-def _edges(page: Page) -> Iterator[tuple[complex, complex]]:
-    width, height = page.size
-    corners = (0j, complex(width, 0), complex(width, height), complex(0, height))
-    yield from itertools.pairwise((*corners, corners[0]))
-
-
-@every_page
 def test_the_control_bar_is_a_hundred_millimetres_long_in_the_file(page: Page) -> None:
     written = svg(lettered(Leaf(*page.size, (page.frame(),)))).decode()
     bar = re.search(r'<g data-length="100" id="control-bar">(.*?)</g>', written, re.DOTALL)
@@ -101,15 +56,6 @@ def test_the_control_bar_is_a_hundred_millimetres_long_in_the_file(page: Page) -
     x1, x2, y1, y2 = (float(number) for number in foot.groups())
     assert x1 == x2 and y1 - y2 == 100
     assert ("100 мм" if page.language == "ru" else "100 mm") in said(page.frame())
-
-
-@every_page
-def test_the_block_stands_in_the_lower_right_corner_of_the_frame(page: Page) -> None:
-    block = bounds(page.title_block(ENTRIES[page.language], page.language))
-    assert block == page.block
-    assert (page.block.right, page.block.bottom) == (page.field.right, page.field.bottom)
-    assert all(inside(place, page.field) for place in page.taken)
-    assert page.block.width == {"GOST": 185, "ISO": 180}[page.standard]
 
 
 words = st.text(alphabet="АЁЙЩруфцщghjpyQÅ1,.;:()/ ", min_size=1, max_size=60).map(str.strip).filter(bool)
@@ -217,3 +163,75 @@ def test_folding_marks_stand_at_the_edges_where_the_folds_are(page: Page, across
     marks = [one for one in flat(named(page.frame(), "folding-marks")) if isinstance(one, Line)]
     assert {mark.start.real for mark in marks if mark.start.real == mark.end.real} == across
     assert {mark.start.imag for mark in marks if mark.start.imag == mark.end.imag} == up
+
+
+@pytest.mark.parametrize(("name", "long", "short"), [("A1", 16, 12), ("A2", 12, 8), ("A3", 8, 6), ("A4", 6, 4)])
+def test_the_grid_of_iso_5457_has_the_standard_s_number_of_fields_of_50_mm(name: str, long: int, short: int) -> None:
+    page = Page(name, standard="ISO")
+    columns, rows = (short, long) if name == "A4" else (long, short)
+    plain = said(named(page.frame(), "borders"))
+    sides = 1 if name == "A4" else 2  # A4 has letters on the right and numerals at the top only
+    numerals, letters = [p for p in plain if p.isdigit()], [p for p in plain if len(p) == 1 and p.isalpha()]
+    assert sorted(map(int, numerals)) == sorted(sides * list(range(1, columns + 1)))
+    assert sorted(letters) == sorted(sides * "ABCDEFGHJKLM"[:rows])
+    ticks = sorted(
+        {one.start.real for one in flat(named(page.frame(), "borders")) if isinstance(one, Line) and _top(one, page)}
+    )
+    assert len(ticks) == columns - 1
+    assert {b - a for a, b in itertools.pairwise(ticks)} == {50} and ticks[columns // 2 - 1] == page.size[0] / 2
+
+
+def _top(line: Line, page: Page) -> bool:
+    return line.style.width == 0.35 and line.start.real == line.end.real and line.start.imag == page.field.top
+
+
+def crossings(block: Group, page: Page, at: float, upright: bool) -> list[tuple[float, float]]:
+    """Where lines of the block cross a level (or an upright) through it, from its left (or its foot); their widths."""
+    found = set()
+    for one in flat(block):
+        if isinstance(one, Line):
+            start, end = (p - complex(page.block.left, page.block.bottom) for p in (one.start, one.end))
+            if not upright:
+                start, end = (complex(p.imag, p.real) for p in (start, end))
+            if start.real == end.real and min(start.imag, end.imag) < at < max(start.imag, end.imag):
+                found.add((start.real, one.style.width))
+    return sorted(found)
+
+
+def steps(places: list[tuple[float, float]], end: float) -> list[float]:
+    ends = [*(place for place, _ in places), end]
+    return [b - a for a, b in itertools.pairwise(ends)]
+
+
+@pytest.mark.parametrize(
+    ("level", "widths"),
+    [  # from the foot of the block: the widths of its graphs from the left, GOST 2.104 form 1
+        (52, [7, 10, 23, 15, 10, 120]),
+        (38, [7, 10, 23, 15, 10, 70, 15, 17, 18]),
+        (32, [7, 10, 23, 15, 10, 70, 5, 5, 5, 17, 18]),
+        (22, [17, 23, 15, 10, 70, 5, 5, 5, 17, 18]),
+        (17, [17, 23, 15, 10, 70, 20, 30]),
+        (7, [17, 23, 15, 10, 70, 50]),
+    ],
+)
+def test_the_graphs_of_form_1_are_as_wide_as_the_standard_has_them(level: float, widths: list[float]) -> None:
+    page = Page("A3")
+    block = page.title_block({}, "ru")
+    assert steps(crossings(block, page, level, True), 185) == widths
+    assert sum(widths) == 185
+
+
+@pytest.mark.parametrize(
+    ("across", "heights"),
+    [(30, [5] * 11), (100, [15, 25, 15]), (137, [15, 5, 15, 5, 15]), (160, [15, 5, 15, 5, 15])],
+)
+def test_the_graphs_of_form_1_are_as_high_as_the_standard_has_them(across: float, heights: list[float]) -> None:
+    page = Page("A3")
+    places = crossings(page.title_block({}, "ru"), page, across, False)
+    assert steps([(0.0, 0.5), *places], 55.0)[: len(heights)] == heights  # the foot is the frame's own line
+    assert sum(heights) == 55
+
+
+def test_a_date_is_written_as_gost_writes_it_and_by_iso_as_it_is_given() -> None:
+    assert "21.11.26" in said(Page("A1").title_block({"date": "2026-11-21"}, "ru"))
+    assert "2026-11-21" in said(Page("A1", standard="ISO").title_block({"date": "2026-11-21"}, "en"))

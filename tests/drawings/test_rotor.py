@@ -20,7 +20,8 @@ from tests.drawings.conftest import Run
 from tests.drawings.held import faults_on, measured
 from tests.drawings.pages import texts
 from tests.gallery import GALLERY
-from tests.plans.rotors import mass
+from tests.parts import first
+from tests.plans.rotors import DYNAMIC, STATIC, mass
 
 FAN = GALLERY / "fan.toml"
 
@@ -113,3 +114,18 @@ def test_a_mark_that_no_polygon_has_is_told_with_the_near_ones(run: Run) -> None
     code, out, err = run("explain", FAN, "m_1D_2")
     assert (code, out) == (3, "")
     assert "m_1D_1" in err
+
+
+def star(count: int, start: int = 17, place: str = "0.37") -> tuple:
+    return tuple(mass(k + 1, "0.3", "0.1", start + Fraction(360 * k, count), place) for k in range(count))
+
+
+@pytest.mark.parametrize("planes", first([STATIC, DYNAMIC]))
+def test_a_balanced_rotor_has_no_counterweight_and_no_closing_vector(planes) -> None:
+    """Catalogue J1, J5 on paper: no arrow in a random direction."""
+    rotor = Rotor(star(5), planes, (Fraction(0), Fraction(1)), 300.0, 20.0, 6.3)
+    found, seen = drawn(rotor)
+    assert not [mark for one in seen for mark in one.marks if mark.name.startswith(("m_I", "m_cw"))]
+    words = [text.plain for leaf in found for group in leaf.groups for text in texts(group)]
+    assert any("closes by itself" in word for word in words)
+    assert found[0].description.count("= 0: nothing to balance") == len(planes)

@@ -150,18 +150,6 @@ def test_explain_ends_with_the_rate_that_is_read_off(run: Run, name: str, link: 
     assert (found[2] == "counter-clockwise") == (true > 0)
 
 
-def test_what_is_carried_to_another_plan_keeps_its_unit(run: Run) -> None:
-    _, out, _ = run("explain", SHAPER, "v_D")
-    carried = [line for line in out.splitlines() if ": transfer (" in line]
-    assert carried and all(line.split(" = ")[1].split(". ")[0].endswith(") m") for line in carried)
-
-
-def test_a_velocity_rests_on_the_positions_that_it_needs_and_on_no_others(run: Run) -> None:
-    steps = json.loads(run("explain", SHAPER, "v_B", "--json")[1])
-    assert {step["plan"] for step in steps} == {"positions", "velocities"}
-    assert "D" not in {step["name"] for step in steps}
-
-
 def test_an_unknown_mark_is_answered_with_the_nearest_one(run: Run) -> None:
     code, out, err = run("explain", SHAPER, "v_DD")
     assert (code, out) == (3, "")

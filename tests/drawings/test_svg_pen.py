@@ -74,14 +74,6 @@ def test_strokes_that_hide_are_not_merged() -> None:
     assert len(drawn(square, square)) == 2
 
 
-@pytest.mark.parametrize("kind", ["vector", "point", "pole", "corner"])
-def test_a_mark_without_its_bearer_is_refused(kind: str) -> None:
-    with pytest.raises(SheetError, match=kind):
-        drawn(Group((Text(0j, "B"),), data={"kind": kind}))
-    with pytest.raises(SheetError, match=kind):
-        drawn(Group((), data={"kind": kind}))
-
-
 def test_an_arc_may_pass_zero() -> None:
     assert Arc(0j, 1, 1.5 * math.pi, 0.5 * math.pi).sweep == pytest.approx(math.pi)
     assert Arc(0j, 1, 0, math.tau).sweep == math.tau

@@ -1,4 +1,4 @@
-"""The table of values: what is nothing has no share of anything; what a hand may be out, as it is written."""
+"""Tables of values and equations on a sheet: decimals, widths, lines under terms."""
 
 from __future__ import annotations
 
@@ -9,12 +9,15 @@ import pytest
 
 from drawings.balance.costs import change
 from drawings.layout import value_table
+from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
 from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, row_by_hand
 from drawings.lettering.lettering import text_width
+from drawings.lettering.words import letter
+from drawings.page.page import Field
 from drawings.page.scale import Drafting
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Text
+from drawings.paper.strokes import Line, Text
 from plans.linkage.parts import alike
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
@@ -67,3 +70,35 @@ def test_what_is_one_by_its_cause_has_one_row() -> None:
 )
 def test_a_change_is_told_in_per_cent(before: float, after: float, told: str) -> None:
     assert change(before, after, Drafting(hand_of("A1"))) == told
+
+
+HAND = hand_of("A1")
+GROUP = forces([
+    Term("R^n_{34}", DIRECTION), Term("R^t_{34}"), Term("Φ_4"), Term("G_4"), Term("F_{us}"), Term("Φ_5"), Term("G_5"),
+    Term("R_{05}", DIRECTION),
+])  # fmt: skip
+ABOUT_D = moments("D", [("+", "R^t_{34}·BD"), ("+", "G_4·h_1"), ("−", "Φ_4·h_2"), ("+", "M^Φ_4")])
+PASSAGE = Passage("equations", (GROUP, ABOUT_D), 5.0)
+
+
+def drawn(width: float, passage: Passage = PASSAGE) -> list[Text | Line]:
+    strokes = passage.write(Field(0.0, 0.0, width, 200.0), HAND).strokes
+    return [stroke for stroke in strokes if isinstance(stroke, Text | Line)]
+
+
+def test_two_lines_under_a_term_stay_apart_by_the_least_that_the_standard_allows() -> None:
+    for size in (2.5, 3.5, 5.0):
+        lines = [
+            stroke
+            for stroke in drawn(100.0, Passage("one", (forces([Term("G_4")]),), size))
+            if isinstance(stroke, Line)
+        ]
+        assert abs(lines[0].start.imag - lines[1].start.imag) >= 0.8 - 1e-9
+
+
+@pytest.mark.parametrize(
+    ("ours", "theirs"),
+    [("R^t_{34}", "R^τ_{34}"), ("R^n_{34}", "R^n_{34}"), ("F_{bal}", "F_{ур}"), ("F_{us}", "F_{п.с}"), ("Φ_4", "Φ_4")],
+)
+def test_letters_of_russian_sheets_are_those_of_russian_courses(ours: str, theirs: str) -> None:
+    assert letter("ru", ours) == theirs and letter("en", ours) == ours

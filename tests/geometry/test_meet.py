@@ -330,3 +330,11 @@ def test_a_million_positions_are_met_as_one_is(kind: Kind, family: Any, measure:
 
 def test_the_moment_and_the_product_of_two_vectors() -> None:
     assert (meet.cross(1 + 2j, 3 + 4j), meet.dot(1 + 2j, 3 + 4j)) == (-2, 11)
+
+
+def test_a_dead_centre_is_told_from_a_meeting_and_from_a_gap_by_a_few_roundings() -> None:
+    width = 14 * EPS  # the perimeter of the triangle 3, 4, 7
+    met = arc_arc(7 + np.array((-40, -2, 0, 2, 40)) * width + 0j, 3.0, 4.0, +1)
+    assert list(np.asarray(met.sharpness) > 0) == [True, False, False, False, False]
+    assert list(np.asarray(met.miss) > 0) == [False, False, False, False, True]
+    assert list(np.isnan(met.first)) == [False, False, False, False, True]

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from plans.balance.quantities import compare_balance
-from plans.balance.shares import Superposition, largest
 from plans.balance.study import BalanceStudy
 from plans.forces.statics import Statics
 from plans.linkage.quantities import compare
@@ -105,21 +104,6 @@ def test_both_roads_agree_in_other_frames(case: str) -> None:
     found = compare_balance(its, compare(its.linkage, ACCELERATIONS.number))
     assert [one.name for one in found.findings if one.excess.max() > 1] == []
     assert found.agrees
-
-
-def test_the_best_share_on_either_side_of_the_lightest_counterweight() -> None:
-    """A slow engine whose rod lifts the crank: at the lightest counterweight the reaction is largest of all near it."""
-    bodies_of = bodies({1: (3, 0.04), 2: (4, 0.73), 3: (8, 0)})
-    slow = linkages.slider_crank(0.1, 0.4, omega=0.02, epsilon=0.0)
-    its = study(slow, machine(bodies_of), Task(SHARE, (Place(1, radius=0.15),), None, REACTION))
-    found = compare_balance(its, compare(its.linkage, ACCELERATIONS.number))
-    assert found.agrees
-    every = Superposition(its.statics, its.tree, its.at_share)
-    tried = [largest(every.reaction(float(share))) for share in np.linspace(0, 1, 301)]
-    assert sum(1 for k in range(1, 300) if tried[k] < min(tried[k - 1], tried[k + 1])) == 2  # valleys
-    for shares in (found.construction.shares, found.analysis.shares):
-        assert shares is not None
-        assert shares.least_reaction.reaction <= min(tried)
 
 
 GRID = 500  # of the rectangles that a shape is cut into, each way

@@ -143,16 +143,6 @@ def test_the_outer_side_of_a_groove_is_undercut_in_a_hollow(road):
     assert not road(replace(own, closure=FORCE), sizes).flaws
 
 
-@ROADS
-def test_a_rocker_that_outruns_the_cam_is_told(road):
-    own = rocker("flat", parts=phases((RISE, 45, 0.4, "sine"), (RETURN, 90, -0.4, "sine")), closure=FORCE)
-    found = road(own, pivot(own, FACE))
-    (flaw,) = found.flaws
-    assert (flaw.kind, flaw.worst) == ("outrun", pytest.approx((0.8 / math.radians(45), math.radians(22.5)), rel=1e-9))
-    against = replace(own, follower=own.follower._replace(sense=-1))
-    assert "outrun" not in {one.kind for one in road(against, pivot(against, FACE)).flaws}
-
-
 @BOTH
 def test_what_would_mend_a_pressure_angle_leaves_the_offset_as_it_is(road):
     limits, offset = Limits(math.radians(30), math.radians(40)), 0.03

@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from plans.analytic.cam import laws as seams
-from plans.analytic.cam.laws import departure, limits, travel
+from plans.analytic.cam.laws import limits, travel
 from plans.cam.course import Course, law_of
-from plans.cam.tables import smoothing
-from plans.model.cam import CUBICS, DWELL, LAWS, RETURN, RISE, TABLE, Cam, Law
+from plans.model.cam import DWELL, LAWS, RETURN, RISE, Cam, Law
 from plans.model.cam_motion import Shock
 from tests.parts import some
 from tests.plans.digits import printed
@@ -19,7 +18,6 @@ from tests.plans.law_cams import (
     BLOCKS,
     EVERY,
     LIFT,
-    READINGS,
     RISING,
     RULER,
     SMOOTH,
@@ -122,18 +120,6 @@ def test_both_roads_give_one_motion(law: Law, slides: bool) -> None:
         assert off.max() <= SOLVED.get(id(law), AGREED)
 
 
-@pytest.mark.parametrize("law", some(EVERY, 3), ids=titled)
-def test_the_derivatives_are_those_of_the_travel(law: Law) -> None:
-    """By central differences within the pieces, which know nothing of either road's formulas."""
-    starts = np.array([*law_of(law).starts, 1.0])
-    k, h = np.linspace(0.013, 0.987, 83), 1e-5
-    k = k[np.abs(k[:, None] - starts).min(axis=1) > 2 * h]
-    for order in (0, 1):
-        slopes = (law_of(law).at(k + h, order) - law_of(law).at(k - h, order)) / (2 * h)
-        own = law_of(law).at(k, order + 1)
-        assert np.abs(slopes - own).max() <= 1e-6 * max(np.abs(own).max(), 1.0) * 10**order
-
-
 @pytest.mark.parametrize("road", ROADS)
 @pytest.mark.parametrize("law", some(EVERY, 3), ids=titled)
 def test_a_return_is_a_rise_turned_over(law: Law, road: str) -> None:
@@ -180,12 +166,6 @@ def test_both_roads_find_the_same_shocks(law: Law, slides: bool) -> None:
     own, other = (shocks(usual(law, translates=slides), road) for road in ROADS)
     assert [(one.turned, one.order) for one in own] == [(one.turned, one.order) for one in other]
     assert [one.jump for one in own] == pytest.approx([one.jump for one in other], rel=1e-9)
-
-
-def test_a_tolerance_that_is_too_small_to_use_leaves_the_points() -> None:
-    law = Law(TABLE, points=READINGS, tolerance=1e-300)
-    assert smoothing(law)[0] == departure(law) == 0
-    assert law_of(law) == law_of(law._replace(tolerance=0.0)) and law.through == CUBICS
 
 
 @pytest.mark.parametrize("road", ROADS)

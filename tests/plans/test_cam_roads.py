@@ -17,10 +17,10 @@ from plans.cam.profile.contact import Contact, pressure, pressure_slope
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import curvature, curvature_slope, profile, slip, slip_slope
 from plans.cam.profile.touch import FaceTouch, Tip, Value
-from plans.model.cam import DWELL, LAWS, RETURN, RISE, Cam, FollowerLoad, Law, Phase
+from plans.model.cam import LAWS, Cam, FollowerLoad, Law, Phase
 from plans.model.cam_motion import BEND, SLOPE, CamFound, Sizes
 from tests.parts import some
-from tests.plans.law_cams import BLOCKS, LIFT, LINES, RISING, STEADY, law_cam, usual
+from tests.plans.law_cams import LIFT, LINES, RISING, usual
 from tests.plans.textbook_cams import FLAT_BASE, START, cam, offset_sizes, pivot, rocker
 
 TURNS = 3600
@@ -161,17 +161,6 @@ def test_peaks_are_those_of_the_handbook(road, name):
     assert peaks[SLOPE].value == pytest.approx(-slope * LIFT / back, rel=1e-14)
     assert peaks[SLOPE].turned == pytest.approx(1.25 * RISING + back / 2, rel=1e-9)
     assert abs(peaks[BEND].value) == pytest.approx(bend * LIFT / back**2, rel=1e-13)
-
-
-@ROADS
-@pytest.mark.parametrize(("law", "peak"), [(STEADY, 2 / 0.3), (BLOCKS, None)])
-def test_a_peak_may_be_a_corner_or_a_jump(road, law, peak):
-    found = road(law_cam((RISE, 90, law), (RETURN, 200, Law("sine")), (DWELL, 70, None))).peaks
-    if peak is None:  # of a shape the last ordinate, three halves of the first ones
-        assert abs(found[BEND].turned - math.radians(90)) < 1e-15
-        return
-    assert found[BEND].value == pytest.approx(peak * LIFT / math.radians(90) ** 2, rel=1e-14)
-    assert found[SLOPE].turned == pytest.approx(0.3 * math.radians(90), rel=1e-14)
 
 
 @ROADS

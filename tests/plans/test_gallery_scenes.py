@@ -11,22 +11,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plans.forces.reading.form import ForceForm
 from plans.linkage.quantities import compare, compare_extremes, notches
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import read_scene
 from tests import parts
-from tests.gallery import LINKAGES, TURNING
+from tests.gallery import LINKAGES
 from tests.rows import over
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 ROUNDING = 1e-12  # m and rad for mechanisms of about a metre; rates are larger by omega, and its square
 # Kappa from which a report warns: 0.01 mm in a length moves a point by more than half a millimetre.
 WARNING = 60
-# Width of a plan to its length, by the spread of its points: under this it is a bundle of lines to the eye.
-OPEN = 0.05
-LINES = ("coupled-wheels", "slotted-lever")  # a rod that only translates; a lever whose points are no ends of vectors
 
 
 @cache
@@ -61,23 +57,6 @@ def test_construction_and_analysis_agree_in_every_position(scene: Path) -> None:
     assert comparison.agrees
     assert comparison.construction.gaps == () and study(scene.stem).met == ()
     assert np.nanmax(notches(study(scene.stem))) < WARNING
-
-
-@over("scene", [scene for scene in TURNING if scene.stem not in LINES])
-def test_no_plan_of_a_named_position_is_one_line(scene: Path) -> None:
-    points, found = motion(scene.stem).points.values(), study(scene.stem)
-    named = found.form.sheet.plans or found.scene.of(ForceForm).sheet.forces
-    assert named
-    for k in named:
-        for ends in ([0, *(p.v[k] for p in points)], [0, *(p.a[k] for p in points)]):
-            spread = np.array(ends) - np.mean(ends)
-            length, width = np.linalg.svd(np.array([spread.real, spread.imag]), compute_uv=False)
-            assert width > OPEN * length, k
-
-
-def test_the_gallery_has_every_kind_of_group() -> None:
-    kinds = {group.kind for scene in LINKAGES for group in study(scene.stem).groups}
-    assert kinds == {"RRR", "RRP", "RPR", "PRP", "RPP"}
 
 
 def test_the_shaper_s_slotted_link_swings_by_the_angle_that_its_strokes_differ_by() -> None:

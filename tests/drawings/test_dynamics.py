@@ -1,0 +1,95 @@
+"""The dynamics sheet: its plates, the flywheel's sketch, speeds by energies."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+
+from drawings.dynamics.due_graphs import INERTIA, SURPLUS
+from drawings.dynamics.flywheel_sketch import Outlines
+from drawings.dynamics.sheet import Machine, sheets
+from drawings.grading.curves.run_figures import Bare
+from drawings.paper.hand import hand_of
+from drawings.paper.walk import groups, texts
+from drawings.symbols.dashes import hatching
+from plans.model.dynamics import ANALYSIS, Rim, Speeds, Wheel
+from plans.model.motion import Floats
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from tests.plans.dynamics_scenes import text
+from tests.plans.test_run_table import sized
+
+
+@cache
+def study() -> Study:
+    return Study(parse_scene(text(asked='fluctuation = "1/25"\nflywheel = { diameter = 0.9 }')))
+
+
+def test_rounding_is_not_told_in_digits() -> None:
+    """What vanishes but for rounding is 0 in the table, not a number of twenty digits."""
+    own = study().comparison("dynamics").exact
+    (leaf,) = sheets(study().scene, Machine(study()["dynamics"].task, own, own))
+    cells = [one.plain for group in groups(leaf.groups) if group.name == "positions-1" for one in texts((group,))]
+    assert len(cells) > 100 and max(map(len, cells)) <= 10
+
+
+WIDE, THICK = sized(36.70337073, Rim(1.0, 1.2, 7200.0, 1.5)), sized(36.70337073, Rim(1.0, 0.55, 7200.0, 1.5))
+
+
+@pytest.mark.parametrize("rim", [WIDE, THICK])
+def test_the_outline_is_that_of_a_wheel(rim: Wheel) -> None:
+    """Bore within hub, hub within rim; the half of the cut has the rim's full section at its top."""
+    wheel = Outlines(rim)
+    assert 0 < wheel.bore < wheel.hub < wheel.inner < wheel.outer
+    top = [corner for corner in wheel.half if corner.imag == wheel.outer]
+    assert sorted(corner.real for corner in top) == pytest.approx([-rim.breadth / 2, rim.breadth / 2])
+    assert wheel.outer - wheel.inner == pytest.approx(rim.thickness)
+
+
+def test_hatching_is_as_long_as_the_area_asks() -> None:
+    """Lines at 45 degrees, a step apart: their length times the step is about the area within."""
+    hand = hand_of("A1")
+    outline = [complex(*xy) for xy in ((0, 0), (40, 0), (40, 10), (25, 10), (25, 30), (40, 30), (40, 40), (0, 40))]
+    lines = list(hatching(outline, hand))
+    assert {round(math.degrees(cmath.phase(line.end - line.start))) for line in lines} == {45}
+    assert sum(abs(line.end - line.start) for line in lines) * 2.0 == pytest.approx(1300.0, rel=0.01)
+    assert not any(
+        (line.start + line.end).real / 2 > 25 and 10 < (line.start + line.end).imag / 2 < 30 for line in lines
+    )
+
+
+TURNED = np.linspace(0.0, 2 * np.pi, 73)
+MASSES = 1.0 + 0.4 * np.cos(2 * TURNED)  # kg*m2
+
+
+def swinging(delta: float) -> tuple[Speeds, Floats]:
+    """Give a motion of mean speed 1 rad/s that swings by delta, and the surplus energy that it is of."""
+    omega = 1.0 + delta / 2 * np.sin(TURNED)
+    kinetic = MASSES * omega**2 / 2
+    growth = np.zeros((len(TURNED) - 1, 2))
+    extremes = float(omega.min()), float(omega.max())
+    return Speeds(ANALYSIS, TURNED, omega, growth, extremes, MASSES[0], kinetic[0]), kinetic - kinetic[0]
+
+
+def drawn_on(true: Speeds, surplus: Floats) -> Floats:
+    own = {SURPLUS: np.asarray(1j * surplus), INERTIA: (MASSES - true.inertia).astype(np.complex128)}
+    return Bare(true)(own).imag
+
+
+@pytest.mark.parametrize("delta", [0.1, 1.0, 1.5, 1.9])
+def test_speeds_follow_from_the_energies_that_are_drawn(delta: float) -> None:
+    true, surplus = swinging(delta)
+    assert drawn_on(true, surplus) == pytest.approx(true.omega, rel=1e-9)
+    other = drawn_on(true, 0.98 * surplus)
+    assert (other.min() + other.max()) / 2 == pytest.approx(1.0, rel=1e-9)
+    kinetic = MASSES * other**2 / 2
+    assert kinetic - kinetic[0] == pytest.approx(0.98 * surplus, abs=1e-9)
+
+
+def test_nothing_follows_from_energies_at_which_the_machine_would_stop() -> None:
+    true, surplus = swinging(1.9)
+    assert np.isnan(drawn_on(true, 3 * surplus)).all()
