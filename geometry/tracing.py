@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from functools import partial, reduce
 from operator import getitem
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -289,3 +289,23 @@ _RULES: dict[str, Callable[[Tracing, Mark], Trace]] = {
     "couple": _couple,
     "balance": _balanced,
 }
+
+
+T = TypeVar("T")
+
+
+def remade(value: T, made: Mapping[Mark, Mark], boards: Mapping[str, Board]) -> T:
+    """Give a value with each mark in it answered by its new one, and each board by that of its subject."""
+    found: Any = value
+    if isinstance(value, Mark):
+        found = made[value]
+    elif isinstance(value, Board):
+        found = boards[value.subject]
+    elif isinstance(value, tuple):
+        parts = [remade(part, made, boards) for part in value]
+        found = type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
+    elif isinstance(value, list):
+        found = [remade(part, made, boards) for part in value]
+    elif isinstance(value, dict):
+        found = {key: remade(part, made, boards) for key, part in value.items()}
+    return cast(T, found)

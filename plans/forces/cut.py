@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
+from geometry.tracing import remade
 from plans.linkage.plan import Plan
-from plans.linkage.travel import remade
 from plans.model.dyad import Group
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine

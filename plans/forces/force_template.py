@@ -12,7 +12,7 @@ import numpy as np
 from geometry.board import Mark
 from geometry.meet import UNBORNE
 from geometry.steps import behind
-from geometry.tracing import Tracing
+from geometry.tracing import Tracing, remade
 from plans.forces.cut import ForcePlan, Support
 from plans.forces.drive import primary
 from plans.forces.dyads import GROUP_FORCES
@@ -20,7 +20,6 @@ from plans.forces.lever import Lever, lever
 from plans.linkage import leads
 from plans.linkage.motion_plans import PlanTemplate, resting
 from plans.linkage.plan import Plan
-from plans.linkage.travel import remade
 from plans.model.dyad import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import NamedTuple
 
 import numpy as np
 
-from geometry.board import Board, Mark, at
+from geometry.board import Mark, at
 from geometry.meet import dot
 from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan
@@ -19,26 +19,6 @@ from plans.model.dyad import Group
 from plans.model.machine import by_time, works
 from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output, Parting, Slide
 from plans.model.motion import Complexes, Extremes, Floats, Motion, PointMotion
-
-T = TypeVar("T")
-
-
-def remade(value: T, made: Mapping[Mark, Mark], boards: Mapping[str, Board]) -> T:
-    """Give a value with each mark in it answered by its new one, and each board by that of its subject."""
-    found: Any = value
-    if isinstance(value, Mark):
-        found = made[value]
-    elif isinstance(value, Board):
-        found = boards[value.subject]
-    elif isinstance(value, tuple):
-        parts = [remade(part, made, boards) for part in value]
-        found = type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
-    elif isinstance(value, list):
-        found = [remade(part, made, boards) for part in value]
-    elif isinstance(value, dict):
-        found = {key: remade(part, made, boards) for key, part in value.items()}
-    return cast(T, found)
-
 
 # An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
 STILL = 1e-12

@@ -1,1 +1,0 @@
-"""The Assur groups of class II, one kind a file (структурные группы)."""
