@@ -61,9 +61,8 @@ def _columns(found: CamFound) -> Iterator[tuple[str, Floats]]:
     curves = {"": at.profile} | ({"pitch_": at.pitch} if at.profile is not at.pitch and not cam.flat else {})
     for name, curve in (curves if at.outer is None else curves | {"outer_": at.outer}).items():
         yield from ((f"{name}x_mm", MM * np.real(curve)), (f"{name}y_mm", MM * np.imag(curve)))
-        yield from (
-            () if cam.translates else ((f"{name}radius_mm", MM * np.abs(curve)), (f"{name}angle_deg", _turn(curve)))
-        )
+        if not cam.translates:
+            yield from ((f"{name}radius_mm", MM * np.abs(curve)), (f"{name}angle_deg", _turn(curve)))
     if not cam.translates:
         turned = _turn(at.profile)
         yield THETA, turned[0] - turned if cam.sense > 0 else turned - turned[0]

@@ -44,9 +44,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     else:
         facts = (leaf.metadata["scales"] for leaf in leaves)
         scales: Mapping[str, float] = next((named for named in facts if SIZES in named), {})
-        drawn = {
-            mark.data["name"]: mark.data for leaf in leaves for mark in groups(leaf.groups) if _is_length(mark.data)
-        }
+        marks = [mark for leaf in leaves for mark in groups(leaf.groups)]
+        drawn = {mark.data["name"]: mark.data for mark in marks if _is_length(mark.data)}
         said = [mark.states for leaf in leaves for mark in stated(leaf.groups) if mark.states is not None]
         axes = {(axis.figure, axis.name): axis.scale for axis in said if axis.kind is Kind.AXIS}
         cam = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
@@ -197,9 +196,7 @@ class _Cam:
         values, cam = self.values, self.values.cam
         if cam.translates:
             return
-        slack = (
-            self.slack + max(self.numbers.slack("S'") if not cam.flat else self.numbers.slack("S''"), 0.0) * self._arm
-        )
+        slack = self.slack + self.numbers.slack("S''" if cam.flat else "S'") * self._arm
         yield Expected(Kind.POINT, SIZES, "O", -values.zero, self.numbers.slack("R_0"))
         if not (cam.flat and cam.rocks):
             yield Expected(Kind.CURVE, SIZES, "D", values.diagram, slack)

@@ -88,9 +88,8 @@ def measure(view: PressureView, drafting: Drafting) -> Picture:
     if view.law is None:
         return low
     law = law_diagrams.measure(view.law, drafting)
-    around = law.margins._replace(
-        above=law.margins.above + law.margins.below + low.margins.above, below=low.margins.below
-    )
+    above = law.margins.above + law.margins.below + low.margins.above
+    around = law.margins._replace(above=above, below=low.margins.below)
     high = law.high + low.high
     least = law.least * max(law.wide, high) / law.wide  # the axis stays as long
     return law._replace(high=high, middle=complex(law.wide, high) / 2, margins=around, least=least)

@@ -154,10 +154,8 @@ def graduated(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     for division in _divisions(view, place):
         yield tick(division.spot, _across(view, division, place), hand)
     for division in divisions(view, place, hand):
-        dot = Circle(division.spot, POINT * hand.symbol, INK)
-        yield point(
-            Subject(NAME, QUANTITY, division.position), "K", division.true, place, dot, title=str(division.position)
-        )
+        dot, k = Circle(division.spot, POINT * hand.symbol, INK), division.position
+        yield point(Subject(NAME, QUANTITY, k), "K", division.true, place, dot, title=str(k))
 
 
 def _across(view: ProfileView, division: Division, place: Place) -> complex:
@@ -193,9 +191,8 @@ def measure(view: ProfileView, drafting: Drafting) -> Picture:
         margins = Margins(2 * hand.letter, BODY_GUIDE * hand.symbol, above + 2 * hand.title + hand.text)
     else:
         margins = Margins(far, far, far + 2 * hand.title + hand.text)
-    return picture(NAME, view.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)._replace(
-        most=MOST * hand.letter
-    )
+    room = picture(NAME, view.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    return room._replace(most=MOST * hand.letter)
 
 
 def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:

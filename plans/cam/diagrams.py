@@ -163,10 +163,8 @@ def _slopes(board: Board, strips: TurnStrips, means: Floats, runs: tuple[slice, 
 def _straight(strips: TurnStrips) -> npt.NDArray[np.bool_]:
     """Tell the strips in which S'' goes straight from point to point, (n,)."""
     at = middles(strips.edges)
-    own_phases = [
-        phase for phase in strips.course.cam.moving() if phase.law is not None and phase.law.name in (TABLE, SHAPE)
-    ]
-    inside = [np.zeros(len(at), dtype=bool), *((phase.start < at) & (at < phase.end) for phase in own_phases)]
+    phases = [phase for phase in strips.course.cam.moving() if phase.law and phase.law.name in (TABLE, SHAPE)]
+    inside = [np.zeros(len(at), dtype=bool), *((phase.start < at) & (at < phase.end) for phase in phases)]
     return np.asarray(np.any(inside, axis=0))
 
 

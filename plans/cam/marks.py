@@ -71,9 +71,9 @@ def _explained(drawing: CamDrawing, position: int, name: str) -> Explained | Non
         return _way(drawing, position, name)
     if name in PRESSURE:
         return _pressure(drawing, position)
-    marks = [mark for board in _boards(drawing, position) for mark in board if mark.name in _called(name)]
+    known = [mark for board in _boards(drawing, position) for mark in board if mark.name in _called(name)]
     mark = min(
-        marks, key=lambda mark: mark.role == GIVEN, default=None
+        known, key=lambda mark: mark.role == GIVEN, default=None
     )  # what one board is given another may construct
     if mark is not None:
         return Explained((mark,))

@@ -102,9 +102,7 @@ class CamRoad:
 def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
     """Find each cam by analysis too, and put every quantity beside that of the construction."""
     drawings = [*cams.drawings.values()]
-    theirs = tuple(
-        settled(cam_found(drawing.cam, sizes(drawing.cam), drawing.turned), drawing.found) for drawing in drawings
-    )
+    theirs = tuple(settled(cam_found(made.cam, sizes(made.cam), made.turned), made.found) for made in drawings)
     pairs = zip(drawings, theirs, strict=True)
     lone = len(drawings) == 1
     findings = [finding for drawing, exact in pairs for finding in Compared(drawing, exact, lone).findings(plans)]
@@ -116,9 +114,7 @@ def quantities_of(study: Study) -> tuple[Quantity, ...]:
     found: Comparison = study.comparison("cam")
     ours, theirs = found.construction.cams, found.analysis.cams
     names = ["" if len(ours) == 1 else f" {cam.cam.name}" for cam in ours]
-    return *found.findings, *(
-        quantity for both in zip(ours, theirs, names, strict=True) for quantity in _table_rows(*both)
-    )
+    return *found.findings, *(row for both in zip(ours, theirs, names, strict=True) for row in _table_rows(*both))
 
 
 def _table_rows(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Quantity]:

@@ -225,9 +225,8 @@ def _cubics(bent: Ruler) -> LawShares:
     h, (first, last) = np.diff(bent.share), (bent.moments[:-1], bent.moments[1:])
     slopes = np.diff(bent.s) / h - h * (2 * first + last) / 6
     rows = np.column_stack([bent.s[:-1], slopes, first / 2, (last - first) / (6 * h)])
-    return LawShares(
-        tuple(LawPiece(start, tuple(row)) for start, row in zip(bent.share.tolist(), rows.tolist(), strict=False))
-    )
+    pairs = zip(bent.share.tolist(), rows.tolist(), strict=False)
+    return LawShares(tuple(LawPiece(start, tuple(row)) for start, row in pairs))
 
 
 def _lines(law: Law) -> LawShares:

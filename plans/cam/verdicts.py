@@ -147,13 +147,11 @@ class Verdicts:
             places, their_places = (np.array([shock.turned for shock in road]) for road in (ours, theirs))
             yield _pair(LAWS, "φ shocks", self._across, places, their_places, TERM * self.ours.cam.turn)
         for order, name in enumerate(("ΔS'", "ΔS''"), 1):
-            jumps, their_jumps = (
+            jumps, others = (
                 np.array([shock.jump for shock in road if shock.order == order]) for road in (ours, theirs)
             )
             if jumps.size:
-                yield _pair(
-                    LAWS, name, dimensions(self.ours.cam)[order], jumps, their_jumps, 2 * self.slack.travel(order)
-                )
+                yield _pair(LAWS, name, dimensions(self.ours.cam)[order], jumps, others, 2 * self.slack.travel(order))
 
     @property
     def _across(self) -> str:

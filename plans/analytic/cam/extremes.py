@@ -204,9 +204,7 @@ class CurveExtremes:
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, rad, signed."""
         kinds = () if self.outrun else dict.fromkeys(phase.kind for phase in self.cam.moving())
-        return {
-            kind: _largest(WholeTurn(self.cam, self.sizes, (kind,)), lambda curve: curve.pressure) for kind in kinds
-        }
+        return {on: _largest(WholeTurn(self.cam, self.sizes, (on,)), lambda curve: curve.pressure) for on in kinds}
 
     @cached_property
     def bends(self) -> tuple[SidedTurn, ...]:

@@ -112,9 +112,8 @@ class SlopeDiagram:
         if not self.cam.rocks:
             return np.asarray(1j * motion.slope - self.cam.sense * motion.bend)
         tip, sense = self.tip(motion), self.cam.follower.sense
-        return np.asarray(
-            tip * (1j * self.cam.rising * motion.slope * (1 - sense * motion.slope) - sense * motion.bend)
-        )
+        turning = 1j * self.cam.rising * motion.slope * (1 - sense * motion.slope)
+        return np.asarray(tip * (turning - sense * motion.bend))
 
     def turning(self, motion: Instant) -> Floats:
         """Give how fast the way of K turns, by the cam's turn."""

@@ -89,9 +89,7 @@ class Search:
         """Give where hard shocks make corners of the theoretical profile: convex ones (1.0), or hollow ones (-1.0)."""
         hard = [shock.turned for shock in self.stretches.course.shocks if shock.order == 1]
         ends = np.array(hard if self.cam.translates else [turned or self.cam.turn for turned in hard])
-        tips = (
-            Tip(self.stretches.course, self.stretches.sizes, *places) for places in ((np.array(hard),), (ends, True))
-        )
+        tips = (Tip(self.stretches.course, self.stretches.sizes, *at) for at in ((np.array(hard),), (ends, True)))
         after, before = (tip.lever for tip in tips)
         turns = np.angle(after / before) * -self.cam.sense * side
         return [turned for turned, turn in zip(hard, turns.tolist(), strict=True) if turn > 0]
@@ -175,18 +173,15 @@ def round_the_turn(found: Sequence[CamFlaw], turn: float) -> list[CamFlaw]:
     """
     last = {flaw.kind: flaw for flaw in found if flaw.end == turn and flaw.start > 0}
     first = {flaw.kind: flaw for flaw in found if flaw.start == 0 and flaw.end < turn and flaw.kind in last}
-    whole = {
-        kind: flaw._replace(start=last[kind].start, worst=_worse(kind, flaw, last[kind]))
-        for kind, flaw in first.items()
-    }
-    joined = [whole.get(flaw.kind, flaw) if flaw is first.get(flaw.kind) else flaw for flaw in found]
-    return [flaw for flaw in joined if flaw is not last.get(flaw.kind) or flaw.kind not in whole]
+    kept = [flaw for flaw in found if flaw is not last.get(flaw.kind) or flaw.kind not in first]
+    return [_whole(last[flaw.kind], flaw) if flaw is first.get(flaw.kind) else flaw for flaw in kept]
 
 
-def _worse(kind: str, flaw: CamFlaw, other: CamFlaw) -> Extreme:
-    if kind in LEAST:
-        return min(flaw.worst, other.worst)
-    return max(flaw.worst, other.worst, key=lambda worst: abs(worst.value))
+def _whole(late: CamFlaw, early: CamFlaw) -> CamFlaw:
+    """Give the flaw of both with the worse of their places."""
+    both = early.worst, late.worst
+    worst = min(both) if early.kind in LEAST else max(both, key=lambda place: abs(place.value))
+    return early._replace(start=late.start, worst=worst)
 
 
 def _hollow(tip: Tip) -> Floats:

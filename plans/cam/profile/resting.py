@@ -86,9 +86,8 @@ def crossings(edge: ProfileEdge, spans: Sequence[TurnSpan] = ()) -> tuple[SelfCr
     """Find all crossings of the profile with itself."""
     chords = edge.chords(spans)
     found = [crossing for pair in zip(*_meetings(chords), strict=True) if (crossing := _closed(edge, chords, *pair))]
-    return tuple(
-        _looped(edge, crossing, chords) for crossing in _once(sorted(found, key=lambda crossing: crossing[:2]))
-    )
+    found.sort(key=lambda crossing: crossing[:2])
+    return tuple(_looped(edge, crossing, chords) for crossing in _once(found))
 
 
 def _looped(edge: ProfileEdge, crossing: SelfCrossing, chords: ProfileChords) -> SelfCrossing:
