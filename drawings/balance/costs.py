@@ -86,7 +86,7 @@ def shape(weight: Counterweight, drafting: Drafting) -> str:
     return drafting.word("sector", angle=drafting.number(math.degrees(2 * weight.place.half_angle)))
 
 
-class Quantity(NamedTuple):
+class Cost(NamedTuple):
     """What counterweights change: its name with the unit, its value in a state; what is no more than `least` is 0."""
 
     name: str
@@ -111,33 +111,31 @@ def costs(before: State, after: State | None, none: Nothing, drafting: Drafting,
 
 def quantities(
     state: State, none: Nothing, drafting: Drafting, shaft: str, length: tuple[str, float] = MM
-) -> Iterator[Quantity]:
+) -> Iterator[Cost]:
     """List what is told of a state, every pair's reaction among it; lengths by a unit and how many make a metre."""
     word, (unit, parts) = drafting.word, length
-    yield Quantity(word("path of S", unit=word(unit)), lambda state: parts * state.path, parts * none.way)
-    yield Quantity(f"{FORCE}, {word('N')}", lambda state: state.shaking, none.force)
+    yield Cost(word("path of S", unit=word(unit)), lambda state: parts * state.path, parts * none.way)
+    yield Cost(f"{FORCE}, {word('N')}", lambda state: state.shaking, none.force)
     moment = word("moment about", letter=MOMENT, point=shaft, unit=word("N*m"))
-    yield Quantity(moment, lambda state: state.rocking, none.moment)
+    yield Cost(moment, lambda state: state.rocking, none.moment)
     for key, pair in state.forces.reactions.items():
         letter = letter_of(f"R_{indices(pair.giver, pair.taker)}", drafting)
-        yield Quantity(f"{letter}, {word('N')}", partial(_reaction, key), none.force)
+        yield Cost(f"{letter}, {word('N')}", partial(_reaction, key), none.force)
     balancing = f"{letter_of(BALANCING, drafting)}, {word('N*m')}"
-    yield Quantity(balancing, lambda state: state.balancing, none.moment)
-    yield Quantity(word("moving mass", unit=word("kg")), lambda state: state.centre.mass)
+    yield Cost(balancing, lambda state: state.balancing, none.moment)
+    yield Cost(word("moving mass", unit=word("kg")), lambda state: state.centre.mass)
 
 
 def _reaction(key: str, state: State) -> float:
     return state.reactions[key]
 
 
-def cells(
-    quantity: Quantity, before: State, after: State | None, drafting: Drafting, digits: int = DIGITS
-) -> tuple[str, ...]:
+def cells(cost: Cost, before: State, after: State | None, drafting: Drafting, digits: int = DIGITS) -> tuple[str, ...]:
     """Write a quantity before and after, and how it changes."""
-    was = quantity.value(before)
+    was = cost.value(before)
     if after is None:
         return (drafting.number(was, digits),)
-    now = quantity.value(after)
+    now = cost.value(after)
     return drafting.number(was, digits), drafting.number(now, digits), change(was, now, drafting)
 
 

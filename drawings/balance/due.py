@@ -44,7 +44,7 @@ class Nothing(NamedTuple):
     way: float
 
 
-class Side(NamedTuple):
+class ChainVector(NamedTuple):
     """A vector of a chain by its name: where it begins, and its value."""
 
     name: str
@@ -56,7 +56,7 @@ class Side(NamedTuple):
 class Balanced:
     """A mechanism balanced by analysis, in one position of the scene."""
 
-    own: BalanceStudy
+    study: BalanceStudy
     comparison: BalanceComparison
     drafting: Drafting
     shown: int
@@ -69,7 +69,7 @@ class Balanced:
     @property
     def mechanism(self) -> Mechanism:
         """The mechanism."""
-        return self.own.linkage.mechanism
+        return self.study.linkage.mechanism
 
     @property
     def after(self) -> State | None:
@@ -111,7 +111,7 @@ class Balanced:
 
     def solid(self, state: str) -> list[Body]:
         """List what has mass in a state, each counterweight by itself."""
-        return bodies(self.own.machine, self.weights(state))
+        return bodies(self.study.machine, self.weights(state))
 
     def at(self, link: int, spot: complex) -> complex:
         """Place a spot of a link, or of the frame, in the shown position."""
@@ -126,7 +126,7 @@ class Balanced:
         found = dict(fixed) | {
             name: complex(point.r[self.shown]) for name, point in moving.items() if name not in fixed
         }
-        for link, body in self.own.machine.bodies.items():
+        for link, body in self.study.machine.bodies.items():
             if f"S{link}" not in found and self._is_apart(link, body.centre):
                 found[f"S{link}"] = self.at(link, body.centre)
         return {name: spot for name, spot in found.items() if cmath.isfinite(spot)}
@@ -142,35 +142,35 @@ class Balanced:
 
     def vectors(self, state: str) -> Mapping[int, complex]:
         """Give the vectors of main points, m in the links' own frames."""
-        return vectors(self.solid(state), self.own.tree.stems)
+        return vectors(self.solid(state), self.study.tree.stems)
 
-    def chain(self, state: str) -> Iterator[Side]:
+    def chain(self, state: str) -> Iterator[ChainVector]:
         """Lay the main-point vectors end to end: of the frame's hinges, of the links, along guides."""
         solid, end = self.solid(state), 0j
         mass = sum(body.mass for body in solid)
         for name, value in self._sides(state, solid, mass):
             if abs(value) > KNOWN * self.reach:
-                yield Side(name, end, value)
+                yield ChainVector(name, end, value)
             end += value
 
     def _sides(self, state: str, solid: list[Body], mass: float) -> Iterator[tuple[str, complex]]:
-        tree, motion = self.own.tree, self.comparison.motion.analysis
+        tree, motion = self.study.tree, self.comparison.motion.analysis
         behind = {stem.link: sum(b.mass for b in solid if b.link in set(tree.behind(stem.link))) for stem in tree.stems}
         yield "h_0", sum((behind[stem.link] * stem.at for stem in tree.rooted), 0j) / mass
-        for link, own in self.vectors(state).items():
-            yield f"h_{link}", own * cmath.exp(1j * float(motion.links[link].angle[self.shown]))
+        for link, vector in self.vectors(state).items():
+            yield f"h_{link}", vector * cmath.exp(1j * float(motion.links[link].angle[self.shown]))
         for stem in tree.variable:
             along = self.at(stem.link, stem.origin) - self.at(stem.parent, stem.at)
             yield f"u_{stem.link}", behind[stem.link] * along / mass
 
-    def moments(self) -> Iterator[Side]:
+    def moments(self) -> Iterator[ChainVector]:
         """Lay the static moments kg*m of the links end to end."""
         end = 0j
         told = {body.link: body for body in self.solid(BEFORE)}
-        for stem in self.own.tree.stems:
+        for stem in self.study.tree.stems:
             if stem.link in told:
                 value = told[stem.link].mass * self.at(stem.link, told[stem.link].centre)
-                yield Side(f"m_{stem.link}r_S{stem.link}", end, value)
+                yield ChainVector(f"m_{stem.link}r_S{stem.link}", end, value)
                 end += value
 
     def slack(self, name: str, plan: str = "centre", position: int | None = None) -> float:
@@ -189,81 +189,74 @@ CHANGE = 0.05000001  # per cent: changes are told to a tenth
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's balanced mechanism."""
-    own = study.of(BalanceStudy)
+    balance, comparison = study.of(BalanceStudy), study.of(BalanceComparison)
     for leaf in leaves[:1]:
-        balanced = Balanced(
-            own, study.of(BalanceComparison), drafting_of_forces(own.statics), leaf.metadata["position"]
-        )
-        sheet = _Sheet(balanced)
+        sheet = _BalanceSheet(balance, comparison, drafting_of_forces(balance.statics), leaf.metadata["position"])
         yield from chain(sheet.schemes(), sheet.polygon(), sheet.shaking(), sheet.rocking())
-        yield from chain(sheet.shares(), sheet.weights(), sheet.costs())
+        yield from chain(sheet.shares(), sheet.weight_rows(), sheet.costs())
 
 
 @dataclass(frozen=True)
-class _Sheet:
+class _BalanceSheet(Balanced):
     """What the analysis gives to a sheet of balancing; what is too short to be seen may lack."""
-
-    own: Balanced
 
     def schemes(self) -> Iterator[Expected]:
         """Give the points, the counterweights, the mass centre and the main-point vectors of each scheme."""
-        own, k = self.own, self.own.shown
-        for state in own.states:
-            plan, slack = SCHEME + state, own.slack(f"r_S{PRIMES[state]}", position=k) + KNOWN * own.reach
-            places = {name: spot for name, spot in own.points.items() if name != own.mechanism.drive.pivot}
-            places |= {f"m_cw{weight.link}": own.at(weight.link, weight.centre) for weight in own.weights(state)}
-            places[CENTRE] = own.centre(state)
+        k = self.shown
+        for state in self.states:
+            plan, slack = SCHEME + state, self.slack(f"r_S{PRIMES[state]}", position=k) + KNOWN * self.reach
+            places = {name: spot for name, spot in self.points.items() if name != self.mechanism.drive.pivot}
+            places |= {f"m_cw{weight.link}": self.at(weight.link, weight.centre) for weight in self.weights(state)}
+            places[CENTRE] = self.centre(state)
             for name, place in places.items():
                 yield Expected(Kind.POINT, plan, name, place, slack, k)
             yield from (
-                Expected(Kind.VECTOR, plan, vector.name, vector.value, slack, k, True) for vector in own.chain(state)
+                Expected(Kind.VECTOR, plan, vector.name, vector.value, slack, k, True) for vector in self.chain(state)
             )
 
     def polygon(self) -> Iterator[Expected]:
         """Give the static moments and their sum, but for what is nothing beside all of them."""
-        own, sides = self.own, list(self.own.moments())
-        size, mass = sum(abs(side.value) for side in sides), own.balance.before.centre.mass
-        slack = own.slack("Σmr/m", position=own.shown) * mass + KNOWN * size
+        sides = list(self.moments())
+        size, mass = sum(abs(side.value) for side in sides), self.balance.before.centre.mass
+        slack = self.slack("Σmr/m", position=self.shown) * mass + KNOWN * size
         for name, value in (*((side.name, side.value) for side in sides), (RESULT, sum(side.value for side in sides))):
             if abs(value) > KNOWN * size:
-                yield Expected(Kind.VECTOR, MOMENTS, name, value, slack, own.shown)
+                yield Expected(Kind.VECTOR, MOMENTS, name, value, slack, self.shown)
 
     def shaking(self) -> Iterator[Expected]:
         """Give the main vectors: their ends at all positions, and themselves in the one shown."""
-        own = self.own
-        largest = max(machine.shaking for machine in own.states.values())
-        slack = max(own.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + KNOWN * largest
-        for state, machine in own.states.items():
-            if machine.shaking > own.none.force:
+        largest = max(machine.shaking for machine in self.states.values())
+        slack = max(self.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + KNOWN * largest
+        for state, machine in self.states.items():
+            if machine.shaking > self.none.force:
                 known = ((k, complex(value)) for k, value in enumerate(machine.centre.force) if cmath.isfinite(value))
                 for k, value in known:
-                    lacks = k not in own.told or _spread(machine) < largest
+                    lacks = k not in self.told or _spread(machine) < largest
                     yield Expected(Kind.POINT, SHAKING, f"{state} {k}", value, slack, k, lacks)
-                value = complex(machine.centre.force[own.shown])
+                value = complex(machine.centre.force[self.shown])
                 if cmath.isfinite(value):
                     name = f"{FORCE}{PRIMES[state]}"
-                    yield Expected(Kind.VECTOR, SHAKING, name, value, slack, own.shown, abs(value) < 0.1 * largest)
+                    yield Expected(Kind.VECTOR, SHAKING, name, value, slack, self.shown, abs(value) < 0.1 * largest)
 
     def rocking(self) -> Iterator[Expected]:
         """Give the ordinates of the main moment at the positions, those of the state that is told last."""
-        own = self.own
-        largest = max(state.rocking for state in own.states.values())
-        slack = max(own.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + KNOWN * largest
-        values = list(own.states.values())[-1].centre.moment
-        for k, value in enumerate(np.where(np.abs(values) <= own.none.moment, 0.0, values).tolist()):
+        largest = max(state.rocking for state in self.states.values())
+        slack = max(self.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + KNOWN * largest
+        values = list(self.states.values())[-1].centre.moment
+        for k, value in enumerate(np.where(np.abs(values) <= self.none.moment, 0.0, values).tolist()):
             yield Expected(Kind.VECTOR, ROCKING, str(k), 1j * value, slack, k, may_lack=True)
-        names = ("last, before", "last") if len(own.states) > 1 else ("last",)
-        for name, state in zip(names, own.states.values(), strict=True):
+        names = ("last, before", "last") if len(self.states) > 1 else ("last",)
+        for name, state in zip(names, self.states.values(), strict=True):
             around = state.around
-            if own.whole and not np.isnan(around.moment).any():
-                moments = np.where(np.abs(around.moment) <= own.none.moment, 0.0, around.moment)
-                points = course(np.degrees(own.own.linkage.sense * (around.phi - around.phi[0])), moments)
-                loose = max(own.slack(f"M_Φ{prime}", COSTS) for prime in PRIMES.values()) + KNOWN * largest
+            if self.whole and not np.isnan(around.moment).any():
+                moments = np.where(np.abs(around.moment) <= self.none.moment, 0.0, around.moment)
+                points = course(np.degrees(self.study.linkage.sense * (around.phi - around.phi[0])), moments)
+                loose = max(self.slack(f"M_Φ{prime}", COSTS) for prime in PRIMES.values()) + KNOWN * largest
                 yield Expected(Kind.CURVE, ROCKING, name, points, loose, ends=(0.0, TURN), may_lack=True)
 
     def shares(self) -> Iterator[Expected]:
         """Give the least values of the choice, and both curves of it."""
-        found = self.own.balance.shares
+        found = self.balance.shares
         if found is None:
             return
         best = {"force": found.least_force, "reaction": found.least_reaction}
@@ -277,19 +270,19 @@ class _Sheet:
             told = (f"least {kind}", value, KNOWN * value), (f"share {kind}", choice.share, KNOWN * abs(choice.share))
             yield from phrases(SHARES, told, digits=4)
 
-    def weights(self) -> Iterator[Expected]:
+    def weight_rows(self) -> Iterator[Expected]:
         """Give the cells of the table of counterweights."""
-        for weight in self.own.balance.counterweights:
-            row = counterweight(weight.link, self.own.drafting.language)
-            told = self._weight(weight) if weight.needed else ["0", "0", *[None] * 6]
+        for weight in self.balance.counterweights:
+            row = counterweight(weight.link, self.drafting.language)
+            told = self._weight_row(weight) if weight.needed else ["0", "0", *[None] * 6]
             yield from cells(WEIGHTS, row, told, digits=DIGITS)
 
-    def _weight(self, weight: Counterweight) -> Sequence[Cell]:
-        own, word = self.own, self.own.drafting.word
-        slacks = [own.slack(f"{letter}{weight.link}", WEIGHTS) for letter in ("U_", "m_cw", "r_cw")]
-        turned = weight.moment / line_of(own.mechanism, weight.link, weight.begin)
+    def _weight_row(self, weight: Counterweight) -> Sequence[Cell]:
+        word = self.drafting.word
+        slacks = [self.slack(f"{letter}{weight.link}", WEIGHTS) for letter in ("U_", "m_cw", "r_cw")]
+        turned = weight.moment / line_of(self.mechanism, weight.link, weight.begin)
         loose = math.degrees(slacks[0] / abs(weight.moment) + KNOWN)
-        sector = own.drafting.number(math.degrees(2 * weight.place.half_angle))
+        sector = self.drafting.number(math.degrees(2 * weight.place.half_angle))
         outer = MILLIMETRES * weight.outer
         return [
             (abs(weight.moment), slacks[0]), (weight.mass, slacks[1]), with_index(weight.begin),
@@ -300,9 +293,8 @@ class _Sheet:
 
     def costs(self) -> Iterator[Expected]:
         """Give the cells of the table of what is largest before and after, with its change in per cent."""
-        own = self.own
-        was = dict(self._largest(own.balance.before))
-        now = {} if own.after is None else dict(self._largest(own.after))
+        was = dict(self._largest(self.balance.before))
+        now = {} if self.after is None else dict(self._largest(self.after))
         for row, value in was.items():
             both = [value, now[row]] if row in now else [value]
             change = [(100 * (now[row] / value - 1), CHANGE) if value else None] if row in now else []
@@ -311,17 +303,17 @@ class _Sheet:
 
     def _largest(self, state: State) -> Iterator[tuple[str, float]]:
         """Give what is largest of a state by the names of the rows; what is nothing is 0."""
-        own, word, none = self.own, self.own.drafting.word, self.own.none
+        word, none = self.drafting.word, self.none
         yield word("path of S", unit=word("mm")), MILLIMETRES * _rounded(state.path, none.way)
         yield f"{FORCE}, {word('N')}", _rounded(state.shaking, none.force)
-        shaft = own.mechanism.drive.pivot
+        shaft = self.mechanism.drive.pivot
         yield word("moment about", letter=MOMENT, point=shaft, unit=word("N*m")), _rounded(state.rocking, none.moment)
         for key, reaction in state.forces.reactions.items():
-            letter = own.drafting.letter(
-                with_index(f"{own.drafting.reactions}_{indices(reaction.giver, reaction.taker)}")
+            letter = self.drafting.letter(
+                with_index(f"{self.drafting.reactions}_{indices(reaction.giver, reaction.taker)}")
             )
             yield f"{letter}, {word('N')}", _rounded(state.reactions[key], none.force)
-        balancing = own.drafting.letter(with_index(BALANCING))
+        balancing = self.drafting.letter(with_index(BALANCING))
         yield f"{balancing}, {word('N*m')}", _rounded(state.balancing, none.moment)
         yield word("moving mass", unit=word("kg")), state.centre.mass
 

@@ -41,7 +41,7 @@ class Moment(NamedTuple):
         return f"{bracketed(self.masses)}·{self.letter}"
 
 
-class Loop(NamedTuple):
+class LinkVector(NamedTuple):
     """A link of the one closed contour of a mechanism, with the letter and the vector m of its length."""
 
     link: int
@@ -91,10 +91,10 @@ class Equations(NamedTuple):
 
     def _moments(self, stem: Stem) -> Iterator[Moment]:
         """Give the own mass of a link at its centre, then the masses behind each point on which others begin."""
-        own = self.bodies.get(stem.link)
-        if own is not None and own.mass and own.centre != stem.origin:
+        body = self.bodies.get(stem.link)
+        if body is not None and body.mass and body.centre != stem.origin:
             letter = f"l_{{{stem.begin}S{stem.link}}}"
-            yield Moment((f"m_{{{stem.link}}}",), own.mass, letter, own.centre - stem.origin)
+            yield Moment((f"m_{{{stem.link}}}",), body.mass, letter, body.centre - stem.origin)
         for point, links, at in self._borne(stem):
             mass = sum(self.bodies[link].mass for link in links)
             if mass and at != stem.origin:
@@ -110,7 +110,7 @@ class Equations(NamedTuple):
             yield point, sorted(link for link in links if link in self.bodies), here[0].at
 
     @property
-    def contour(self) -> tuple[Loop, ...]:
+    def contour(self) -> tuple[LinkVector, ...]:
         """The links of a mechanism of one contour whose main points it is held to; of any other none."""
         stems = self.tree.stems
         chain = all(
@@ -118,15 +118,17 @@ class Equations(NamedTuple):
         )
         if len(stems) != 3 or not chain or any(stem.slide is not None for stem in stems):
             return ()
-        loops = [Loop(stem.link, stem.begin + other.begin, other.at - stem.origin) for stem, other in pairwise(stems)]
+        loops = [
+            LinkVector(stem.link, stem.begin + other.begin, other.at - stem.origin) for stem, other in pairwise(stems)
+        ]
         return (*loops, *self._closing(stems[-1]))
 
-    def _closing(self, stem: Stem) -> Iterator[Loop]:
+    def _closing(self, stem: Stem) -> Iterator[LinkVector]:
         """Give the last link with its hinge on the frame; a slider's contour ends before it."""
         fixed = self.mechanism.links[FRAME].points
         for point, place in self.mechanism.links[stem.link].points.items():
             if point in fixed:
-                yield Loop(stem.link, stem.begin + point, place - stem.origin)
+                yield LinkVector(stem.link, stem.begin + point, place - stem.origin)
 
     def similar(self, vectors: Mapping[int, complex]) -> str | None:
         """Write that the contour of main points is similar to that of the links (8.8), (8.9), if it is so."""
@@ -232,17 +234,17 @@ class BalanceNotes(NamedTuple):
         if not weight.needed:
             return self.drafting.word("nothing to put on", letters=letter, link=weight.link)
         body = self._body(weight.link)
-        own, put_on = body.mass * (body.centre - weight.origin) / along, weight.moment / along
-        told = self._needed(weight.link, weight.begin, own, put_on, letter)
+        present, put_on = body.mass * (body.centre - weight.origin) / along, weight.moment / along
+        told = self._needed(weight.link, weight.begin, present, put_on, letter)
         return f"{told};  {self._sized(weight, put_on, letter)}"
 
-    def _needed(self, link: int, point: str, own: complex, put_on: complex, letter: str) -> str:
+    def _needed(self, link: int, point: str, there: complex, put_on: complex, letter: str) -> str:
         """Say what the static moment of a link is and what it is to be, about the point that it counts from."""
-        size = abs(own) + abs(put_on)
-        due, moment = (self.equations.vector(value, size) for value in (own + put_on, put_on))
-        unit, present = self.drafting.word("kg*m"), self.equations.vector(own, size)
+        size = abs(there) + abs(put_on)
+        due, moment = (self.equations.vector(value, size) for value in (there + put_on, put_on))
+        unit, present = self.drafting.word("kg*m"), self.equations.vector(there, size)
         parts = [f"{letter}·a_{{{link}}}"]
-        if straight(own) and straight(put_on) and present != "0":
+        if straight(there) and straight(put_on) and present != "0":
             parts.append(f"{due} + {present[1:]}" if present.startswith("−") else f"{due} − {present}")
         told = EQUALS.join([*parts, f"{moment} {unit}"])
         return (

@@ -117,16 +117,16 @@ def headline(study: Study) -> str:
 
 def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
     """Give the notes on what the construction finds."""
-    own = study.of(BalanceStudy)
-    return notes_by(own, digits)
+    balance = study.of(BalanceStudy)
+    return notes_by(balance, digits)
 
 
-def notes_by(own: BalanceStudy, digits: int = 5) -> BalanceNotes:
+def notes_by(study: BalanceStudy, digits: int = 5) -> BalanceNotes:
     """Give the notes on a balance by construction."""
-    after = None if own.balance.after is None else own.points(after=True).vectors
-    vectors = own.points().vectors, after
-    drafting = drafting_of_forces(own.statics)
-    return BalanceNotes(own.linkage.mechanism, own.tree, own.machine, own.balance, vectors, drafting, digits)
+    after = None if study.balance.after is None else study.points(after=True).vectors
+    vectors = study.points().vectors, after
+    drafting = drafting_of_forces(study.statics)
+    return BalanceNotes(study.linkage.mechanism, study.tree, study.machine, study.balance, vectors, drafting, digits)
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:

@@ -334,9 +334,9 @@ def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting)
     highest = max(shown.points, key=lambda point: point.imag).real
     top = complex(highest, max(point.imag for point in points))
     held = [*shown.points, top]
-    own = picture(shown.name, held, subject, margins, title)
-    smaller = max(own.wide, own.high) / max(every.wide, every.high)
-    return own._replace(least=least * smaller, bands=traced(shown.lines, held))
+    alone = picture(shown.name, held, subject, margins, title)
+    smaller = max(alone.wide, alone.high) / max(every.wide, every.high)
+    return alone._replace(least=least * smaller, bands=traced(shown.lines, held))
 
 
 def draw(shown: BalanceScheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:

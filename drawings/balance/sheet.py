@@ -7,19 +7,22 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Final
 
-from drawings.balance import graphs, hodograph, scheme, static_polygon
+from drawings.balance import scheme
 from drawings.balance.costs import Nothing, costs, counterweights, nothing
 from drawings.balance.due import due
+from drawings.balance.graphs import ShakingHodograph, ShareGraph, curve, hodograph, reaction_letter
 from drawings.balance.report import notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
 from drawings.forces.letters import REACTION
 from drawings.forces.sheet import of_forces
 from drawings.kinds import curve_graph, polygon
-from drawings.kinds.polygon import Polygon, ShownVector
+from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
 from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
+from drawings.lettering.vector_letters import RESULT as SUM
+from drawings.lettering.vector_letters import lowered
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.linkage.vector_plan import link_working
@@ -40,13 +43,31 @@ from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import message, placed
 
+MOMENTS, SCALE = "static-moments", ("{mr}", "kg*m")
+SIZES = Sizes(16.0, 0.0, 5.0, 4.2)
+LETTERS = Letters(lowered, lambda _: "")
+
+
+def static_polygon(position: int, moments: Mapping[str, complex], least: float, drafting: Drafting) -> Polygon:
+    """Lay static moments kg*m end to end by their letters; what is no more than `least` has no direction."""
+    vectors, end = list[ShownVector](), 0j
+    for name, value in moments.items():
+        if abs(value) > least:
+            vectors.append(ShownVector(name, SIDE, end, value))
+            end += value
+    closed = abs(end) <= least
+    vectors += [] if closed else [ShownVector(SUM, RESULT, 0j, end)]
+    title = f"{drafting.word('polygon of static moments')}, {drafting.word('position', position=position)}"
+    return Polygon(MOMENTS, title, SCALE, tuple(vectors), closed, LETTERS, SIZES, position)
+
+
 MAIN = "main"  # what a vector of a scheme is
 SCHEMES = "schemes"  # are drawn at one scale
 LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
 
 
 @dataclass(frozen=True)
-class Balanced:
+class ShownBalance:
     """What a balanced mechanism's sheets are drawn from: its links, main points by state, static moments, result."""
 
     bones: Skeletons
@@ -82,21 +103,21 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     return sheets(study.scene, balanced(study.of(BalanceStudy), motion, notes_of(study).all))
 
 
-def balanced(own: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> Balanced:
+def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> ShownBalance:
     """Read what the sheets show from the records of the construction, in the position in full lines."""
-    shown = position(own.linkage, motion)
-    drawings = {BEFORE: own.drawing(position=shown)}
-    if own.after is not None:
-        drawings[AFTER] = own.drawing(after=True, position=shown)
+    shown = position(study.linkage, motion)
+    drawings = {BEFORE: study.drawing(position=shown)}
+    if study.after is not None:
+        drawings[AFTER] = study.drawing(after=True, position=shown)
     chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
     moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
-    return Balanced(
-        skeletons(own.linkage, motion.construction, shown),
+    return ShownBalance(
+        skeletons(study.linkage, motion.construction, shown),
         chains,
         moments,
-        own.balance,
+        study.balance,
         notes,
-        own.statics.form.sheet.reactions,
+        study.statics.form.sheet.reactions,
     )
 
 
@@ -104,7 +125,7 @@ def _vector(side: Side) -> ShownVector:
     return ShownVector(side.vector.name, MAIN, at(side.start.point, 0), at(side.vector.point, 0))
 
 
-def sheets(scene: Scene, shown: Balanced) -> tuple[Leaf, ...]:
+def sheets(scene: Scene, shown: ShownBalance) -> tuple[Leaf, ...]:
     """Lay out the sheets of a mechanism whose balancing is found."""
     return lay_out(scene, [_BalancingSheet(scene, shown).draft])
 
@@ -114,7 +135,7 @@ class _BalancingSheet:
     """What the sheets are drawn from."""
 
     scene: Scene
-    shown: Balanced
+    shown: ShownBalance
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -178,21 +199,21 @@ class _BalancingSheet:
     def _moments(self) -> Polygon:
         moments = self.shown.moments
         least = NOTHING * sum(map(abs, moments.values()))
-        return static_polygon.polygon(self.shown.bones.shown, moments, least, self.drafting)
+        return static_polygon(self.shown.bones.shown, moments, least, self.drafting)
 
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""
         states, whole = self.shown.states, self.balance.before.whole
-        shown = hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
+        shown = hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
         if shown.vectors:
-            yield exhibit(hodograph, shown, self.drafting, LARGEST)
+            yield exhibit(ShakingHodograph, shown, self.drafting, LARGEST)
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
         bones, least = self.shown.bones, self.shown.nothing.moment
-        curve = graphs.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
-        if curve is not None:
-            yield exhibit(curve_graph, curve, self.drafting, LARGEST)
+        rocking = curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
+        if rocking is not None:
+            yield exhibit(curve_graph, rocking, self.drafting, LARGEST)
 
     def _shares(self) -> Iterator[Exhibit]:
         """Show the choice of the share, where there is one."""
@@ -200,8 +221,8 @@ class _BalancingSheet:
         if shares is not None:
             best = shares.least_force if task.least == FORCE else shares.least_reaction
             taken = best.share if task.share is None else task.share
-            letter = graphs.reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
-            yield exhibit(graphs, graphs.ShareGraph(shares, taken, letter, self._bare), self.drafting, LARGEST)
+            letter = reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
+            yield exhibit(ShareGraph, ShareGraph(shares, taken, letter, self._bare), self.drafting, LARGEST)
 
     @property
     def _bare(self) -> float:

@@ -36,7 +36,9 @@ OFF = 7.0  # mm from what is dimensioned to its line
 TURN = (math.radians(200), math.radians(70))  # start and sweep of the arrow on a shaft
 
 
-def _letters(shown: Layout, place: Place, sizes: Sequence[Dimension], hand: Hand, labels: Labels) -> Iterator[Stroke]:
+def _letters(
+    shown: CompensatorLayout, place: Place, sizes: Sequence[Dimension], hand: Hand, labels: Labels
+) -> Iterator[Stroke]:
     """Letter the crank's shaft, each mass outward, each shaft with the speed at which it turns, the sizes."""
     yield labels.beside(place.on(0j), "O", hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
     for weight in shown.weights():
@@ -50,12 +52,12 @@ def _letters(shown: Layout, place: Place, sizes: Sequence[Dimension], hand: Hand
         yield labels.along(*size.lines[0], size.letter, hand.number, BESIDE, cmath.phase(size.off))
 
 
-def arrow_radius(shown: Layout, place: Place) -> float:
+def arrow_radius(shown: CompensatorLayout, place: Place) -> float:
     """Give the radius of the arrow on a shaft, mm."""
     return 0.55 * place.length(shown.gear)
 
 
-def measure(shown: Layout, drafting: Drafting) -> Picture:
+def measure(shown: CompensatorLayout, drafting: Drafting) -> Picture:
     """Measure the room that the layout needs."""
     hand = drafting.hand
     title = text_width(Text(0j, title_of(shown, drafting), hand.title))
@@ -64,14 +66,14 @@ def measure(shown: Layout, drafting: Drafting) -> Picture:
     return found._replace(most=MOST * hand.letter)
 
 
-def title_of(shown: Layout, drafting: Drafting) -> str:
+def title_of(shown: CompensatorLayout, drafting: Drafting) -> str:
     """Give the title of a layout."""
     if shown.found.on_crank:
         return drafting.word("counterweight on crank")
     return drafting.word("compensator of order", order=shown.found.asked.order)
 
 
-def draw(shown: Layout, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+def draw(shown: CompensatorLayout, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the layout in its spot: guide and line of the compensators, gears, shafts, masses, sizes."""
     place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) + ("" if shown.known else f";  {drafting.word('arms nominal')}")
@@ -86,7 +88,7 @@ def draw(shown: Layout, room: Picture, spot: Spot, drafting: Drafting) -> Letter
     return LetteredFigure(shown.name, tuple(lines), partial(_letters, shown, place, sizes, hand))
 
 
-def _axes(shown: Layout, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _axes(shown: CompensatorLayout, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the line of the force through the shaft of the crank, and that of the compensators beside it."""
     far = place.length((1 if shown.found.on_crank else 2 + UNDER) * shown.gear) * shown.line
     up = (HINGE + 4) * hand.symbol * shown.line
@@ -95,18 +97,18 @@ def _axes(shown: Layout, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Line(start - far, start + up, fit(hand.axis, abs(far) + abs(up)))
 
 
-def _gear(shown: Layout, weight: Weight, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _gear(shown: CompensatorLayout, weight: ShaftMass, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw a shaft with its gear and the sense in which it turns; the couple's shafts have no gears of their own."""
-    centre, (start, sweep), own = place.on(weight.shaft), TURN, math.copysign(1.0, weight.turns * shown.sense)
+    centre, (start, sweep), sense = place.on(weight.shaft), TURN, math.copysign(1.0, weight.turns * shown.sense)
     if weight.geared and not shown.found.on_crank:
         radius = place.length(shown.gear)
         yield Circle(centre, radius, fit(hand.axis, math.tau * radius, True))
-    begin = start if own > 0 else start + sweep
-    yield from TurnArrow(centre, arrow_radius(shown, place), begin, own * sweep).draw(hand)
+    begin = start if sense > 0 else start + sweep
+    yield from TurnArrow(centre, arrow_radius(shown, place), begin, sense * sweep).draw(hand)
     yield Circle(centre, POINT * hand.symbol, LineStyle(hand.main, fill="#ffffff"))
 
 
-def _mass(shown: Layout, weight: Weight, place: Place, hand: Hand) -> Group:
+def _mass(shown: CompensatorLayout, weight: ShaftMass, place: Place, hand: Hand) -> Group:
     """Draw a mass on its arm; it can be measured where its radius is known."""
     known = shown.known and weight.geared
     ends = place.on(weight.shaft), place.on(weight.shaft + weight.arm)
@@ -121,7 +123,7 @@ def _mass(shown: Layout, weight: Weight, place: Place, hand: Hand) -> Group:
     return Group((arm, body._replace(title=lowered_bank(weight.name))))
 
 
-def _sizes(shown: Layout, place: Place, drafting: Drafting) -> Iterator[Dimension]:
+def _sizes(shown: CompensatorLayout, place: Place, drafting: Drafting) -> Iterator[Dimension]:
     """Dimension the offset of the compensators' line, and the distance of the couple's shafts."""
     asked, off = shown.found.asked, OFF * drafting.hand.symbol
     if shown.offset:
@@ -155,7 +157,7 @@ def speed(turns: int) -> str:
     return ("" if turns > 0 else "−") + (f"{abs(turns)}ω" if abs(turns) > 1 else "ω")
 
 
-class Weight(NamedTuple):
+class ShaftMass(NamedTuple):
     """A mass of a compensator: its letter, its shaft and its place from that one, m, and how fast it turns."""
 
     name: str
@@ -165,7 +167,7 @@ class Weight(NamedTuple):
     geared: bool  # with the other one; a mass of the couple's compensator is not
 
 
-class Layout(NamedTuple):
+class CompensatorLayout(NamedTuple):
     """The compensators of one order as the sheet shows them, m from the shaft of the crank."""
 
     found: Compensator
@@ -225,7 +227,7 @@ class Layout(NamedTuple):
         """The middle between the two shafts, on the line of the compensators; the crank's shaft of a counterweight."""
         return 0j if self.found.on_crank else self.offset * self.across - (1 + UNDER) * self.gear * self.line
 
-    def weights(self) -> Iterator[Weight]:
+    def weights(self) -> Iterator[ShaftMass]:
         """Give the masses that are needed, at phi = 0: the one that turns with the crank on the left."""
         order, found = self.found.asked.order, self.found
         angles = (found.with_angle, found.against_angle)
@@ -233,17 +235,17 @@ class Layout(NamedTuple):
             if angle is not None:
                 arm = cmath.rect(radius if self.known else SHARE * self.gear, angle) * self.turn
                 shaft = self.middle + (sense * self.gear * self.across if self.paired else 0j)
-                yield Weight(letters(MASS, sense * order), shaft, arm, sense * order, True)
+                yield ShaftMass(letters(MASS, sense * order), shaft, arm, sense * order, True)
         yield from self._couple()
 
-    def _couple(self) -> Iterator[Weight]:
+    def _couple(self) -> Iterator[ShaftMass]:
         """Give the masses of the couple's compensator, the one farther along the line first."""
         angle, shafts, order = self.found.couple_angle, self.found.asked.shafts, self.found.asked.order
         if angle is not None and shafts:
             beside = self.middle - (PAIR + ROUND) * PAIR * self.gear * self.across
             for side, prime in ((1, ""), (-1, "'")):
                 arm = side * cmath.rect(SHARE * self.gear, angle) * self.turn
-                yield Weight(
+                yield ShaftMass(
                     f"{COUPLED}{roman(order)}{prime}", beside + side * shafts / 2 * self.line, arm, order, False
                 )
 

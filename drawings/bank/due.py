@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
 from typing import NamedTuple
@@ -18,8 +18,7 @@ from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
-from plans.bank.compensators import COMPENSATORS
-from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, couple_letters, letters
+from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, couple_letters, letters
 from plans.bank.quantities import bank_by_hand
 from plans.bank.study import BankStudy
 from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic, Member
@@ -36,7 +35,7 @@ SEEN = 1 / 1000  # of the largest order of one mechanism: less is no longer than
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
 
 
-class Polygon(NamedTuple):
+class OrderPolygon(NamedTuple):
     """What a polygon must show: which order, its vectors by their names, its sum, each with what it may be off by."""
 
     kind: str
@@ -133,19 +132,18 @@ class Bank:
 
     def slight(self, order: int) -> bool:
         """Tell whether an order is there, but is not to be drawn beside the largest: none asks for compensators."""
-        own, bank = self.analysis.single[order], self.analysis.forces[order]
+        single, bank = self.analysis.single[order], self.analysis.forces[order]
         asked = order in [compensator.order for compensator in self.task.asked]
         least = SEEN * self.largest
-        return not (
-            asked or own.vanishes or max(abs(harmonic.ahead) + abs(harmonic.back) for harmonic in (own, bank)) >= least
-        )
+        most = max(abs(harmonic.ahead) + abs(harmonic.back) for harmonic in (single, bank))
+        return not (asked or single.vanishes or most >= least)
 
     @property
     def seen(self) -> Mapping[int, Harmonic]:
         """The orders of one mechanism that are to be drawn."""
         return {order: harmonic for order, harmonic in self.analysis.single.items() if not self.slight(order)}
 
-    def polygons(self) -> Iterator[Polygon]:
+    def polygons(self) -> Iterator[OrderPolygon]:
         """Give the polygons of several vectors: with the crank, and against it where that is no mirror image."""
         for order, single in self.seen.items():
             for kind in (FORCE, MOMENT):
@@ -155,21 +153,21 @@ class Bank:
                     if len(found.sides) > 1 and not alone:
                         yield found
 
-    def _polygon(self, kind: str, signed: int, single: Harmonic) -> Polygon:
-        own = single.ahead if signed > 0 else single.back
+    def _polygon(self, kind: str, signed: int, single: Harmonic) -> OrderPolygon:
+        vector = single.ahead if signed > 0 else single.back
         whole = (self.analysis.forces if kind == FORCE else self.analysis.moments)[single.order]
-        sides = {} if abs(own) <= single.slack else dict(self._sides(kind, signed, own))
+        sides = {} if abs(vector) <= single.slack else dict(self._sides(kind, signed, vector))
         name = letters(kind, signed)
         arms = {letters(kind, signed, member.name): abs(self.arm(kind, member)) for member in self.members}
         slacks = {key: self.allowed[letters(SINGLE, signed)] * arm for key, arm in arms.items()}
         value = (whole.ahead if signed > 0 else whole.back) * self.turn
-        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name], whole.slack)
+        return OrderPolygon(kind, signed, sides, name, value, slacks, self.allowed[name], whole.slack)
 
-    def _sides(self, kind: str, signed: int, own: complex) -> Iterator[tuple[str, complex]]:
+    def _sides(self, kind: str, signed: int, vector: complex) -> Iterator[tuple[str, complex]]:
         for member, axis in zip(self.members, self.axes, strict=True):
             turned = cmath.rect(1.0, math.radians(float(signed * (member.crank - member.axis) % 360)))
             if self.arm(kind, member):
-                yield letters(kind, signed, member.name), own * turned * axis * self.turn * self.arm(kind, member)
+                yield letters(kind, signed, member.name), vector * turned * axis * self.turn * self.arm(kind, member)
 
     @staticmethod
     def arm(kind: str, member: Member) -> float:
@@ -232,22 +230,14 @@ class Bank:
 
     def nominal(self, compensator: Compensator, told: bool) -> bool:
         """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
-        own = (
-            [body.moment / compensator.asked.mass for body in self.bodies(compensator) if not body.coupled]
-            if compensator.asked.mass
-            else []
-        )
-        if not own:
+        asked, moments = compensator.asked, [body.moment for body in self.bodies(compensator) if not body.coupled]
+        if not asked.mass or not moments:
             return True
-        offset = 0.0 if self.carried(compensator) else abs(compensator.asked.offset)
-        shafts = compensator.asked.shafts if compensator.couple_angle is not None and compensator.asked.shafts else 0.0
-        gear = max(GEAR * max(own), offset / 2, OF_SHAFTS * shafts)
-        over = min(own) - COVERED * gear
-        return (
-            told
-            if abs(over) <= 2 * self.slack_of(compensator) / (compensator.asked.mass or 1.0) + LINE * gear
-            else over < 0
-        )
+        offset = 0.0 if self.carried(compensator) else abs(asked.offset)
+        shafts = asked.shafts if compensator.couple_angle is not None and asked.shafts else 0.0
+        gear = max(GEAR * max(moments) / asked.mass, offset / 2, OF_SHAFTS * shafts)
+        over = min(moments) / asked.mass - COVERED * gear
+        return told if abs(over) <= 2 * self.slack_of(compensator) / asked.mass + LINE * gear else over < 0
 
     def line(self, compensator: Compensator) -> complex:
         """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""
@@ -259,10 +249,8 @@ class Bank:
 
     def directed(self, compensator: Compensator) -> bool:
         """Tell whether the two roads must agree in the direction of an order's force as nearly as lines are held."""
-        whole, allowed = (
-            self.analysis.forces[compensator.asked.order],
-            self.allowed.get(letters(FORCE, compensator.asked.order), 0.0),
-        )
+        order = compensator.asked.order
+        whole, allowed = self.analysis.forces[order], self.allowed.get(letters(FORCE, order), 0.0)
         return allowed <= LINE * max(abs(whole.ahead), abs(whole.back))
 
     def slack_of(self, compensator: Compensator) -> float:
@@ -281,22 +269,23 @@ FAR = 1e-9  # of a place: both roads take it from one length and one angle
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's bank."""
     task, comparison = study.of(BankStudy).task, study.comparison("bank")
-    own = _Sheet(Bank(task, comparison, crank_of(study)), drafting_of(study.scene))
+    sheet = _BankSheet(task, comparison, crank_of(study), drafting=drafting_of(study.scene))
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
-    yield from chain(own.polygons(), own.views(), own.courses(), own.orders(), own.compensators())
-    yield from own.results(bank_by_hand(comparison.findings, scales), any(name.startswith("order_") for name in scales))
+    yield from chain(sheet.vectors(), sheet.views(), sheet.courses(), sheet.orders(), sheet.compensators())
+    yield from sheet.results(
+        bank_by_hand(comparison.findings, scales), any(name.startswith("order_") for name in scales)
+    )
 
 
 @dataclass(frozen=True)
-class _Sheet:
+class _BankSheet(Bank):
     """A bank by the analysis."""
 
-    own: Bank
-    drafting: Drafting
+    drafting: Drafting = field(kw_only=True)
 
-    def polygons(self) -> Iterator[Expected]:
+    def vectors(self) -> Iterator[Expected]:
         """Give the vectors of each order, with the crank and against it, and their sum where it does not vanish."""
-        for polygon in self.own.polygons():
+        for polygon in self.polygons():
             plan = plan_of(polygon)
             sides = {} if len(polygon.sides) > MANY else polygon.sides
             for name, value in sides.items():
@@ -305,28 +294,26 @@ class _Sheet:
 
     def views(self) -> Iterator[Expected]:
         """Give the crank pins of the star, the places along the shaft, the arms of the compensators."""
-        own = self.own
-        for member in own.members:
-            pin, place = (own.crank or 0.0) * own.crank_at(member), complex(float(member.place))
-            lacks = own.crank is None
+        for member in self.members:
+            pin, place = (self.crank or 0.0) * self.crank_at(member), complex(float(member.place))
+            lacks = self.crank is None
             yield Expected(Kind.POINT, STAR, member.name, pin, FAR * abs(pin), may_lack=lacks)
             yield Expected(Kind.POINT, SHAFT, member.name, place, FAR * abs(place), may_lack=True)
-        for where in {float(member.place) for member in own.members}:
+        for where in {float(member.place) for member in self.members}:
             row = Expected(Kind.LENGTH, SHAFT, f"h at {1000 * where:g}", abs(where), FAR * abs(where), may_lack=True)
             yield from measured(row, 1000 * where, digits=4)
-        for found in own.analysis.compensators:
+        for found in self.analysis.compensators:
             plan = f"compensator-{found.asked.order}"
-            for body in own.bodies(found):
+            for body in self.bodies(found):
                 yield Expected(Kind.POINT, plan, body.name, 0j, math.inf, may_lack=True)  # by its arm
                 if not body.coupled and found.asked.mass:
-                    arm, slack = body.moment / found.asked.mass * body.way, 2 * own.slack_of(found) / found.asked.mass
+                    arm, slack = body.moment / found.asked.mass * body.way, 2 * self.slack_of(found) / found.asked.mass
                     yield Expected(Kind.VECTOR, plan, body.name, arm, slack + FAR * abs(arm), may_lack=True)
 
     def courses(self) -> Iterator[Expected]:
         """Give force and moment over the turn, along the guides or by their hodographs."""
-        own = self.own
         for plan, name in FOLLOWED.items():
-            values, slack = own.force_of(name), own.allowed[name] + FAR * own.most(name)
+            values, slack = self.force_of(name), self.allowed[name] + FAR * self.most(name)
             whole = len(values) - 1
             letter = {WHOLE: "F", LEFT: "F'"}.get(name, "M")
             yield Expected(Kind.VECTOR, plan, letter, complex(values[0]), slack, 0, may_lack=True)
@@ -335,46 +322,45 @@ class _Sheet:
                 value = complex(values[k])
                 yield Expected(Kind.VECTOR, plan, number, 1j * value.real, slack, k, may_lack=True)
                 yield Expected(Kind.POINT, plan, number, value, slack, int(number), may_lack=True)
-            if own.straight(name):
-                lacks = not own.acts(name, False) or own.faint(name) or name == LEFT
+            if self.straight(name):
+                lacks = not self.acts(name, False) or self.faint(name) or name == LEFT
                 points = course(np.linspace(0.0, TURN, len(values)), values.real)
                 yield Expected(Kind.CURVE, GRAPHS[plan], plan, points, slack, may_lack=lacks, ends=(0.0, TURN))
 
     def orders(self) -> Iterator[Expected]:
         """Give the cells of the table of orders: of one mechanism, of the bank, what is left, the moment."""
-        own = self.own
-        answered = {compensator.asked.order for compensator in own.analysis.compensators}
-        for order, single in own.analysis.single.items():
-            force = self._size(FORCE, own.analysis.forces[order])
-            left, moment = (0.0, 0.0) if order in answered else force, self._size(MOMENT, own.analysis.moments[order])
+        answered = {compensator.asked.order for compensator in self.analysis.compensators}
+        for order, single in self.analysis.single.items():
+            force = self._size(FORCE, self.analysis.forces[order])
+            left, moment = (0.0, 0.0) if order in answered else force, self._size(MOMENT, self.analysis.moments[order])
             yield from cells(ORDERS, str(order), [self._size(SINGLE, single), force, left, moment], digits=DIGITS)
 
     def _size(self, kind: str, harmonic: Harmonic) -> tuple[float, float]:
         """Give the largest that two vectors turning against each other come to: both along one line."""
         sizes = [abs(harmonic.ahead), abs(harmonic.back)]
         size = 0.0 if max(sizes) <= harmonic.slack else math.fsum(sizes)
-        return size, 2 * self.own.allowed[letters(kind, harmonic.order)] + FAR * size
+        return size, 2 * self.allowed[letters(kind, harmonic.order)] + FAR * size
 
     def compensators(self) -> Iterator[Expected]:
         """Give the cells of the table of compensators: of the masses of a couple the first stands for both."""
-        for compensator in self.own.analysis.compensators:
-            for body in self.own.bodies(compensator):
+        for compensator in self.analysis.compensators:
+            for body in self.bodies(compensator):
                 if not body.name.endswith("'"):
                     yield from self._mass(compensator, body)
 
     def _mass(self, compensator: Compensator, body: Body) -> Iterator[Expected]:
-        slack, mass = self.own.slack_of(compensator), None if body.coupled else compensator.asked.mass
+        slack, mass = self.slack_of(compensator), None if body.coupled else compensator.asked.mass
         far = None if mass is None else (1000 * body.moment / mass, 1000 * slack / mass)
-        angle = math.degrees(cmath.phase(body.way / self.own.turn))
+        angle = math.degrees(cmath.phase(body.way / self.turn))
         turned = math.degrees(2 * slack / body.moment) + FAR if body.moment > slack else math.inf
-        speed = body.turns * self.own.task.speed
+        speed = body.turns * self.task.speed
         given = None if mass is None else (mass, 0.0)
         told = (body.moment, slack), given, far, (speed, 0.0), (angle, turned, TURN)
         yield from cells(COMPENSATORS, lowered_bank(body.name), told, digits=DIGITS, may_lack=True)
 
     def results(self, slips: Mapping[tuple[str, int], float], drawn: bool) -> Iterator[Expected]:
         """Give the cells of the table of results; where nothing is drawn no hand can err."""
-        for finding in filter(_is_told, self.own.comparison.findings):
+        for finding in filter(_is_told, self.comparison.findings):
             row = f"{lowered_bank(finding.name)}, {self.drafting.word(finding.unit)}"
             size, slack = float(abs(finding.analysis[0])), float(finding.allowed[0])
             slip = by_hand(slips.get((finding.name, 0), math.nan), max(size, slack * 10.0**DIGITS))
@@ -383,7 +369,7 @@ class _Sheet:
                 yield cell._replace(may_lack=column == 2 or size <= 2 * slack)
 
 
-def plan_of(polygon: Polygon) -> str:
+def plan_of(polygon: OrderPolygon) -> str:
     """Name the figure of a polygon."""
     kind = "order_moments" if polygon.kind == MOMENT else "order_forces"
     return f"{kind}-{abs(polygon.signed)}{'' if polygon.signed > 0 else '-back'}"

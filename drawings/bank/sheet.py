@@ -9,16 +9,16 @@ from typing import Final
 
 import numpy as np
 
-from drawings.bank import compensators, polygon, shaft, star, turn_graph
-from drawings.bank.compensators import COUPLED, MASS, Layout
+from drawings.bank import compensators, shaft, star
+from drawings.bank.compensators import COUPLED, MASS, CompensatorLayout
+from drawings.bank.diagrams import ACTING, LEFT, ROCKING, STATIONS, TurnCurve, TurnGraph, polygon_room, polygons
 from drawings.bank.due import due
 from drawings.bank.report import ORDER_HEADS, BankNotes, crank_of, direction, order_rows, straight
 from drawings.bank.star import BankView
-from drawings.bank.turn_graph import FORCE as ACTING
-from drawings.bank.turn_graph import LEFT, TurnCurve, TurnGraph
-from drawings.bank.turn_graph import MOMENT as MOMENTS
-from drawings.kinds import hodograph
+from drawings.kinds import hodograph, polygon
 from drawings.kinds.hodograph import Hodograph
+from drawings.kinds.polygon import Polygon
+from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.layout.value_table import DIGITS as FIGURES
@@ -45,7 +45,7 @@ DIGITS = 5
 NOTHING = "—"
 
 
-def orders(balance: BankBalance, drafting: Drafting) -> RuledTable:
+def order_table(balance: BankBalance, drafting: Drafting) -> RuledTable:
     """Tell of each order what one mechanism and the bank come to."""
     lines = [TableRow(*told) for told in order_rows(balance, drafting, DIGITS)]
     heads = tuple(drafting.word(head) for head in ORDER_HEADS)
@@ -77,8 +77,8 @@ def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledT
 def _result(quantity: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding: values to their own digits, as orders differ by powers."""
     known = float(quantity.allowed[0]) * 10 ** (FIGURES - 1)
-    own = quantity._replace(largest=max(float(abs(quantity.analysis[0])), known))  # rounding has no digits
-    return row_by_hand(own, f"{lowered_bank(quantity.name)}, {drafting.word(quantity.unit)}", (0,), drafting.language)
+    sized = quantity._replace(largest=max(float(abs(quantity.analysis[0])), known))  # rounding has no digits
+    return row_by_hand(sized, f"{lowered_bank(quantity.name)}, {drafting.word(quantity.unit)}", (0,), drafting.language)
 
 
 def compared(comparison: Comparison) -> list[Quantity]:
@@ -136,19 +136,24 @@ def view_of(study: Study) -> BankView:
 def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
-    polygons = tuple(exhibit(polygon, order, drafting) for order in polygon.polygons(shown, drafting))
-    shows = (*_views(shown, drafting), *polygons, *_courses(shown, drafting))
+    orders = tuple(_polygon(polygon, drafting) for polygon in polygons(shown, drafting))
+    shows = (*_views(shown, drafting), *orders, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
-    told = orders, compensator_table
+    told = order_table, compensator_table
     tables = [
         *(write(shown.balance, drafting) for write in told),
-        results(comparison, bool(polygons), drafting),
+        results(comparison, bool(orders), drafting),
     ]
-    notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(polygons))
+    notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(orders))
     title = drafting.word("bank sheet title")
     there = tuple(written for written in tables if written is not None)
     later = partial(bank_by_hand, comparison.findings)
     return lay_out(scene, [Draft("bank", title, shows, there, notes, figures_facts, narrow=EQUATION, later=later)])
+
+
+def _polygon(shown: Polygon, drafting: Drafting) -> Exhibit:
+    room = polygon_room(shown, drafting)
+    return Exhibit(Panel(room), partial(polygon.draw, shown, room, drafting=drafting))
 
 
 def _views(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
@@ -171,16 +176,16 @@ def _force_graph(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     force = TurnCurve(ACTING, FORCE, balance.force.real, "relative" if compensated else "result")
     left = (TurnCurve(LEFT, FORCE + AFTER, balance.left.real),) if compensated else ()
     graph = TurnGraph("force_graph", drafting.word("bank force title"), FORCE, "N", (force, *left))
-    yield exhibit(turn_graph, graph, drafting)
+    yield exhibit(TurnGraph, graph, drafting)
 
 
 def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
     values = shown.balance.moment
     if not straight(values, values):
-        return _hodograph(MOMENTS, M, "N*m", shown.on_sheet(values), drafting)
-    curve = TurnCurve(MOMENTS, M, values.real)
+        return _hodograph(ROCKING, M, "N*m", shown.on_sheet(values), drafting)
+    curve = TurnCurve(ROCKING, M, values.real)
     graph = TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (curve,))
-    return exhibit(turn_graph, graph, drafting)
+    return exhibit(TurnGraph, graph, drafting)
 
 
 def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
@@ -194,7 +199,7 @@ def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:
     """Show a hodograph."""
     turn = values[:-1]
-    ends, title = turn[:: len(turn) // turn_graph.STATIONS], drafting.word(f"hodograph of {name}")
+    ends, title = turn[:: len(turn) // STATIONS], drafting.word(f"hodograph of {name}")
     figure = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)
     return exhibit(hodograph, figure, drafting, scale=scale)
 
@@ -202,7 +207,7 @@ def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: D
 def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the compensators of every order that needs some."""
     for found in shown.balance.compensators:
-        layout = Layout(found, shown.turn, shown.task.speed)
+        layout = CompensatorLayout(found, shown.turn, shown.task.speed)
         if any(layout.weights()):
             yield exhibit(compensators, layout, drafting)
 

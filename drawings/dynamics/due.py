@@ -13,7 +13,7 @@ import numpy as np
 
 from drawings.checks.expected import NOTES, Expected, cells, measured, phrases
 from drawings.checks.readers import Frame, frames
-from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, Turn, graphs, tachogram
+from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, AnalysedTurn, graphs, tachogram
 from drawings.forces.due_acting import diagrams
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
@@ -49,12 +49,12 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from phrases(NOTES, _rates(study.of(DynamicsStudy).task), DIGITS, may_lack=True)
         yield from _reduction(comparison.analysis)
         return
-    turn = Turn(study.of(DynamicsStudy).task, comparison.analysis)
-    own, shown = _Machine(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
+    turn = AnalysedTurn(study.of(DynamicsStudy).task, comparison.analysis)
+    machine, shown = _Machine(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
     frame = shown.get((LOOP, None)) or Frame(0j, 1 + 0j, 1j, 1.0, 1.0)  # without a loop it is stated nowhere
     drawn = dict(chain(*map(_drawn, leaves)))
-    yield from chain(graphs(turn, shown), own.loop(frame, drawn), own.rim())
-    yield from chain(own.positions(), own.results(), own.notes())
+    yield from chain(graphs(turn, shown), machine.loop(frame, drawn), machine.rim())
+    yield from chain(machine.positions(), machine.results(), machine.notes())
     if comparison.construction.run is not None:
         yield from tachogram(comparison.construction.run)
 
@@ -69,8 +69,8 @@ def _reduction(found: Account) -> Iterator[Expected]:
 def _columns(columns: Sequence[Floats], rows: Iterator[str]) -> Iterator[Expected]:
     """Give the cells of a table of values over the turn; rounding is a share of the largest of a column."""
     slacks = [KNOWN * float(np.nanmax(np.abs(column), initial=0.0)) for column in columns]
-    for row, own in zip(rows, np.column_stack(columns).tolist(), strict=True):
-        told = (None if math.isnan(value) else (value, slack) for value, slack in zip(own, slacks, strict=True))
+    for row, values in zip(rows, np.column_stack(columns).tolist(), strict=True):
+        told = (None if math.isnan(value) else (value, slack) for value, slack in zip(values, slacks, strict=True))
         yield from cells(POSITIONS, row, told, digits=FINE, may_lack=True)
 
 
@@ -93,7 +93,7 @@ def _rates(task: Task) -> Iterator[tuple[str, float, float]]:
 class _Machine:
     """A machine that turns fully."""
 
-    turn: Turn
+    turn: AnalysedTurn
     comparison: DynamicsComparison
     drafting: Drafting
 
@@ -193,20 +193,20 @@ class _Machine:
 
     def results(self) -> Iterator[Expected]:
         """Give what both roads find and by how much the strips are out; then the inertia by other methods."""
-        for own, true in zip(*map(self._values, (self.turn.account, self.comparison.exact)), strict=True):
-            unit = f", {self.drafting.word(own.unit)}" if own.unit else ""
-            yield from self._row(f"{self.drafting.letter(own.letter)}{unit}", own, true)
+        for drawn, true in zip(*map(self._values, (self.turn.account, self.comparison.exact)), strict=True):
+            unit = f", {self.drafting.word(drawn.unit)}" if drawn.unit else ""
+            yield from self._row(f"{self.drafting.letter(drawn.letter)}{unit}", drawn, true)
         methods, whole = self.comparison.methods, self.comparison.exact.flywheel
         for key, name in METHODS if methods is not None and whole is not None else ():
             own = _Value("", "", float(getattr(methods, name)), self.slack, 0.0)
             true = _Value("", "", whole.whole if whole else 0.0, self.slack, whole.whole if whole else 0.0)
             yield from self._row(f"J_0 {self.drafting.word(key)}", own, true, alone=True)
 
-    def _row(self, row: str, own: _Value, true: _Value, alone: bool = False) -> Iterator[Expected]:
+    def _row(self, row: str, drawn: _Value, true: _Value, alone: bool = False) -> Iterator[Expected]:
         """Give a row of both roads and their difference, per cent; of what is found by analysis `alone` no other."""
-        share, slack = 100 * (own.value - true.value), 100 * (own.slack + true.slack)
+        share, slack = 100 * (drawn.value - true.value), 100 * (drawn.slack + true.slack)
         off = (share / true.whole, slack / true.whole) if true.whole else None
-        mine, exact = (own.value, own.slack), (true.value, true.slack)
+        mine, exact = (drawn.value, drawn.slack), (true.value, true.slack)
         first, second, last = cells(RESULTS, row, [mine, mine if alone else exact, off], digits=FINER)
         yield from (first._replace(value="") if alone else first, second, last._replace(digits=0))
 
@@ -217,8 +217,8 @@ class _Machine:
             most = float(np.abs(cycle.work).max())
             lost = abs(cycle.work[-1]) <= LOST * most
             for letter, unit, value in (("M_{dr}", "N*m", cycle.driving), ("A_{us}(2π)", "J", -float(cycle.work[-1]))):
-                own = 0.0 if lost else value
-                yield _Value(letter, unit, own, KNOWN * most, abs(own))
+                size = 0.0 if lost else value
+                yield _Value(letter, unit, size, KNOWN * most, abs(size))
         if wheel is not None:
             (low, high), there = wheel.cuts, wheel.own + wheel.present
             both = abs(low) + abs(high)
@@ -266,8 +266,8 @@ class _Machine:
         if not abs(rest) > off:
             yield f"J_0 of links {'+' if rest < 0 else '−'}", abs(rest), off
         there = wheel.own + wheel.present
-        own = ("J_0", wheel.whole), ("J_fly", wheel.inertia), ("J_0^*", there), ("J_0^* of links", wheel.own)
-        yield from ((name, value, self.slack) for name, value in own)
+        inertias = ("J_0", wheel.whole), ("J_fly", wheel.inertia), ("J_0^*", there), ("J_0^* of links", wheel.own)
+        yield from ((name, value, self.slack) for name, value in inertias)
         yield "J_0^* of shafts", wheel.present, 0.0
         yield from self._others(wheel, there)
 
@@ -300,15 +300,15 @@ class _Machine:
 
     def _sizes(self) -> Iterator[tuple[str, float, float]]:
         """Give mass, sizes mm and speed m/s of the rim on its own shaft; of one that is too thick, what would do."""
-        own, rim, share = self.wheel, self.turn.task.rim, self._share
-        if own is None:
+        ring, rim, share = self.wheel, self.turn.task.rim, self._share
+        if ring is None:
             return
-        least = own.diameter * (own.thickness / (THICKEST * own.diameter)) ** 0.4
-        values = [("rim m", own.mass), ("rim D", 1000 * own.diameter), ("rim D least", 1000 * least)]
-        values += [("rim b", 1000 * own.breadth), ("rim t", 1000 * own.thickness)]
-        values += [("rim v", abs(self.turn.task.speed * rim.ratio) * own.diameter / 2)]
+        least = ring.diameter * (ring.thickness / (THICKEST * ring.diameter)) ** 0.4
+        values = [("rim m", ring.mass), ("rim D", 1000 * ring.diameter), ("rim D least", 1000 * least)]
+        values += [("rim b", 1000 * ring.breadth), ("rim t", 1000 * ring.thickness)]
+        values += [("rim v", abs(self.turn.task.speed * rim.ratio) * ring.diameter / 2)]
         yield from ((name, value, share * value) for name, value in values)
-        yield "rim added", 100 * (own.thickness / own.diameter) ** 2, 200 * share
+        yield "rim added", 100 * (ring.thickness / ring.diameter) ** 2, 200 * share
 
 
 def _drawn(leaf: Leaf) -> Iterator[tuple[str, complex]]:

@@ -26,7 +26,7 @@ Curve: TypeAlias = Callable[[Floats], Floats]
 
 
 @dataclass(frozen=True)
-class Turn:
+class AnalysedTurn:
     """The motion of a machine by analysis on the strips of the construction."""
 
     task: Task
@@ -112,7 +112,7 @@ BEFORE, TACHOGRAM = "before", "tachogram"
 WHOLE, DIGITS = 360.0, 4  # degrees of a turn; digits of what a tachogram tells
 
 
-def graphs(turn: Turn, shown: Mapping[Place, Frame]) -> Iterator[Expected]:
+def graphs(turn: AnalysedTurn, shown: Mapping[Place, Frame]) -> Iterator[Expected]:
     """Give the graphs over the turn: curves, straight lines, ordinates at the edges; the pole distance, mm."""
     cycle = turn.cycle
     yield _curve(turn, MOMENTS, "M_{us}", lambda at: -turn.moment(at))
@@ -143,11 +143,11 @@ def _slack(values: Floats) -> float:
     return KNOWN * float(np.abs(values).max(initial=0.0))
 
 
-def _curve(turn: Turn, figure: str, name: str, curve: Curve) -> Expected:
+def _curve(turn: AnalysedTurn, figure: str, name: str, curve: Curve) -> Expected:
     return Expected(Kind.CURVE, figure, name, curve, _slack(turn.graphs[figure]), ends=(0.0, TURN))
 
 
-def _after(turn: Turn) -> Iterator[Expected]:
+def _after(turn: AnalysedTurn) -> Iterator[Expected]:
     """Give the speeds with the flywheel from their mean on, and their extremes."""
     if (speeds := turn.account.speeds) is not None:
         yield _speed(turn, SPEEDS, "ω", speeds, speeds.mean)
@@ -157,7 +157,7 @@ def _after(turn: Turn) -> Iterator[Expected]:
             yield Expected(Kind.CURVE, SPEEDS, name, curve, KNOWN * extreme, ends=(0.0, TURN))
 
 
-def _before(turn: Turn) -> Iterator[Expected]:
+def _before(turn: AnalysedTurn) -> Iterator[Expected]:
     """Give the speeds without the flywheel: they stand among the others or alone."""
     after, before = turn.account.speeds, turn.account.before
     if before is None:
@@ -171,7 +171,7 @@ def _before(turn: Turn) -> Iterator[Expected]:
         yield Expected(Kind.VECTOR, BEFORE, str(k), 1j * value, KNOWN * value, position=k, may_lack=True)
 
 
-def _speed(turn: Turn, figure: str, name: str, speeds: Speeds, base: float) -> Expected:
+def _speed(turn: AnalysedTurn, figure: str, name: str, speeds: Speeds, base: float) -> Expected:
     """Give the curve of speeds; where the machine all but stops, they are known the less."""
     low, high = speeds.extremes
     slack = math.sqrt(low**2 + KNOWN * high**2) - low

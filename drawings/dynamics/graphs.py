@@ -55,8 +55,8 @@ def _parabolas(ends: Floats, means: Floats, shares: Floats) -> Floats:
 def _slopes(x: Floats, y: Floats) -> Floats:
     """Give the slopes of a smooth periodic curve at its points."""
     wide, steep = np.diff(x), np.diff(y) / np.diff(x)
-    own = inner_slopes(*(np.append(row[-1], row) for row in (wide, steep)))
-    return np.append(own, own[0])
+    inner = inner_slopes(*(np.append(row[-1], row) for row in (wide, steep)))
+    return np.append(inner, inner[0])
 
 
 MARKED = 72  # strips: of more only the numbered edges have a point and a tick
@@ -126,8 +126,8 @@ OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distan
 def pole_part(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
     """Draw the pole at its distance, mm, and rays to the mean ordinates that lie apart, each carried to the axis."""
     size, off = hand.letter, _off(cycle) * OFF * hand.letter
-    own = Pole((POLE, DISTANCE), distance, middles(cycle.turned), -cycle.means, BETWEEN_RAYS * size, off, UNDER)
-    return own.part(NAME, axes, hand)
+    pole = Pole((POLE, DISTANCE), distance, middles(cycle.turned), -cycle.means, BETWEEN_RAYS * size, off, UNDER)
+    return pole.part(NAME, axes, hand)
 
 
 def _off(cycle: Cycle) -> complex:
@@ -230,11 +230,11 @@ def moments(cycle: Cycle, dense: Dense) -> StripGraph:
 
 def works(cycle: Cycle) -> StripGraph:
     """The work of resistance by the chords of its construction, and that of the drive, a straight line."""
-    own = -cycle.work
-    resisting = Trace(cycle.turned, own, "result", "A_{us}", 0.6, _away(-cycle.driving))
+    work = -cycle.work
+    resisting = Trace(cycle.turned, work, "result", "A_{us}", 0.6, _away(-cycle.driving))
     line = np.array([0.0, 0.25, 1.0])  # its letter stands at a point of its own
-    driving = Trace(TURN * line, own[-1] * line, "relative", "A_{dr}", 0.5, OVER)
-    return StripGraph(WORKS, "A", "J", own, own, (resisting, driving))
+    driving = Trace(TURN * line, work[-1] * line, "relative", "A_{dr}", 0.5, OVER)
+    return StripGraph(WORKS, "A", "J", work, work, (resisting, driving))
 
 
 def surplus(cycle: Cycle, dense: Dense) -> StripGraph:
@@ -245,8 +245,8 @@ def surplus(cycle: Cycle, dense: Dense) -> StripGraph:
 
 def inertia(cycle: Cycle, dense: Dense) -> StripGraph:
     """The part of the reduced inertia that changes."""
-    own = cycle.varying
-    return StripGraph(INERTIA, "ΔJ", "kg*m2", own, own, (Trace(dense.turned, dense.varying),))
+    varying = cycle.varying
+    return StripGraph(INERTIA, "ΔJ", "kg*m2", varying, varying, (Trace(dense.turned, dense.varying),))
 
 
 def speeds(cycle: Cycle, dense: Dense, speeds: Speeds, before: Speeds | None = None) -> StripGraph:

@@ -100,7 +100,7 @@ CUTS, ANGLES = ("l", "k"), ("ψ_{min}", "ψ_{max}")
 
 
 @dataclass(frozen=True)
-class Tangent:
+class ShownTangent:
     """A tangent of the loop: that at psi_min, which touches from below, or that at psi_max from above."""
 
     across: tuple[float, float]  # kg*m2: the least and the greatest inertia of the loop, zero among them
@@ -221,7 +221,7 @@ TOUCH = 1.1  # mm, radius of a point that a tangent touches
 
 
 @dataclass(frozen=True)
-class Loop:
+class ShownLoop:
     """What the loop shows: the account of the turn, its dense curve, its strips, the flywheel if one is asked for."""
 
     cycle: Cycle
@@ -265,7 +265,7 @@ class Loop:
             yield np.flatnonzero(np.isclose(self.strips.turned, at, rtol=0, atol=SAME)).tolist()[:1]
 
 
-def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
+def loop_part(loop: ShownLoop, axes: Axes, drafting: Drafting) -> Part:
     """Draw the loop on its axes; both tangents are broken off on their way to the origin of the whole diagram."""
     hand = drafting.hand
     numbered = _numbered(loop, axes, hand)
@@ -277,30 +277,30 @@ def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
     letters += _numbers(loop, numbered, axes, hand)
     if loop.flywheel is not None:
         for k in (0, 1):
-            tangent = Tangent(loop.across, loop.up[1], loop.flywheel, axes, hand, k)
+            tangent = ShownTangent(loop.across, loop.up[1], loop.flywheel, axes, hand, k)
             lines += tangent.lines
             letters += tangent.letters
     return Part(LOOP, tuple(lines), tuple(letters))
 
 
-def _curve(loop: Loop, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _curve(loop: ShownLoop, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     places = tuple(axes.on(float(x), float(y)) for x, y in zip(*loop.curve, strict=True))
     yield stating(Statement(Kind.CURVE, LOOP, "ΔT(ΔJ)"), Polyline(places, True, hand.result))
 
 
-def _places(loop: Loop, axes: Axes) -> list[complex]:
+def _places(loop: ShownLoop, axes: Axes) -> list[complex]:
     """Give the places of all edges on paper, the last one without, which is the first again."""
     pairs = zip(loop.cycle.varying[:-1].tolist(), loop.cycle.surplus[:-1].tolist(), strict=True)
     return [axes.on(*pair) for pair in pairs]
 
 
-def _numbered(loop: Loop, axes: Axes, hand: Hand) -> tuple[int, ...]:
+def _numbered(loop: ShownLoop, axes: Axes, hand: Hand) -> tuple[int, ...]:
     """Choose the points whose numbers have room: those that tangents touch first, then jumps."""
     order = (*loop.touches, *loop.strips.jumps, *loop.strips.candidates[:-1])
     return tuple(sorted(spaced(_places(loop, axes), APART * hand.number, order)))
 
 
-def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _points(loop: ShownLoop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the points of the edges about the loop's own origin; the numbered ones can be measured, in mm."""
     subject = Subject(LOOP, PAPER.letter, None)
     yield Group((pole(axes.zero),), "", subject.data("pole", "o1", 0j, PAPER), "o_{1}")
@@ -313,14 +313,14 @@ def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iter
         yield _touching(loop, k, Group((dot,), "", data, name) if k in numbered else dot)
 
 
-def _touching(loop: Loop, k: int, mark: Stroke) -> Stroke:
+def _touching(loop: ShownLoop, k: int, mark: Stroke) -> Stroke:
     """Give the mark of a point as what it states: by its name, that a tangent touches there."""
     for touched, angle in zip(loop.touched, ANGLES, strict=False):
         mark = stating(Statement(Kind.POINT, LOOP, angle), mark) if k in touched else mark
     return mark
 
 
-def _numbers(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Letter]:
+def _numbers(loop: ShownLoop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Letter]:
     """Number the points outward from the middle of the loop."""
     places = _places(loop, axes)
     heart = sum(places) / len(places)

@@ -16,7 +16,7 @@ import numpy as np
 from drawings.dynamics import graphs as quantities
 from drawings.dynamics import loop as equations
 from drawings.dynamics.graphs import Dense, Strips, dense, strips
-from drawings.dynamics.loop import TAIL, Loop
+from drawings.dynamics.loop import TAIL, ShownLoop
 from drawings.kinds.axes import BEYOND, wide
 from drawings.kinds.curve_graph import GraphCurve
 from drawings.layout.picture import Margins, Picture
@@ -38,9 +38,9 @@ def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve 
         return None
     shown = dense(cycle)
     steps = strips(cycle, task.divisions).steps[:-1]
-    own = np.flatnonzero(~np.isnan(steps) & (task.divisions <= NUMBERED))
+    numbered = np.flatnonzero(~np.isnan(steps) & (task.divisions <= NUMBERED))
     omega = quantities.omega(cycle, shown, before)
-    stations, ordinates = np.degrees(cycle.turned[own]), before.omega[own]
+    stations, ordinates = np.degrees(cycle.turned[numbered]), before.omega[numbered]
     course, title = (np.degrees(shown.turned), omega, stations, ordinates), drafting.word("speed without flywheel")
     return GraphCurve("ω_0", "rad/s", *course, title, task.divisions, name=quantities.BEFORE, states="ω_0")
 
@@ -56,14 +56,14 @@ UPPER, LOWER = "moments-works", "energy-speeds"  # of graphs that no paper has r
 OVER_TURN = (quantities.MOMENTS, quantities.WORKS, quantities.SURPLUS, quantities.SPEEDS)
 
 
-class Row(NamedTuple):
+class PlateRow(NamedTuple):
     """A row of a plate: what it shows, and its height in lengths of the axis of angles."""
 
     name: str
     high: float
 
 
-class Told(NamedTuple):
+class SetTable(NamedTuple):
     """A table that stands under the loop, and how it is set."""
 
     table: RuledTable
@@ -85,7 +85,7 @@ class Plate:
     graphs: tuple[str, ...]  # by their quantities, from the top
     loop: bool
     drafting: Drafting
-    told: Told | None = None
+    told: SetTable | None = None
 
     @property
     def hand(self) -> Hand:
@@ -109,18 +109,18 @@ class Plate:
         return strips(self.cycle, self.task.divisions)
 
     @cached_property
-    def shown(self) -> Loop:
+    def shown(self) -> ShownLoop:
         """The loop."""
-        return Loop(self.cycle, self.dense, self.strips, self.account.flywheel)
+        return ShownLoop(self.cycle, self.dense, self.strips, self.account.flywheel)
 
     @property
-    def rows(self) -> tuple[Row, ...]:
+    def rows(self) -> tuple[PlateRow, ...]:
         """The rows from the top."""
         if not self.graphs:
-            return Row(quantities.INERTIA, MOMENTS + WORKS), Row(quantities.SURPLUS, SURPLUS)
+            return PlateRow(quantities.INERTIA, MOMENTS + WORKS), PlateRow(quantities.SURPLUS, SURPLUS)
         heights = dict(zip(OVER_TURN, (MOMENTS, WORKS, SURPLUS if self.loop else WORKS, SPEEDS), strict=True))
         return tuple(
-            Row(name, heights[name]) for name in self.graphs if name != quantities.SPEEDS or self.account.speeds
+            PlateRow(name, heights[name]) for name in self.graphs if name != quantities.SPEEDS or self.account.speeds
         )
 
     @property
@@ -162,10 +162,10 @@ class Plate:
         return sum(row.high for row in self.rows)
 
 
-def told(table: RuledTable, shown: Plate, extent: float) -> Told | None:
+def told(table: RuledTable, shown: Plate, extent: float) -> SetTable | None:
     """Set a table to stand under the loop of a plate drawn so large, mm; None where it is too wide or too high."""
     length = extent / max(shown.wide, shown.high)
-    ways = [Told(table, setting) for setting in table.settings()]
+    ways = [SetTable(table, setting) for setting in table.settings()]
     tail = TAIL * shown.hand.letter
     width, height = WIDE * length + shown.beside[2] + tail, shown.over + SPEEDS * length + 2 * shown.under
     fitting = (way for way in ways if way.size[0] <= width and replace(shown, told=way).telling <= height)

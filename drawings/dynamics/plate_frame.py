@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,6 +14,7 @@ from drawings.dynamics.loop import NAME, TAIL, height, loop_part, write
 from drawings.dynamics.plate import TITLE, WIDE, Plate
 from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption
 from drawings.kinds.row_frame import coarser, level, stacked
+from drawings.kinds.working import TANGENTS, Working, told
 from drawings.layout.picture import Spot
 from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.scale import Scale, fitting
@@ -240,3 +242,31 @@ class PlateFrame:
         yield Line(self.inertia_axes.on(turned, inertia), spot, style)
         if self.plate.graphs:
             yield Line(self.axes(SURPLUS).on(turned, energy), spot, style)
+
+
+def working(shown: Plate) -> Working:
+    """Write beside a plate with the loop how steep the tangents to it are."""
+    return Working(TANGENTS, shown.name, lambda spot: list(_lines(shown, spot)), shown.drafting)
+
+
+def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
+    if not shown.loop or shown.account.flywheel is None:
+        return
+    drafting, (across, up) = shown.drafting, _scales(shown, spot)
+    k = drafting.notation == "K"
+    over, under = ("K_{T}", "K_{J}") if k else ("μ_{J}", "μ_{T}")
+    factors = [told(factor, drafting) for factor in ((1 / up, 1 / across) if k else (across, up))]
+    for end, slope in zip(("max", "min"), reversed(shown.account.flywheel.slopes), strict=True):
+        yield (
+            f"tg ψ_{{{end}}} = ω_{{{end}}}^2·{over}/(2·{under})",
+            f"{told(2 * slope, drafting)}·{factors[0]}/(2·{factors[1]})",
+            told(slope * across / up, drafting),
+        )
+
+
+def _scales(shown: Plate, spot: Spot | None) -> tuple[float, float]:
+    """Give the scales of inertia and of energy; NaN before it is known where the plate stands."""
+    if spot is None:
+        return math.nan, math.nan
+    frame = PlateFrame(shown, spot)
+    return frame.inertia_scale.mu, frame.energy_scale.mu

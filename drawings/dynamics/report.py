@@ -155,8 +155,8 @@ class DynamicsNotes(NamedTuple):
             if stops or before is None:
                 yield self.drafting.phrase("without flywheel", own=self.drafting.word("would stop"))
             else:
-                own = joined("", ("δ = ", self.drafting.slot(self._slot("δ without flywheel", before.delta))))
-                yield self.drafting.phrase("without flywheel", own=own)
+                motion = joined("", ("δ = ", self.drafting.slot(self._slot("δ without flywheel", before.delta))))
+                yield self.drafting.phrase("without flywheel", own=motion)
 
     def sizes(self) -> Iterator[str]:
         """Say the sizes of the rim; of one that is too thick, what would do."""
@@ -220,19 +220,16 @@ def remarks(study: Study) -> list[Message]:
 
 def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
     """Give the notes on what the construction finds, with the exact flywheel beside it."""
-    own, comparison = study.of(DynamicsStudy), study.of(DynamicsComparison)
+    dynamics, comparison = study.of(DynamicsStudy), study.of(DynamicsComparison)
     account, exact = comparison.construction, comparison.exact.flywheel
-    rim = rim_of(account.flywheel.inertia, own.task.rim) if account.flywheel is not None else None
+    rim = rim_of(account.flywheel.inertia, dynamics.task.rim) if account.flywheel is not None else None
     true = exact.inertia if exact is not None else None
-    return DynamicsNotes(own.task, account, _at(account.cycle, own.task), drafting_of(study.scene), rim, true, digits)
-
-
-def _at(cycle: Cycle | None, task: Task) -> partial[Flywheel]:
-    """Give the flywheel of another fluctuation by the same loop."""
-    return partial(_flywheel, cycle, task)
+    flywheel_at = partial(_flywheel, account.cycle, dynamics.task)
+    return DynamicsNotes(dynamics.task, account, flywheel_at, drafting_of(study.scene), rim, true, digits)
 
 
 def _flywheel(cycle: Cycle | None, task: Task, delta: float) -> Flywheel:
+    """Give the flywheel of another fluctuation by the same loop."""
     assert cycle is not None  # of a machine without one no other fluctuation is told
     return loop(cycle, task._replace(delta=delta)).flywheel
 

@@ -9,11 +9,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from drawings.dynamics import flywheel_sketch, plate, tachogram, working
+from drawings.dynamics import flywheel_sketch, plate, tachogram
 from drawings.dynamics.due import due
 from drawings.dynamics.graphs import Strips, strips
 from drawings.dynamics.plate import Plate, bare_speeds
-from drawings.dynamics.plate_frame import PlateFrame
+from drawings.dynamics.plate_frame import PlateFrame, working
 from drawings.dynamics.report import notes_of
 from drawings.dynamics.report_tables import without_rounding
 from drawings.forces import load_diagram
@@ -103,20 +103,20 @@ def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
 def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
     """Give the row of an edge, two of one at which a load jumps."""
     name, jumps = named.names[k], k in named.jumps
-    own = columns.rows[:, k].tolist()
+    after = columns.rows[:, k].tolist()
     if jumps:
         before = columns.before[:, k].tolist()
         yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
-    yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
+    yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in after))
 
 
 def _cell(value: float, drafting: Drafting) -> str:
     return NOTHING if not np.isfinite(value) else drafting.number(float(value) + 0.0, DIGITS)
 
 
-def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
+def results(drawn: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, and by how much the strips are out; then the inertia by other methods."""
-    lines = [_compared(quantity, drafting) for quantity in quantities(own, exact)]
+    lines = [_compared(quantity, drafting) for quantity in quantities(drawn, exact)]
     lines += _others(exact, methods, drafting)
     heads = tuple(drafting.word(head) for head in COLUMNS)
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
@@ -125,14 +125,14 @@ def results(own: Account, exact: Account, methods: Methods | None, drafting: Dra
 def _compared(quantity: Quantity, drafting: Drafting) -> TableRow:
     letter = drafting.true(quantity.name, "T") if quantity.name in SEGMENTS else quantity.name
     named = drafting.letter(letter) + (f", {drafting.word(quantity.unit)}" if quantity.unit else "")
-    own, exact = float(quantity.construction[0]), float(quantity.analysis[0])
-    numbers = (drafting.number(value, DIGITS + 1) for value in (own, exact))
-    return TableRow(named, (*numbers, _share(own, exact, quantity.largest, drafting)))
+    drawn, exact = float(quantity.construction[0]), float(quantity.analysis[0])
+    numbers = (drafting.number(value, DIGITS + 1) for value in (drawn, exact))
+    return TableRow(named, (*numbers, _share(drawn, exact, quantity.largest, drafting)))
 
 
-def _share(own: float, exact: float, whole: float, drafting: Drafting) -> str:
+def _share(drawn: float, exact: float, whole: float, drafting: Drafting) -> str:
     """Write a difference in per cent of the exact value, or of what it is a part of."""
-    return fixed(100 * (own - exact) / whole, drafting.language, 3) if whole else NOTHING
+    return fixed(100 * (drawn - exact) / whole, drafting.language, 3) if whole else NOTHING
 
 
 def _others(exact: Account, methods: Methods | None, drafting: Drafting) -> Sequence[TableRow]:
@@ -156,7 +156,7 @@ class Machine(NamedTuple):
     """What is asked of a machine's motion, and what was found of it: by construction, exactly, by other methods."""
 
     task: Task
-    own: Account
+    drawn: Account
     exact: Account
     methods: Methods | None = None
     loads: tuple[LoadCourse, ...] = ()
@@ -168,8 +168,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of the motion of a scene's machine."""
     found, statics, said = study.of(DynamicsComparison), study.of(Statics), notes_of(study)
     loads = tuple(courses(statics.machine, statics.strokes))
-    own = Machine(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
-    return sheets(study.scene, own)
+    machine = Machine(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
+    return sheets(study.scene, machine)
 
 
 def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
@@ -177,7 +177,7 @@ def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
     return lay_out(scene, [_DynamicsSheet(scene, machine).draft])
 
 
-class Way(NamedTuple):
+class PlateChoice(NamedTuple):
     """A way to show it: graphs and loop in line or not, how many positions the table tells at most, how many plates."""
 
     whole: bool
@@ -213,17 +213,17 @@ class _DynamicsSheet:
         first, *further = (self._drafted(way) for way in self._ways())
         return first._replace(instead=tuple(further))
 
-    def _ways(self) -> tuple[Way, ...]:
+    def _ways(self) -> tuple[PlateChoice, ...]:
         """List the ways: in line wherever the paper takes that."""
-        whole = self.machine.own.cycle is not None and self._least is not None
-        ways = tuple(Way(whole, most) for most in TOLD)
-        return ways if whole else (*ways, Way(False, TOLD[-1], True))
+        whole = self.machine.drawn.cycle is not None and self._least is not None
+        ways = tuple(PlateChoice(whole, most) for most in TOLD)
+        return ways if whole else (*ways, PlateChoice(False, TOLD[-1], True))
 
-    def _drafted(self, way: Way) -> Draft:
+    def _drafted(self, way: PlateChoice) -> Draft:
         title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
         return Draft("dynamics", title, shows, (), self.machine.notes, partial(figures_facts, positions=way.most))
 
-    def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
+    def _shows(self, way: PlateChoice) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""
         plates = tuple(self._plates(way))
         exhibits = [self._exhibit(shown, self._least if way.whole else None) for shown in plates]
@@ -231,16 +231,16 @@ class _DynamicsSheet:
         yield from self._loads()
         yield self._caption(self._values(way.most))
         yield from exhibits[1:]
-        if self.machine.own.cycle is not None and not (way.whole and self._whole.told):
+        if self.machine.drawn.cycle is not None and not (way.whole and self._whole.told):
             yield self._caption(self._results())
         yield from self._wheel()
         yield from self._bare()
         yield from self._run()
-        yield from captions(map(working.working, plates))
+        yield from captions(map(working, plates))
 
-    def _plates(self, way: Way) -> Iterator[Plate]:
+    def _plates(self, way: PlateChoice) -> Iterator[Plate]:
         """Give the plates: none of a machine whose crank cannot turn fully."""
-        if self.machine.own.cycle is None:
+        if self.machine.drawn.cycle is None:
             return
         if way.whole:
             yield self._whole
@@ -279,33 +279,33 @@ class _DynamicsSheet:
     def _bare(self) -> Iterator[Exhibit]:
         """Show the speeds without the flywheel, where they swing too far to stand among the others."""
         machine = self.machine
-        curve = bare_speeds(machine.task, machine.own, self.drafting)
+        curve = bare_speeds(machine.task, machine.drawn, self.drafting)
         if curve is not None:
             yield exhibit(curve_graph, curve, self.drafting, LARGEST)
 
     def _run(self) -> Iterator[Exhibit]:
         """Show the run from rest to rest, where there is a motor."""
-        run = self.machine.own.run
+        run = self.machine.drawn.run
         if run is not None and len(run.t) > 1:
             yield exhibit(tachogram, run, self.drafting)
 
     def _values(self, most: int) -> RuledTable:
         """Tell the values at the edges of the strips, or of the reduction alone at the positions."""
-        own = self.machine.own
-        if own.cycle is None:
-            return reduction(own.reduced, self.drafting)
-        return positions(self.machine.task, own, self.drafting, most)
+        account = self.machine.drawn
+        if account.cycle is None:
+            return reduction(account.reduced, self.drafting)
+        return positions(self.machine.task, account, self.drafting, most)
 
     def _results(self) -> RuledTable:
         """Tell what both roads found."""
         machine = self.machine
-        return results(machine.own, machine.exact, machine.methods, self.drafting)
+        return results(machine.drawn, machine.exact, machine.methods, self.drafting)
 
     def _caption(self, table: RuledTable) -> Caption:
         return Caption(Panel(table.block(table.name)), partial(table.write, drafting=self.drafting))
 
     def _plate(self, name: str, graphs: tuple[str, ...], loop: bool = False) -> Plate:
-        return Plate(name, self.machine.task, self.machine.own, graphs, loop, self.drafting)
+        return Plate(name, self.machine.task, self.machine.drawn, graphs, loop, self.drafting)
 
     def _exhibit(self, shown: Plate, least: float | None = None) -> Exhibit:
         room = plate.measure(shown)

@@ -14,7 +14,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.precision import errors
-from plans.analytic.balance.counterweights import Course, Found, counterweights, shared, sought, uncertain
+from plans.analytic.balance.counterweights import Course, FoundWeights, counterweights, shared, sought, uncertain
 from plans.analytic.balance.mass_centre import bodies, sizes, vectors
 from plans.analytic.kinetostatics import kinetostatics
 from plans.balance.shares import drawing, positions_around
@@ -29,12 +29,12 @@ from plans.model.motion import Complexes, Floats
 from plans.quantity import Quantity
 
 
-class Weights:
+class WeightBounds:
     """What rounding allows the counterweights of a study."""
 
     def __init__(self, study: BalanceStudy, course: Course) -> None:
         self.study, self.mechanism = study, course.mechanism
-        self.found = Found((), {}, {}, {})
+        self.found = FoundWeights((), {}, {}, {})
         if study.task.aim != NONE:
             wanted = sought(course.mechanism, study.linkage.groups, study.task)
             self.found = counterweights(course.mechanism, course.machine, wanted)
@@ -42,8 +42,8 @@ class Weights:
     def slack(self, link: int) -> float:
         """Give how far the static moment kg*m of a link's counterweight may be off, by both roads."""
         need = self.study.substitution.needs.get(link)
-        own = ROUNDING * EPS * need.size if need else 0.0
-        return own + self.found.slack.get(link, 0.0) + (self._given if link == self.mechanism.drive.link else 0.0)
+        rounding = ROUNDING * EPS * need.size if need else 0.0
+        return rounding + self.found.slack.get(link, 0.0) + (self._given if link == self.mechanism.drive.link else 0.0)
 
     def loose(self, point: str) -> float:
         """Give how far a mass kg that stays at a point may be off."""
@@ -89,7 +89,7 @@ class Weights:
             yield Quantity.of(named, (weight.centre, other.centre), place, far)
 
 
-class Stretch(NamedTuple):
+class ComparedPositions(NamedTuple):
     """Some positions of a linkage: the plans there, and the motion by both roads, which is judged elsewhere."""
 
     study: LinkageStudy
@@ -108,9 +108,9 @@ class Stretch(NamedTuple):
         rows = [np.abs(point.r) for point in self.motion.analysis.points.values()]
         return float(np.fmax.reduce(rows, axis=None))
 
-    def allowed(self, own: Floats, order: int, largest: float) -> Floats:
+    def allowed(self, drawn: Floats, order: int, largest: float) -> Floats:
         """Add what the analysis needs to what the construction does."""
-        return with_analysis(own, order, self.motion.kappa, largest)
+        return with_analysis(drawn, order, self.motion.kappa, largest)
 
     def bounds(self, *marks: Mark) -> list[Floats]:
         """Give how far rounding can have moved marks, over the positions."""
@@ -122,12 +122,12 @@ class Stretch(NamedTuple):
         return cap(self.study, list(findings), self.drafts)
 
 
-def scene_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
+def scene_stretch(study: LinkageStudy, motion: MotionComparison) -> ComparedPositions:
     """Give the positions of the scene, over which the motion is compared."""
-    return Stretch(study, study.drafts(), motion)
+    return ComparedPositions(study, study.drafts(), motion)
 
 
-def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
+def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> ComparedPositions:
     """Give even positions of a turn; of a crank that cannot turn fully they are the scene's."""
     around = positions_around(study)
     if around is study.turn:
@@ -135,7 +135,7 @@ def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
     drafts = Drafts(study, around)
     solved = motion.road.around(drafts.turn.phi)
     kappa = motion.road.conditions(solved)
-    return Stretch(
+    return ComparedPositions(
         study, drafts, replace(motion, construction=drafts.motion(2), analysis=solved, findings=(), kappa=kappa)
     )
 
@@ -147,7 +147,7 @@ FORCES = 3  # the reactions magnify rounding once more
 class Centre:
     """A mass centre by both roads over some positions, before or after, with what rounding allows it."""
 
-    def __init__(self, study: BalanceStudy, stretch: Stretch, after: bool, weights: Weights) -> None:
+    def __init__(self, study: BalanceStudy, stretch: ComparedPositions, after: bool, weights: WeightBounds) -> None:
         self.study, self.stretch, self.after, self.weights = study, stretch, after, weights
         self.points = points = study.points(after)
         self.drawing = made = drawing(points, stretch.drafts)
@@ -178,14 +178,14 @@ class Centre:
     @property
     def shaken(self) -> Floats:
         """How far the main vector may be off, N."""
-        own = self.mass * self.bent + self.given * self.stretch.rate + 4 * EPS * self.sizes[1]
-        return self.stretch.allowed(own, ACCELERATION, self.sizes[1])
+        drawn = self.mass * self.bent + self.given * self.stretch.rate + 4 * EPS * self.sizes[1]
+        return self.stretch.allowed(drawn, ACCELERATION, self.sizes[1])
 
     @property
     def rocked(self) -> Floats:
         """How far the main moment may be off, N*m."""
-        own = self.turning + self.given * self.stretch.rate * self.stretch.size
-        return self.stretch.allowed(own, ACCELERATION, self.sizes[2])
+        drawn = self.turning + self.given * self.stretch.rate * self.stretch.size
+        return self.stretch.allowed(drawn, ACCELERATION, self.sizes[2])
 
     def findings(self, plan: str, ours: MassCentre, theirs: MassCentre) -> Iterator[Quantity]:
         """Compare place, main vector and main moment."""
@@ -199,8 +199,8 @@ class Centre:
         static = self.sizes[0] / self.mass
         allowed = self.stretch.allowed(self.summed + self.given / self.mass, PLACE, static)
         yield Quantity.of((CENTRE, f"Σmr/m{self.mark}", "m"), (place, theirs.r), allowed, static)
-        own = self.forces + self.given * self.stretch.rate
-        allowed = self.stretch.allowed(own, ACCELERATION, self.sizes[1])
+        drawn = self.forces + self.given * self.stretch.rate
+        allowed = self.stretch.allowed(drawn, ACCELERATION, self.sizes[1])
         yield Quantity.of((CENTRE, f"ΣΦ{self.mark}", "N"), (force, theirs.force), allowed, self.sizes[1])
 
     def vectors(self) -> Iterator[Quantity]:
@@ -224,7 +224,9 @@ class Centre:
 class Centres:
     """The mass centre before and after, over the positions of the scene."""
 
-    def __init__(self, study: BalanceStudy, stretch: Stretch, ours: Balance, theirs: Balance, weights: Weights) -> None:
+    def __init__(
+        self, study: BalanceStudy, stretch: ComparedPositions, ours: Balance, theirs: Balance, weights: WeightBounds
+    ) -> None:
         self.study, self.stretch, self.ours, self.theirs, self.weights = study, stretch, ours, theirs, weights
 
     def findings(self) -> Iterator[Quantity]:
@@ -261,8 +263,8 @@ class Centres:
         rest = moving - next((place for place in moving if np.isfinite(place)), np.nan)
         loose = sum(self.weights.loose(point) for point in left) * self.stretch.size
         kept = sum(map(abs, left.values())) * self.stretch.size
-        own = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
-        allowed = own + float(np.fmax.reduce(own))
+        drawn = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
+        allowed = drawn + float(np.fmax.reduce(drawn))
         return Quantity.vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
 
     @property

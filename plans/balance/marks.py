@@ -50,8 +50,8 @@ def _steps(steps: list[Mark], whole: bool) -> tuple[tuple[Mark, ...], Mapping[st
     """Give the steps that are told, the units of their boards, and a note on the plans of the motion, left out."""
     if whole:
         return tuple(steps), UNITS, ()
-    own = tuple(step for step in steps if step.subject not in motion.UNITS)
-    return own, UNITS, (message("explain.left_out", count=len(steps) - len(own)),)
+    left = tuple(step for step in steps if step.subject not in motion.UNITS)
+    return left, UNITS, (message("explain.left_out", count=len(steps) - len(left)),)
 
 
 def _still(balance: BalanceStudy, letter: str) -> Iterator[Board]:

@@ -68,9 +68,9 @@ class MainPoints:
 
     def _terms(self, stem: Stem) -> Iterator[Term]:
         link, sums = stem.link, self.sums
-        own, centre = self.masses[link], f"S{link}"
+        borne, centre = self.masses[link], f"S{link}"
         arm = sums.arm(f"{stem.begin}{centre}", stem.origin, self.body(link).centre, link)
-        yield sums.moment(f"m_{link}·{arm.name}", own, arm, because("own_moment", link=link))
+        yield sums.moment(f"m_{link}·{arm.name}", borne, arm, because("own_moment", link=link))
         for other in self.tree.followers[link]:
             mass = self.behind(other.link)
             arm = sums.arm(f"{stem.begin}{other.begin}", stem.origin, other.at, link)

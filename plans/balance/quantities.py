@@ -14,7 +14,7 @@ from plans.analytic.balance.balance import balance, weighing
 from plans.analytic.balance.counterweights import Course, uncertain
 from plans.analytic.balance.mass_centre import bodies, vectors
 from plans.analytic.kinematics import Analysis
-from plans.balance.centre import Centre, Centres, Stretch, Weights, scene_stretch, turn_stretch
+from plans.balance.centre import Centre, Centres, ComparedPositions, WeightBounds, scene_stretch, turn_stretch
 from plans.balance.shares import positions_around
 from plans.balance.study import CENTRE, COSTS, COUNTERWEIGHTS, BalanceStudy
 from plans.forces.cut import indices
@@ -36,7 +36,12 @@ class Costs:
     """The machine before and after by both roads, over a turn."""
 
     def __init__(
-        self, study: BalanceStudy, course: Course, stretch: Stretch, roads: tuple[Balance, Balance], weights: Weights
+        self,
+        study: BalanceStudy,
+        course: Course,
+        stretch: ComparedPositions,
+        roads: tuple[Balance, Balance],
+        weights: WeightBounds,
     ) -> None:
         self.study, self.course, self.stretch, self.weights = study, course, stretch, weights
         self.ours, self.theirs = roads
@@ -177,7 +182,7 @@ def compare_balance(study: BalanceStudy, motion: MotionComparison) -> BalanceCom
     ours, scene, turn = study.balance, scene_stretch(study.linkage, motion), turn_stretch(study.linkage, motion)
     course = course_of(study, motion.road, motion.analysis, turn.motion.analysis)
     theirs = balance(course, study.task, study.linkage.groups, study.share)
-    weights = Weights(study, course)
+    weights = WeightBounds(study, course)
     found = [*Centres(study, scene, ours, theirs, weights).findings()]
     found += weights.findings(ours, theirs)
     costs = Costs(study, course, turn, (ours, theirs), weights)

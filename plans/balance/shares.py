@@ -148,8 +148,8 @@ class Superposition:
         """The share at which a counterweight whose mass follows is lightest: mass and reaction bend there."""
         if len({self.burden(share).mass for share in (0.0, 0.5, 1.0)}) == 1:
             return None
-        own = Burden.of(self.statics.machine.bodies.get(self.link, EMPTY), self.shaft)
-        share = -((self.burden(0.0).moment - own.moment) / self.step).real
+        bare = Burden.of(self.statics.machine.bodies.get(self.link, EMPTY), self.shaft)
+        share = -((self.burden(0.0).moment - bare.moment) / self.step).real
         return share if 2 * SPAN < share < 1 - 2 * SPAN else None
 
     def _machine(self, burden: Burden) -> Machine:

@@ -136,8 +136,8 @@ class Substitution:
 
     def _rests(self, link: int, moment: Term) -> bool:
         """Tell whether a static moment is none: the place of a mass centre is rounded, too, as the lengths are."""
-        own = self.bodies.get(link, EMPTY).mass * self.longest
-        return abs(moment.value) <= ROUNDING * EPS * (moment.size + own)
+        whole = self.bodies.get(link, EMPTY).mass * self.longest
+        return abs(moment.value) <= ROUNDING * EPS * (moment.size + whole)
 
     @cached_property
     def longest(self) -> float:

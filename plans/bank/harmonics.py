@@ -68,7 +68,6 @@ class Shaking(NamedTuple):
 
     force: Complexes  # (N,)
     slack: Floats  # (N,)
-    mark: Mark | None = None  # of the drawing, over all angles
 
 
 class Source(Protocol):
@@ -97,7 +96,7 @@ class SliderCrank(NamedTuple):
         """Draw the mechanism, its velocities and accelerations over a turn, and add the inertia forces."""
         force = _force(self.unit, *_accelerations(self, even(start, count, +1).directions))
         slack = np.broadcast_to(errors(force)[force].place, count)
-        return Shaking(np.asarray(force.point), slack, force)
+        return Shaking(np.asarray(force.point), slack)
 
 
 def _accelerations(engine: SliderCrank, directions: Complexes) -> tuple[Mark, Mark]:
@@ -142,6 +141,7 @@ def _force(unit: Unit, a_a: Mark, a_b: Mark) -> Mark:
 
 
 HARMONICS = "harmonics"  # the board: forces, N
+COMPENSATORS = "compensators"  # the board: static moments m*r, kg*m
 FEWEST, MOST = 16, 2**14  # ordinates of a turn: begun with, and at the most
 END_TO_END = because("end_to_end")
 
@@ -187,8 +187,8 @@ def of_ordinates(source: Source, shaking: Shaking, orders: Sequence[int]) -> Har
         for k, force in enumerate(shaking.force)
     ]
     vectors = {signed: _polygon(board, pole, ordinates, signed) for signed in _signed(orders)}
-    own = _rounding(source, shaking)
-    return Harmonics(board, pole, vectors, own, float(np.mean(shaking.slack)) + own, shaking.force)
+    rounding = _rounding(source, shaking)
+    return Harmonics(board, pole, vectors, rounding, float(np.mean(shaking.slack)) + rounding, shaking.force)
 
 
 def _rounding(source: Source, shaking: Shaking) -> float:

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 from geometry.board import Mark
 from geometry.steps import behind
-from plans.bank.compensators import COMPENSATORS
-from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters, roman
+from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters, roman
 from plans.bank.polygons import MOMENTS
 from plans.bank.reading import ORDER_LIMIT, BankSurvey
 from plans.bank.study import BankStudy, orders_of
@@ -38,10 +37,10 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = behind(mark)
-    own = steps if study.whole else list(_own(bank, mark, steps))
-    left = len(steps) - len(own)
+    kept = steps if study.whole else list(_own(bank, mark, steps))
+    left = len(steps) - len(kept)
     notes = (message("explain.ordinates", count=left),) if left else ()
-    return Explanation(message("explain.name", mark=name), tuple(own), UNITS, notes, zeros=frozenset(_zeros(bank)))
+    return Explanation(message("explain.name", mark=name), tuple(kept), UNITS, notes, zeros=frozenset(_zeros(bank)))
 
 
 def _own(bank: BankStudy, mark: Mark, steps: Sequence[Mark]) -> Iterator[Mark]:

@@ -13,8 +13,7 @@ from plans.analytic.balance.bank import Linkage, Mechanism, SliderCrank, bank_ba
 from plans.analytic.balance.mass_centre import bodies
 from plans.balance.quantities import BalanceComparison, compare_balance
 from plans.balance.study import BalanceStudy
-from plans.bank.compensators import COMPENSATORS
-from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
+from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
 from plans.by_hand import MOST_SIDES, by_hand
 from plans.forces.statics import Statics

@@ -144,9 +144,9 @@ class CompensatorTable(Table):
 def _check_orders(entries: tuple[CompensatorTable, ...]) -> None:
     """See that an order has one line of compensators."""
     orders = [compensator.order for compensator in entries]
-    for number, own in enumerate(orders):
-        if own in orders[:number]:
-            raise wrong("compensators_twice", order=own, at=(number, "order"))
+    for number, found in enumerate(orders):
+        if found in orders[:number]:
+            raise wrong("compensators_twice", order=found, at=(number, "order"))
 
 
 class BankTable(Table):

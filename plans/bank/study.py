@@ -16,9 +16,8 @@ from plans.balance.mass_centre import Drawing, MainPoints
 from plans.balance.shares import drawing, turns
 from plans.balance.study import BalanceStudy
 from plans.balance.weights import tree_of
-from plans.bank.compensators import COMPENSATORS, Weights, compensators, left_over
-from plans.bank.harmonics import HARMONICS, Harmonics, NotSettled, Shaking, SliderCrank, Source, harmonics
-from plans.bank.polygons import Polygons, polygons
+from plans.bank.harmonics import COMPENSATORS, HARMONICS, Harmonics, NotSettled, Shaking, SliderCrank, Source, harmonics
+from plans.bank.polygons import CompensatorMasses, Polygons, compensators, left_over, polygons
 from plans.bank.reading import BankSurvey
 from plans.forces.statics import Statics
 from plans.linkage.drafts import Drafts
@@ -57,7 +56,7 @@ class Linkage:
         """Draw the linkage over a turn, its velocities and accelerations, and its main-point vectors."""
         force = self._drawing(start, count).force
         slack = np.broadcast_to(errors(force)[force].place, count)
-        return Shaking(np.array(np.broadcast_to(force.point, count)), slack, force)
+        return Shaking(np.array(np.broadcast_to(force.point, count)), slack)
 
     def _drawing(self, start: Fraction, count: int) -> Drawing:
         turn = even(start, count, +1).paced(self._steady)
@@ -157,12 +156,12 @@ class BankStudy:
         return whole(self.source, self.task.members)
 
     @cached_property
-    def weights(self) -> tuple[Weights, ...]:
+    def weights(self) -> tuple[CompensatorMasses, ...]:
         """The masses of the compensators."""
         return self._read[1]
 
     @cached_property
-    def _read(self) -> tuple[Board, tuple[Weights, ...]]:
+    def _read(self) -> tuple[Board, tuple[CompensatorMasses, ...]]:
         self.made.setdefault(COMPENSATORS)
         return compensators(self.task, self.drawing)
 

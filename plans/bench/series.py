@@ -24,7 +24,7 @@ from plans.bench.motion import turns, with_positions
 from plans.bench.quantities import quantities
 from plans.bench.trial import Errors, Order, Road
 from plans.dynamics import run as table
-from plans.dynamics.cycle import Turn
+from plans.dynamics.cycle import SteadyStrips
 from plans.dynamics.loop import loop
 from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy, reduced_link
@@ -133,7 +133,7 @@ def _mean(turn: Exact, count: int) -> float:
 
 def _chords(found: DynamicsStudy, count: int) -> float:
     """Draw works and loop over so many strips; give J_0, kg*m2."""
-    return loop(Turn(found.reduction, count).works.cycle, found.task).flywheel.whole
+    return loop(SteadyStrips(found.reduction, count).works.cycle, found.task).flywheel.whole
 
 
 def _edges(found: DynamicsStudy, turn: Exact, count: int) -> float:

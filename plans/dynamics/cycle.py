@@ -32,11 +32,11 @@ def rim_of(inertia: float, rim: Rim) -> Wheel | None:
     """
     if rim.diameter is None or not inertia > 0:
         return None
-    own = inertia / rim.ratio**2
+    on_shaft = inertia / rim.ratio**2
     around = rim.density * math.pi * rim.diameter  # kg for a square metre of the section
-    section = own / (around * (rim.diameter / 2) ** 2)
+    section = on_shaft / (around * (rim.diameter / 2) ** 2)
     breadth = math.sqrt(section * rim.breadth)
-    return Wheel(own, rim.diameter, around * section, section / breadth, breadth)
+    return Wheel(on_shaft, rim.diameter, around * section, section / breadth, breadth)
 
 
 def methods(cycle: Cycle, task: Task) -> Methods | None:
@@ -164,13 +164,13 @@ def _parting(force: Force) -> Height:
     return _away(force.point, force.other.point, force.line)
 
 
-def _away(own: str, far: str, line: tuple[str, str]) -> Height:
+def _away(point: str, far: str, line: tuple[str, str]) -> Height:
     start, end = line
 
     def height(motion: Motion) -> Floats:
         along = motion.points[end].r - motion.points[start].r
         with np.errstate(invalid="ignore"):  # a gap is NaN, and so is the way between points that coincide
-            parting = np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real / np.abs(along))
+            parting = np.asarray((along.conj() * (motion.points[point].v - motion.points[far].v)).real / np.abs(along))
         return _without_rounding(parting, motion.points.values())
 
     return height
@@ -230,7 +230,7 @@ APART = 4 * ROUNDING * TURN
 
 
 @dataclass(frozen=True)
-class Works:
+class WorkDiagram:
     """The curve of work by chords, the straight line of the drive's work, and what the strips are made of."""
 
     curve: Integral
@@ -246,7 +246,7 @@ class Works:
         return self.curve.board
 
 
-class Turn:
+class SteadyStrips:
     """A steady turn of the crank in strips, with what is reduced to the crank in them."""
 
     def __init__(self, reduction: Reduction, divisions: int) -> None:
@@ -263,7 +263,7 @@ class Turn:
         return strips(0.0, TURN, self.divisions, self.breaks)
 
     @cached_property
-    def works(self) -> Works:
+    def works(self) -> WorkDiagram:
         """Draw the curve of work from the moments at the middles of all strips."""
         middle, edge = self.reduction.at(middles(self.edges)), self.reduction.at(self.edges)
         means = settled(middle.moment, middle.size)
@@ -271,7 +271,7 @@ class Turn:
         curve = integral(board, "A", self.edges, means, why=REASONS)
         sides, bent = self._sides
         cycle = Cycle(CONSTRUCTION, self.edges, self.breaks, sides, means, curve.values, edge.inertia)
-        return Works(curve, _drive(board, curve), cycle, middle, edge, bent)
+        return WorkDiagram(curve, _drive(board, curve), cycle, middle, edge, bent)
 
     @property
     def _sides(self) -> tuple[Floats, Floats]:

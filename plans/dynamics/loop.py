@@ -20,7 +20,7 @@ ANGLE, SPEED, STOP, ROWS = "angle", "speed", "stop", "rows"  # what a part of th
 ROWS_MOST = 20_000  # of a table: beyond, its step is too short to be of use
 
 
-class Row(NamedTuple):
+class RunRow(NamedTuple):
     """A row of table 6.1: time s, angle turned rad, speed rad/s, acceleration rad/s2."""
 
     t: float
@@ -29,10 +29,10 @@ class Row(NamedTuple):
     epsilon: float
 
 
-class Part(NamedTuple):
+class RunPart(NamedTuple):
     """Some rows of the table, the works over them, and what it ended with."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[RunRow, ...]
     works: Works
     reason: str
 
@@ -54,15 +54,15 @@ class Acting:
     loaded: bool = False
     brake: float = 0.0
 
-    def row(self, t: float, turned: float, omega: float) -> Row:
+    def row(self, t: float, turned: float, omega: float) -> RunRow:
         """Make a row: its acceleration is that of the forces beyond it (6.8)."""
         here = beyond(turned)
         moment = self._drive(omega) - self.brake + self.link.weight(here)
         moment += self.link.resistance(here) if self.loaded else 0.0
         epsilon = (moment - omega**2 / 2 * self.link.slope(here)) / self.link.inertia(here)
-        return Row(t, turned, omega, epsilon)
+        return RunRow(t, turned, omega, epsilon)
 
-    def works(self, row: Row, turned: float) -> Works:
+    def works(self, row: RunRow, turned: float) -> Works:
         """Give the works from a row to an angle: moments are those of the row's speed and of the middles of strips."""
         strips = list(self._strips(row.turned, turned))
         useful = sum(self.link.resistance((low + high) / 2) * (low - high) for low, high in strips)
@@ -70,7 +70,7 @@ class Acting:
         path = turned - row.turned
         return Works(self._drive(row.omega) * path, useful if self.loaded else 0.0, self.brake * path, weights)
 
-    def energy(self, row: Row) -> float:
+    def energy(self, row: RunRow) -> float:
         """Give the kinetic energy J of the machine in a row."""
         return self.link.inertia(row.turned) * row.omega**2 / 2
 
@@ -85,7 +85,7 @@ class Acting:
         yield low, high
 
 
-def by_acceleration(acting: Acting, row: Row, step: float, ends: Ends) -> Part:
+def by_acceleration(acting: Acting, row: RunRow, step: float, ends: Ends) -> RunPart:
     """Go on from row to row by the acceleration at the beginning of each step (6.8); the last step is shortened."""
     rows, works, reason = [row], Works(), ""
     while not reason:
@@ -93,10 +93,10 @@ def by_acceleration(acting: Acting, row: Row, step: float, ends: Ends) -> Part:
         works = works.joined(acting.works(rows[-1], row.turned))
         rows.append(row)
         reason = reason or (ROWS if len(rows) >= ends.rows else "")
-    return Part(tuple(rows), works, reason)
+    return RunPart(tuple(rows), works, reason)
 
 
-def _accelerated(acting: Acting, row: Row, step: float, ends: Ends) -> tuple[Row, str]:
+def _accelerated(acting: Acting, row: RunRow, step: float, ends: Ends) -> tuple[RunRow, str]:
     """Give the next row, or that at which the part ends before it."""
     limits = {"": step, **_within(row, ends)}
     reason = min(limits, key=lambda name: limits[name])
@@ -106,7 +106,7 @@ def _accelerated(acting: Acting, row: Row, step: float, ends: Ends) -> tuple[Row
     return acting.row(row.t + dt, ends.angle if reason == ANGLE else turned, omega), reason
 
 
-def _within(row: Row, ends: Ends) -> dict[str, float]:
+def _within(row: RunRow, ends: Ends) -> dict[str, float]:
     """Give after what time each end is reached, if the acceleration stays as it is."""
     found = {ANGLE: _time(row, ends.angle - row.turned)}
     if row.epsilon > 0:
@@ -116,14 +116,14 @@ def _within(row: Row, ends: Ends) -> dict[str, float]:
     return found
 
 
-def _time(row: Row, path: float) -> float:
+def _time(row: RunRow, path: float) -> float:
     """Give the time for a path at a constant acceleration, infinite where the path is too long for it."""
     square = row.omega**2 + 2 * row.epsilon * path
     below = row.omega + math.sqrt(square) if square >= 0 else 0.0
     return 2 * path / below if below > 0 else math.inf
 
 
-def by_energy(acting: Acting, row: Row, step: float, ends: Ends) -> Part:
+def by_energy(acting: Acting, row: RunRow, step: float, ends: Ends) -> RunPart:
     """Go on from row to row by the works over each step (6.9); the last step is shortened."""
     rows, works, reason = [row], Works(), ""
     kept = acting.energy(row)
@@ -132,10 +132,10 @@ def by_energy(acting: Acting, row: Row, step: float, ends: Ends) -> Part:
         works, kept = works.joined(work), kept + work.gained
         rows.append(row)
         reason = reason or (ROWS if len(rows) >= ends.rows else "")
-    return Part(tuple(rows), works, reason)
+    return RunPart(tuple(rows), works, reason)
 
 
-def _carried(acting: Acting, row: Row, step: float, end: float, kept: float) -> tuple[Row, str, Works]:
+def _carried(acting: Acting, row: RunRow, step: float, end: float, kept: float) -> tuple[RunRow, str, Works]:
     """Give the next row and the works to it; where the machine stops before, the row in which it does."""
     limits = {"": step, **_within(row, Ends(end, 0))}
     reason = min(limits, key=lambda name: limits[name])

@@ -140,10 +140,10 @@ def quantities_of(study: Study) -> tuple[Quantity, ...]:
     return *found.findings, *results(found.construction, found.exact)
 
 
-def results(own: Account, exact: Account) -> Iterator[Quantity]:
+def results(account: Account, exact: Account) -> Iterator[Quantity]:
     """Put the results of the strips beside those without their error; segments are parts of one length."""
     cuts = () if exact.flywheel is None else exact.flywheel.cuts
-    for drawn, other in zip(_results(own), _results(exact), strict=True):
+    for drawn, other in zip(_results(account), _results(exact), strict=True):
         named, value = drawn
         largest = sum(map(abs, cuts)) if named[1] in SEGMENTS else abs(other[1])
         yield Quantity.of(named, (value, other[1]), np.inf, largest)

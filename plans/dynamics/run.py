@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from plans.dynamics.loop import ANGLE, ROWS, ROWS_MOST, STOP, Acting, Ends, Part, Row, by_acceleration, by_energy
+from plans.dynamics.loop import ANGLE, ROWS, ROWS_MOST, STOP, Acting, Ends, RunPart, RunRow, by_acceleration, by_energy
 from plans.model.dynamics import CONSTRUCTION, TURN
 from plans.model.motor import Motor
 from plans.model.run import (
@@ -61,7 +61,7 @@ def mean_resistance(link: ReducedLink) -> float:
     """Give the mean moment N*m over a turn with which the resistance hinders the motion, by ordinates at middles."""
     acting = Acting(link, None, loaded=True)
     edges = [k * TURN / STRIPS for k in range(STRIPS + 1)]
-    return sum(acting.works(Row(0.0, low, 0.0, 0.0), high).useful for low, high in pairwise(edges)) / TURN
+    return sum(acting.works(RunRow(0.0, low, 0.0, 0.0), high).useful for low, high in pairwise(edges)) / TURN
 
 
 @dataclass
@@ -71,7 +71,7 @@ class _Table:
     link: ReducedLink
     motor: Motor
     task: RunTask
-    rows: list[Row] = field(default_factory=list)
+    rows: list[RunRow] = field(default_factory=list)
     stages: list[Stage] = field(default_factory=list)
     steady: SteadyTurn | None = None
     failure: Failure | None = None
@@ -112,7 +112,7 @@ class _Table:
         acting = Acting(self.link, self.motor, loaded=True)
         row = acting.row(*self.rows[-1][:3])
         first = math.ceil(row.turned / TURN) * TURN
-        parts: list[Part] = []
+        parts: list[RunPart] = []
         for k in range(self.task.turns + 1):
             used = sum(len(part.rows) for part in parts)
             parts.append(by_energy(acting, row, self.step, Ends(first + k * TURN, self._left - used)))
@@ -139,7 +139,7 @@ class _Table:
         """The rows that may still be added."""
         return ROWS_MOST - len(self.rows)
 
-    def _append(self, name: str, acting: Acting, parts: Sequence[Part]) -> None:
+    def _append(self, name: str, acting: Acting, parts: Sequence[RunPart]) -> None:
         """Add a stage made of some parts; the row that two of them share is added once."""
         rows = [*parts[0].rows, *(row for part in parts[1:] for row in part.rows[1:])]
         first, works = len(self.rows), Works()
@@ -149,7 +149,7 @@ class _Table:
         energies = (acting.energy(rows[0]), acting.energy(rows[-1]))
         self.stages.append(Stage(name, first, len(self.rows) - 1, works, energies))
 
-    def _ended(self, stage: str, part: Part, limit: float) -> bool:
+    def _ended(self, stage: str, part: RunPart, limit: float) -> bool:
         """See how a part has ended: whether the run goes on, and if not, why."""
         if part.reason == ROWS:
             return self._fails(stage, TOO_MANY_ROWS, ROWS_MOST)
@@ -161,7 +161,7 @@ class _Table:
         return False
 
 
-def _turn(part: Part) -> SteadyTurn:
+def _turn(part: RunPart) -> SteadyTurn:
     """Take the account of a turn."""
     first, last = part.rows[0], part.rows[-1]
     speeds = [row.omega for row in part.rows]

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.errors import ConstructionError
-from plans.dynamics.cycle import Turn, Works, methods, rim_of
+from plans.dynamics.cycle import SteadyStrips, WorkDiagram, methods, rim_of
 from plans.dynamics.form import DRIVE, DynamicsForm, DynamicsTable, motor_of, run_task
 from plans.dynamics.loop import Loop, loop
 from plans.dynamics.reading import task_of
@@ -51,7 +51,7 @@ class Ordinates:
 
 
 @dataclass(frozen=True)
-class Curve:
+class CubicCurve:
     """A quantity through its ordinates and slopes, a cubic in each strip (Hermite): value and slope belong together."""
 
     ordinates: Ordinates
@@ -75,14 +75,14 @@ class Curve:
         return y, end - y, self.slopes.begins[k] * breadth, self.slopes.ends[k] * breadth
 
 
-def curve(places: Floats, values: Floats, slopes: Floats) -> Curve:
+def curve(places: Floats, values: Floats, slopes: Floats) -> CubicCurve:
     """Put a curve through values (n + 1,) with slopes (n + 1,) at places from 0 to a whole turn."""
     at = places.tolist()
     both = [Ordinates(at, row[:-1].tolist(), row[1:].tolist()) for row in (values, slopes)]
-    return Curve(*both)
+    return CubicCurve(*both)
 
 
-def reduced_link(works: Works, constant: float) -> ReducedLink:
+def reduced_link(works: WorkDiagram, constant: float) -> ReducedLink:
     """Read the reduced link off the graphs of a steady turn; `constant`: inertia kg*m2 of shafts and flywheel."""
     cycle = works.cycle
     inertia = curve(cycle.turned, cycle.inertia + constant, works.edge.slope)
@@ -144,17 +144,17 @@ class DynamicsStudy:
         return Account(CONSTRUCTION, self.reduced, self.cycle, self.flywheel, self.speeds, self.before, self.run)
 
     @cached_property
-    def turn(self) -> Turn:
+    def turn(self) -> SteadyStrips:
         """The steady turn in strips."""
         study = self.linkage
         if not self.steady:
             line, _ = study.scene.place(("dynamics",))
             why = message("dynamics.no_cycle", why=obstruction(study.sweep))
             raise NoCycle(placed(f"{study.scene.file}:{line}", why))
-        return Turn(self.reduction, self.task.divisions)
+        return SteadyStrips(self.reduction, self.task.divisions)
 
     @cached_property
-    def works(self) -> Works:
+    def works(self) -> WorkDiagram:
         """The works of the steady turn."""
         self.made.setdefault(WORKS)
         return self.turn.works

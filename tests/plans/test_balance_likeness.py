@@ -16,7 +16,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from plans.analytic.balance.counterweights import Found, sought
+from plans.analytic.balance.counterweights import FoundWeights, sought
 from plans.analytic.balance.counterweights import counterweights as by_vectors
 from plans.balance.mass_centre import MainPoints
 from plans.balance.shares import mass_centre
@@ -167,7 +167,7 @@ class Asking:
         return {point: term.value for point, term in self.substitution.left.items()}
 
     @property
-    def by_analysis(self) -> Found:
+    def by_analysis(self) -> FoundWeights:
         """The counterweights by analysis."""
         return by_vectors(self.mechanism, self.machine, sought(self.mechanism, self.groups, self.task))
 

@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 
 from drawings.dynamics.due import LOOP, SEGMENTS, TANGENTS
-from drawings.dynamics.due_graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Turn
+from drawings.dynamics.due_graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, AnalysedTurn
 from drawings.grading import verdict
 from drawings.grading.curves.diagram_figures import load_diagrams
 from drawings.grading.curves.figure_records import (
@@ -61,7 +61,7 @@ def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     yield from load_diagrams(sheet, study.of(DynamicsStudy).statics)
     if comparison.analysis.cycle is None:
         return
-    drawn = _Sheet(sheet, Turn(task, comparison.analysis), Turn(task, comparison.exact))
+    drawn = _Sheet(sheet, AnalysedTurn(task, comparison.analysis), AnalysedTurn(task, comparison.exact))
     yield from drawn.graphs()
     yield from drawn.loop()
     yield from bare_speeds(sheet, drawn.expected, drawn.exact)
@@ -73,8 +73,8 @@ class _Sheet:
     """A sheet with what the analysis says of it: by the chords of the construction, and exactly."""
 
     sheet: SceneSheet
-    expected: Turn
-    exact: Turn
+    expected: AnalysedTurn
+    exact: AnalysedTurn
 
     def graphs(self) -> Iterator[FigureAsked]:
         """Give the graphs over the turn in the order in which they are drawn."""

@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from drawings.dynamics.due import LOOP
-from drawings.dynamics.due_graphs import BEFORE, INERTIA, KNOWN, MOMENTS, SURPLUS, TACHOGRAM, WORKS, Turn
+from drawings.dynamics.due_graphs import BEFORE, INERTIA, KNOWN, MOMENTS, SURPLUS, TACHOGRAM, WORKS, AnalysedTurn
 from drawings.grading import verdict
 from drawings.grading.curves.figure_records import (
     ORDINATES,
@@ -63,7 +63,7 @@ BEARING, CUT = "bearings of the loop", "cuts of the loop"
 class Turned(NamedTuple):
     """A turn in strips, and how the figures of its motion follow from one another."""
 
-    expected: Turn
+    expected: AnalysedTurn
     scales: tuple[float, float] = (1.0, 1.0)  # of the loop: kg*m2 and J a mm
 
     @property
@@ -189,7 +189,7 @@ def _straight(run: Run, names: list[str], t: Floats) -> Iterator[Mistake]:
     yield Mistake(verdict.STRAIGHT, np.asarray(1j * np.interp(t, ends, np.interp(ends, *_rising(run)))))
 
 
-def bare_speeds(sheet: SceneSheet, expected: Turn, exact: Turn) -> Iterator[FigureAsked]:
+def bare_speeds(sheet: SceneSheet, expected: AnalysedTurn, exact: AnalysedTurn) -> Iterator[FigureAsked]:
     """Give the graph of the speeds without the flywheel."""
     marks, before = sheet.vectors(BEFORE), expected.account.before
     if not marks or before is None:
@@ -224,7 +224,7 @@ class Bare:
         return np.asarray(1j * omega)
 
 
-def _flywheeled(expected: Turn) -> Iterator[Mistake]:
+def _flywheeled(expected: AnalysedTurn) -> Iterator[Mistake]:
     """Give the speeds with the flywheel, drawn where those without it are asked for."""
     if expected.omega is not None:
         yield Mistake(verdict.FLYWHEEL, np.asarray(1j * expected.omega))

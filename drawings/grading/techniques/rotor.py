@@ -6,13 +6,12 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from drawings.balance.due import Balanced, Side
-from drawings.balance.hodograph import NAME as SHAKING
+from drawings.balance.due import Balanced, ChainVector
+from drawings.balance.graphs import SHAKING
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME
-from drawings.balance.static_polygon import NAME as MOMENTS
-from drawings.bank.due import Bank
-from drawings.bank.due import Polygon as OrderPolygon
-from drawings.bank.polygon import plan_of
+from drawings.balance.sheet import MOMENTS
+from drawings.bank.diagrams import plan_of
+from drawings.bank.due import Bank, OrderPolygon
 from drawings.bank.star import fanned
 from drawings.forces.report import drafting_of_forces
 from drawings.grading import verdict
@@ -215,7 +214,7 @@ def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
         yield Found(name, Span(datum, board.given(name, place)), slips=(other,))
 
 
-def _laid(plan: str, laid: Sequence[Side]) -> tuple[list[Span], list[Span]]:
+def _laid(plan: str, laid: Sequence[ChainVector]) -> tuple[list[Span], list[Span]]:
     """Lay vectors end to end as a student does; give each from nothing, and between its corners."""
     board = Board(plan)
     pole = board.given("0", 0j)
@@ -228,9 +227,9 @@ def _laid(plan: str, laid: Sequence[Side]) -> tuple[list[Span], list[Span]]:
     return sides, corners
 
 
-def _lacking(expected: Balanced, state: str, side: Side) -> Iterator[Slip]:
+def _lacking(expected: Balanced, state: str, side: ChainVector) -> Iterator[Slip]:
     """Give what the vector of a link is without the masses of one that follows it."""
-    tree, solid = expected.own.tree, expected.solid(state)
+    tree, solid = expected.study.tree, expected.solid(state)
     whole = sum(body.mass for body in solid)
     stem = next((stem for stem in tree.stems if side.name == f"h_{stem.link}"), None)
     if stem is None:

@@ -9,7 +9,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from plans.analytic.balance.counterweights import Course, Found, carrying, counterweights, shared, sought, state
+from plans.analytic.balance.counterweights import Course, FoundWeights, carrying, counterweights, shared, sought, state
 from plans.analytic.balance.mass_centre import bodies, mass_centre
 from plans.model.balance.linkage import (
     ANALYSIS,
@@ -220,12 +220,12 @@ def balance(course: Course, task: Task, groups: Sequence[Group], share: float | 
     return Balance(ANALYSIS, task, found.counterweights, found.left, before, after, chosen, course.motion.gaps)
 
 
-def weighing(course: Course, found: Found) -> Weighing:
+def weighing(course: Course, found: FoundWeights) -> Weighing:
     """Weigh shares of the reciprocating mass, from the counterweights that leave all of it."""
     return Weighing(course, found.counterweights, shared(course.mechanism, found.left))
 
 
-def _chosen(course: Course, task: Task, found: Found, share: float | None) -> tuple[Found, Shares | None]:
+def _chosen(course: Course, task: Task, found: FoundWeights, share: float | None) -> tuple[FoundWeights, Shares | None]:
     """Take the share of the reciprocating mass that is asked for, off the crank's counterweight."""
     if task.aim != SHARE:
         return found, None

@@ -47,15 +47,15 @@ class Formal:
     def _none(self) -> Complexes:
         return np.zeros(self.size, dtype=np.complex128)
 
-    def along(self, link: int, own: complex) -> Complexes:
+    def along(self, link: int, vector: complex) -> Complexes:
         """Give the row of a vector fixed in a link, of its own frame."""
         row, turned = self._none(), self.turned[link]
-        row[self.columns[turned.leader]] = own * turned.by
+        row[self.columns[turned.leader]] = vector * turned.by
         return row
 
-    def place(self, link: int, own: complex) -> Complexes:
+    def place(self, link: int, spot: complex) -> Complexes:
         """Give the row of a point of a link."""
-        return np.asarray(self.origins[link] + self.along(link, own))
+        return np.asarray(self.origins[link] + self.along(link, spot))
 
     def of(self, point: str) -> Complexes:
         """Give the row of a point by its letter."""
@@ -79,8 +79,10 @@ class Formal:
 
     def _pinned(self, first: int, second: int, point: str) -> Complexes:
         """Give how far the origin of a hinge's first link is from that of its second."""
-        own = self.mechanism.links
-        return np.asarray(self.along(second, own[second].points[point]) - self.along(first, own[first].points[point]))
+        links = self.mechanism.links
+        return np.asarray(
+            self.along(second, links[second].points[point]) - self.along(first, links[first].points[point])
+        )
 
     def _slid(self, slide: Slide) -> Complexes:
         """Give how far the origin of a slider is from that of its owner: along the line by what it slides."""
@@ -136,8 +138,8 @@ class Course:
 
     def forces(self, added: Sequence[Counterweight] = ()) -> Kinetostatics:
         """Find the forces over the turn with counterweights."""
-        own, theirs = self.loading, inertia(self.mechanism, self.machine, added, self.turn)
-        whole = Loading(own.forces + theirs.forces, own.moments + theirs.moments)
+        loads, theirs = self.loading, inertia(self.mechanism, self.machine, added, self.turn)
+        whole = Loading(loads.forces + theirs.forces, loads.moments + theirs.moments)
         return kinetostatics(self.road, self.machine, self.turn, whole, self.pairs)
 
     def twisted(self) -> Kinetostatics:
@@ -242,7 +244,7 @@ REFINEMENTS = 2  # of a linear solution: what one leaves, the next finds to be r
 
 
 @dataclass(frozen=True)
-class Found:
+class FoundWeights:
     """Counterweights, kg of what stays at hinges by letter, and how far rounding can have moved either.
 
     `slack` is kg*m by link, `loose` kg by letter.
@@ -254,13 +256,13 @@ class Found:
     loose: dict[str, float]
 
 
-def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> Found:
+def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> FoundWeights:
     """Find the counterweights that are sought: they bring the mass centre to rest but for what moves along guides.
 
     A mass that follows from a static moment weighs on the links that bear the link: each round sets one more of them.
     """
     sums = Sums(mechanism, machine, wanted)
-    found = Found(wanted.blanks, {}, {}, {})
+    found = FoundWeights(wanted.blanks, {}, {}, {})
     for _ in range(len(wanted.blanks) + 1):
         found = sums.solve(found)
     return found
@@ -314,7 +316,7 @@ class Sums:
         bodies = (self.machine.bodies.get(link) for link in self.links)
         return (ROUNDING * EPS * body.mass * longest if body else 0.0 for body in bodies)
 
-    def solve(self, known: Found) -> Found:
+    def solve(self, known: FoundWeights) -> FoundWeights:
         """Find static moments and masses that stay, with the masses known so far where the links begin."""
         borne = [(body.mass, self.formal.place(body.link, body.centre)) for body in self.machine.bodies.values()]
         added = [
@@ -330,14 +332,14 @@ class Sums:
         off = [uncertain(weight, known.slack.get(weight.link, 0.0)) * np.abs(row) for weight, row in added]
         return self._told(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
 
-    def _told(self, known: Found, found: Complexes, slack: Floats) -> Found:
+    def _told(self, known: FoundWeights, found: Complexes, slack: Floats) -> FoundWeights:
         """Tell what is found; what rounding alone has left is nothing."""
         count, values = len(self.links), np.where(np.abs(found) <= slack + self.blurred, 0, found).tolist()
         moments = dict(zip(self.links, values, strict=False))
         told = tuple(carrying(weight, moments.get(weight.link, 0j)) for weight in known.counterweights)
         left = dict(zip(self.left, values[count:], strict=False))
         off = slack.tolist()
-        return Found(
+        return FoundWeights(
             told, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
         )
 

@@ -47,17 +47,17 @@ class Wave:
         return Wave(0.0, 1j * np.arange(1, len(self.harmonics) + 1) * self.harmonics, self.error)
 
     @cached_property
-    def one(self) -> Callable[[float], float]:
+    def value(self) -> Callable[[float], float]:
         """The quantity at one angle turned rad: for a solver that asks for one at a time (Horner's rule in e^(i q))."""
         mean, harmonics = self.mean, self.harmonics[::-1].tolist()
 
-        def value(turned: float) -> float:
+        def at_angle(turned: float) -> float:
             step, total = complex(math.cos(turned), math.sin(turned)), 0j
             for harmonic in harmonics:
                 total = (total + harmonic) * step
             return mean + 2.0 * total.real
 
-        return value
+        return at_angle
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
@@ -105,7 +105,7 @@ class Curve(Protocol):
         """Share of the largest by which it may be off."""
 
     @property
-    def one(self) -> Callable[[float], float]:
+    def value(self) -> Callable[[float], float]:
         """The quantity at one angle turned rad, of any turn: for a solver that asks for one at a time."""
 
     def at(self, turned: Floats, side: int = 1, /) -> Floats:
@@ -166,7 +166,7 @@ def roots(quantity: Sided, looks: Floats) -> Floats:
     return np.asarray((low + high) / 2.0)
 
 
-class Run(Protocol):
+class StrokeRun(Protocol):
     """A stroke: crank angles rad at which it begins and ends, and the share of it that is gone (ход)."""
 
     @property
@@ -184,7 +184,7 @@ class Run(Protocol):
         """Give the share of the stroke that is gone at the positions of a motion."""
 
 
-def breaks(reduction: Reduction, strokes: Mapping[Track, Run], noise: float) -> Floats:
+def breaks(reduction: Reduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
     """Give the angles turned, rad in [0, 2 pi), at which the moment of the loads jumps or bends, rising.
 
     Angles that differ by less than the rounding of a root, `noise` of a turn, are one.
@@ -195,7 +195,7 @@ def breaks(reduction: Reduction, strokes: Mapping[Track, Run], noise: float) -> 
     return _merged(np.concatenate((ends, crossed, turned)), noise * TURN)
 
 
-def _crossings(reduction: Reduction, strokes: Mapping[Track, Run], noise: float) -> Floats:
+def _crossings(reduction: Reduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
     """Give the angles at which a load over a stroke changes its law: at shares of it, and where it turns back."""
     counted = [track for track in strokes if any(_laws(reduction.machine, track))]
 
@@ -222,7 +222,7 @@ class Law(NamedTuple):
         return self.during in (FORWARD, BACKWARD)
 
 
-def _changes(reduction: Reduction, run: Run, curve: Curve, law: Law) -> Iterator[Floats]:
+def _changes(reduction: Reduction, run: StrokeRun, curve: Curve, law: Law) -> Iterator[Floats]:
     """Give where a stroke is gone by a share while the load acts and, of a load by its way, where it turns back."""
     if 0.0 < law.share < 1.0:
         at = roots(lambda turned, side: curve.at(turned, side) - law.share, looks([curve]))
@@ -231,7 +231,7 @@ def _changes(reduction: Reduction, run: Run, curve: Curve, law: Law) -> Iterator
         yield roots(curve.slope.at, looks([curve]))
 
 
-def _acts(reduction: Reduction, run: Run, curve: Curve, law: Law, turned: Floats) -> Flags:
+def _acts(reduction: Reduction, run: StrokeRun, curve: Curve, law: Law, turned: Floats) -> Flags:
     """Tell at which angles turned a load may act: not on the stroke, or the way, on which it rests."""
     if law.during == ALWAYS:
         return np.ones(len(turned), dtype=bool)

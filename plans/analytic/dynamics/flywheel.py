@@ -10,7 +10,7 @@ from math import pi, sqrt
 import numpy as np
 
 from plans.analytic.closure import EPS
-from plans.analytic.dynamics.breaks import LEAST, Curve, Run, Sided, breaks, broken, looks, roots, smooth
+from plans.analytic.dynamics.breaks import LEAST, Curve, Sided, StrokeRun, breaks, broken, looks, roots, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.extremes import EQUAL
 from plans.model.dynamics import ANALYSIS, TURN, Cycle, Flywheel, Methods, Rim, Task, Touch, Wheel, settled
@@ -27,11 +27,11 @@ def wheel(inertia: float, rim: Rim) -> Wheel | None:
     """
     if rim.diameter is None or inertia <= 0.0:
         return None
-    own = inertia / rim.ratio**2
-    mass = 4.0 * own / rim.diameter**2
+    on_shaft = inertia / rim.ratio**2
+    mass = 4.0 * on_shaft / rim.diameter**2
     section = mass / (rim.density * pi * rim.diameter)
     thickness = sqrt(section / rim.breadth)
-    return Wheel(own, rim.diameter, mass, thickness, rim.breadth * thickness)
+    return Wheel(on_shaft, rim.diameter, mass, thickness, rim.breadth * thickness)
 
 
 ROUNDINGS = 8.0  # a linear solution at rest leaves a few roundings of the largest term in each of its rows
@@ -102,7 +102,7 @@ class Exact:
         return np.unique(np.concatenate(([0.0], self.breaks, roots(slope, places))))
 
 
-def exact(reduction: Reduction, strokes: Mapping[Track, Run]) -> Exact:
+def exact(reduction: Reduction, strokes: Mapping[Track, StrokeRun]) -> Exact:
     """Find moments and inertia over a turn of a machine whose loads change over `strokes`."""
     noise, sizes = _noise(reduction), list[float]()
 
@@ -161,11 +161,11 @@ def flywheel_of_points(cycle: Cycle, task: Task, slopes: tuple[float, float] | N
     return _flywheel(lambda slope, sign: _farthest(*points, slope, sign), float(cycle.inertia[0]), task, slopes)
 
 
-def _flywheel(support: Support, own: float, task: Task, slopes: tuple[float, float] | None) -> Flywheel:
+def _flywheel(support: Support, linkage: float, task: Task, slopes: tuple[float, float] | None) -> Flywheel:
     low, high = slopes or speed_slopes(task)
     below, above = support(low, -1), support(high, 1)
     cuts = below.surplus - low * below.varying, above.surplus - high * above.varying
-    return Flywheel(ANALYSIS, (low, high), (below, above), cuts, own, task.present)
+    return Flywheel(ANALYSIS, (low, high), (below, above), cuts, linkage, task.present)
 
 
 def _touch(found: Exact, slope: float, sign: int) -> Touch:
@@ -185,8 +185,8 @@ def _farthest(turned: Floats, varying: Floats, surplus: Floats, slope: float, si
 def reduced_link(found: Exact, constant: float) -> ReducedLink:
     """Give the reduced link of a machine; `constant`: inertia kg*m2 of shafts and flywheel."""
     breaks = sorted({float(place) % TURN for place in found.breaks})
-    inertia = _raised(found.mass.one, constant)
-    return ReducedLink(inertia, found.growth.one, found.load.one, breaks=tuple(breaks))
+    inertia = _raised(found.mass.value, constant)
+    return ReducedLink(inertia, found.growth.value, found.load.value, breaks=tuple(breaks))
 
 
 def _raised(curve: OfTurn, constant: float) -> OfTurn:

@@ -131,11 +131,13 @@ def _transfers(constraints: Constraints, poses: Floats, motion: Motion) -> tuple
     return first, second
 
 
-def _bend(constraints: Constraints, poses: Floats, first: Floats, second: Floats, link: int, own: complex) -> Complexes:
+def _bend(
+    constraints: Constraints, poses: Floats, first: Floats, second: Floats, link: int, spot: complex
+) -> Complexes:
     """Give the second derivative of a point's place by the crank's angle, m."""
     on = constraints.numbers.index(link)
     x, y, growth = np.moveaxis(second[:, on], -1, 0)
-    arm = own * np.exp(1j * poses[:, on, SPIN])
+    arm = spot * np.exp(1j * poses[:, on, SPIN])
     return np.asarray(constraints.size * (x + 1j * y) + (1j * growth - first[:, on, SPIN] ** 2) * arm)
 
 
@@ -187,12 +189,12 @@ class Pieces:
         return Pieces(self.edges, fitted, self.coefficients, self.error, self.settled)
 
     @cached_property
-    def one(self) -> Callable[[float], float]:
+    def value(self) -> Callable[[float], float]:
         """The quantity at one angle turned rad, of any turn: for a solver that asks for one at a time (Clenshaw)."""
         edges: list[float] = self.edges.tolist()
         sums: list[list[float]] = self.coefficients[:, ::-1].tolist()
 
-        def value(turned: float) -> float:
+        def at_angle(turned: float) -> float:
             turned %= edges[-1]
             k = min(bisect_right(edges, turned) - 1, len(sums) - 1)
             place = ((turned - edges[k]) - (edges[k + 1] - turned)) / (edges[k + 1] - edges[k])
@@ -201,7 +203,7 @@ class Pieces:
                 after, later = later, coefficient + 2.0 * place * later - after
             return later - place * after
 
-        return value
+        return at_angle
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
