@@ -71,15 +71,11 @@ class Balanced:
         """The mechanism."""
         return self.study.linkage.mechanism
 
-    @property
-    def after(self) -> State | None:
-        """The machine with its counterweights on; None where none is put on."""
-        return None if self.balance.still else self.balance.after
-
     @cached_property
     def states(self) -> dict[str, State]:
         """The states that a sheet shows."""
-        return {BEFORE: self.balance.before} | ({} if self.after is None else {AFTER: self.after})
+        before, after = self.balance.before, self.balance.loaded
+        return {BEFORE: before} if after is None else {BEFORE: before, AFTER: after}
 
     @property
     def whole(self) -> bool:
@@ -294,7 +290,7 @@ class _BalanceSheet(Balanced):
     def costs(self) -> Iterator[Expected]:
         """Give the cells of the table of what is largest before and after, with its change in per cent."""
         was = dict(self._largest(self.balance.before))
-        now = {} if self.after is None else dict(self._largest(self.after))
+        now = dict(self._largest(self.states[AFTER])) if AFTER in self.states else {}
         for row, value in was.items():
             both = [value, now[row]] if row in now else [value]
             change = [(100 * (now[row] / value - 1), CHANGE) if value else None] if row in now else []

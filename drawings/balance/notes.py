@@ -17,7 +17,6 @@ from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING
 from plans.model.balance.linkage import DISC, SHARE, Balance, Counterweight, Shares, State
-from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.kinetostatics import Reaction
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
@@ -200,11 +199,6 @@ class BalanceNotes(NamedTuple):
         """The equations with numbers put in."""
         return Equations(self.mechanism, self.tree, self.machine.bodies, self.drafting, self.digits)
 
-    @property
-    def after(self) -> State | None:
-        """The machine with counterweights on; None where none is put on."""
-        return None if self.balance.still else self.balance.after
-
     def main_points(self) -> Iterator[str]:
         """Write the vectors of main points (8.7), and say of which links vectors are variable."""
         for number, line in enumerate(self.equations.main_points(self.vectors[0])):
@@ -266,7 +260,7 @@ class BalanceNotes(NamedTuple):
 
     def balanced(self) -> Iterator[str]:
         """Say what the counterweights make of the main points: similar contours, and where S rests."""
-        after, vectors = self.after, self.vectors[1]
+        after, vectors = self.balance.loaded, self.vectors[1]
         if after is None or vectors is None:
             return
         told = self.equations.similar(vectors) or ",  ".join(self._main_points_after(vectors))
@@ -297,17 +291,11 @@ class BalanceNotes(NamedTuple):
             if told == "0":
                 continue
             if self.balance.task.aim == SHARE and self._hangs(point):
-                yield self.drafting.word("share of mass", mass=told, point=point, share=self._number(self.share))
+                yield self.drafting.word(
+                    "share of mass", mass=told, point=point, share=self._number(self.balance.share)
+                )
             else:
                 yield self.drafting.word("left at slider", mass=told, point=point)
-
-    @property
-    def share(self) -> float:
-        """The share of the reciprocating mass that is balanced."""
-        task, shares = self.balance.task, self.balance.shares
-        if task.share is not None or shares is None:
-            return task.share or 0.0
-        return (shares.least_force if task.least == LEAST_FORCE else shares.least_reaction).share
 
     def _hangs(self, point: str) -> bool:
         """Tell whether the rod of a slider's hinge hangs on the crank."""
@@ -317,7 +305,7 @@ class BalanceNotes(NamedTuple):
 
     def price(self) -> Iterator[str]:
         """Say what is put on, and how the shaft's reaction, the one that grows most and the balancing moment change."""
-        before, after = self.balance.before, self.after
+        before, after = self.balance.before, self.balance.loaded
         if after is None:
             return
         newtons, moments = (self.drafting.word(unit) for unit in ("N", "N*m"))
@@ -370,17 +358,13 @@ class BalanceNotes(NamedTuple):
         force, reaction = found.least_force, found.least_reaction
         shares = {"share": force.share, "other": reaction.share}
         told = {name: self._rounded(value, 1.0) for name, value in shares.items()}
-        sizes = {"force": force.force, "reaction": reaction.reaction, "bare": self._bare}
+        sizes = {
+            "force": force.force,
+            "reaction": reaction.reaction,
+            "bare": self.balance.before.reaction(self.mechanism.drive.link),
+        }
         told |= {name: self._rounded(value, self.balance.before.forces.largest) for name, value in sizes.items()}
         return {"main": FORCE, "letters": self.shaft, **told}
-
-    @property
-    def _bare(self) -> float:
-        """The largest reaction N of the crank's shaft without counterweights."""
-        before = self.balance.before
-        return next(
-            before.reactions[key] for key, reaction in before.forces.reactions.items() if self._of_shaft(reaction)
-        )
 
     def _body(self, link: int) -> Body:
         return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))

@@ -53,7 +53,8 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
 
 def _states(notes: BalanceNotes) -> Mapping[str, State]:
     """Give the states by what is written behind their letters."""
-    return {"": notes.balance.before} | ({} if notes.after is None else {"'": notes.after})
+    before, after = notes.balance.before, notes.balance.loaded
+    return {"": before} if after is None else {"": before, "'": after}
 
 
 def counterweights(notes: BalanceNotes) -> Iterator[str]:
@@ -78,7 +79,7 @@ def _sizes(weight: Counterweight, notes: BalanceNotes) -> list[str]:
 
 def costs(notes: BalanceNotes) -> Iterator[str]:
     """Tell what is largest over the turn before and after, and by how many per cent it changes."""
-    drafting, before, after = notes.drafting, notes.balance.before, notes.after
+    drafting, before, after = notes.drafting, notes.balance.before, notes.balance.loaded
     keys = ("before column", *(("after column", "change column") if after is not None else ()))
     heading = drafting.word("largest value", count=before.count)
     yield from header([heading, *map(drafting.word, keys)])

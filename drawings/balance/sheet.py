@@ -36,8 +36,7 @@ from plans.balance.mass_centre import Side
 from plans.balance.study import BalanceStudy
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
-from plans.model.balance.linkage import FORCE, Balance, State
-from plans.model.mechanism import FRAME
+from plans.model.balance.linkage import Balance, State
 from plans.model.motion import NOTHING
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -77,11 +76,6 @@ class ShownBalance:
     notes: tuple[str, ...] = ()
     reactions: str = REACTION  # the letter of reactions
 
-    @property
-    def after(self) -> State | None:
-        """The machine with its counterweights on; None where nothing is put on."""
-        return None if self.balance.still else self.balance.after
-
     @cached_property
     def nothing(self) -> Nothing:
         """What is nothing on the sheets."""
@@ -90,7 +84,8 @@ class ShownBalance:
     @property
     def states(self) -> dict[str, State]:
         """The states by their names."""
-        return {BEFORE: self.balance.before} | ({} if self.after is None else {AFTER: self.after})
+        before, after = self.balance.before, self.balance.loaded
+        return {BEFORE: before} if after is None else {BEFORE: before, AFTER: after}
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -217,28 +212,17 @@ class _BalancingSheet:
 
     def _shares(self) -> Iterator[Exhibit]:
         """Show the choice of the share, where there is one."""
-        shares, task = self.balance.shares, self.balance.task
-        if shares is not None:
-            best = shares.least_force if task.least == FORCE else shares.least_reaction
-            taken = best.share if task.share is None else task.share
-            letter = reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
-            yield exhibit(ShareGraph, ShareGraph(shares, taken, letter, self._bare), self.drafting, LARGEST)
-
-    @property
-    def _bare(self) -> float:
-        """The largest reaction N of the crank's shaft without counterweights."""
-        crank, state = self.shown.bones.mechanism.drive.link, self.balance.before
-        return next(
-            state.reactions[key]
-            for key, reaction in state.forces.reactions.items()
-            if (reaction.giver, reaction.taker) == (FRAME, crank)
-        )
+        balance, crank = self.balance, self.shown.bones.mechanism.drive.link
+        if balance.shares is not None:
+            letter = reaction_letter(crank, self.drafting)
+            graph = ShareGraph(balance.shares, balance.share, letter, balance.before.reaction(crank))
+            yield exhibit(ShareGraph, graph, self.drafting, LARGEST)
 
     @cached_property
     def tables(self) -> tuple[RuledTable, ...]:
         """What the counterweights change, and which they are."""
         shown, drafting = self.shown, self.drafting
-        table = costs(self.balance.before, shown.after, shown.nothing, drafting, self._shaft)
+        table = costs(self.balance.before, self.balance.loaded, shown.nothing, drafting, self._shaft)
         weights = self.balance.counterweights
         if not weights:
             return (table,)

@@ -18,7 +18,6 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import (
     CONSTRUCTION,
-    FORCE,
     NONE,
     SHARE,
     Balance,
@@ -171,9 +170,7 @@ class BalanceStudy:
     @property
     def best(self) -> Choice | None:
         """The choice of a share that makes least what the task asks for; None where none is asked for."""
-        if self.shares is None:
-            return None
-        return self.shares.least_force if self.task.least == FORCE else self.shares.least_reaction
+        return self.shares.best(self.task.least) if self.shares else None
 
     def at_share(self, share: float) -> Machine:
         """Give the machine balanced with a share, on whichever side of the shaft its counterweight then lies."""

@@ -14,7 +14,6 @@ from plans.analytic.balance.mass_centre import bodies, mass_centre
 from plans.model.balance.linkage import (
     ANALYSIS,
     EPS,
-    FORCE,
     NONE,
     ROUNDING,
     SHARE,
@@ -230,7 +229,6 @@ def _chosen(course: Course, task: Task, found: FoundWeights, share: float | None
     if task.aim != SHARE:
         return found, None
     told = weighing(course, found).shares
-    best = told.least_force if task.least == FORCE else told.least_reaction
-    taken = next(value for value in (share, task.share, best.share) if value is not None)
+    taken = next(value for value in (share, task.share, told.best(task.least).share) if value is not None)
     step = shared(course.mechanism, found.left)
     return replace(found, counterweights=shifted(course, found.counterweights, step, taken)), told

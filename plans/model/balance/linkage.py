@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.model.kinetostatics import Kinetostatics
+from plans.model.mechanism import FRAME
 from plans.model.motion import NOTHING, Complexes, Floats, Gap
 
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
@@ -197,6 +198,11 @@ class State:
         force, _ = self.none
         return {key: _largest(one.force, force) for key, one in self.forces.reactions.items()}
 
+    def reaction(self, link: int) -> float:
+        """Give the largest reaction N of the frame on a link that is hinged to it."""
+        found = self.forces.reactions.items()
+        return next(self.reactions[key] for key, pair in found if {pair.giver, pair.taker} == {FRAME, link})
+
     @property
     def balancing(self) -> float:
         """The largest balancing moment, N*m, by its size."""
@@ -219,6 +225,10 @@ class Shares:
     least_force: Choice
     least_reaction: Choice
 
+    def best(self, least: str) -> Choice:
+        """Give the choice with which the shaking force or the reaction of the shaft is least."""
+        return self.least_force if least == FORCE else self.least_reaction
+
 
 @dataclass(frozen=True)
 class Balance:
@@ -237,6 +247,18 @@ class Balance:
     def unanswered(self) -> tuple[Gap, ...]:
         """The gaps, as a comparison asks for them."""
         return self.gaps
+
+    @property
+    def share(self) -> float:
+        """The share of the reciprocating mass that is balanced: the given one, or the best; 0 of none."""
+        if self.task.share is not None or self.shares is None:
+            return self.task.share or 0.0
+        return self.shares.best(self.task.least).share
+
+    @property
+    def loaded(self) -> State | None:
+        """The machine with its counterweights on; None where none is put on."""
+        return None if self.still else self.after
 
     @property
     def added(self) -> float:
