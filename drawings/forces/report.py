@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from drawings.forces.note import drawn_scales, equations
+from drawings.forces.report_equations import drawn_scales, equations
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.linkage.notes import DIGITS as FEW_DIGITS
@@ -25,7 +25,6 @@ from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
 from plans.model.motion import FORCES, NOTHING, Floats
-from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 
@@ -66,34 +65,24 @@ def balancing_table(comparison: ForceComparison, balancing: BalancingQuantity, l
     found = [quantity for quantity in comparison.of(FORCES) if quantity.name.partition(" ")[0] == balancing.name]
     if not found:
         return
-    unit = lettering.word(language, balancing.unit)
-    letter = lettering.letter(language, balancing.name)
-    first, *others = found
-    heads = [word(language, f"report.{key}", letter=letter, unit=unit) for key in ("by_plans", "by_equilibrium")]
-    heads += [f"{letter} {_way(quantity, language)}, {unit}" for quantity in others]
-    columns = [first.construction, first.analysis, *(_own(quantity) for quantity in others)]
+    unit, letter = lettering.word(language, balancing.unit), lettering.letter(language, balancing.name)
+    by_plans, by_equilibrium = (
+        word(language, key, letter=letter, unit=unit) for key in ("report.by_plans", "report.by_equilibrium")
+    )
+    columns = {by_plans: found[0].construction, by_equilibrium: found[0].analysis}
+    for quantity in found[1:]:
+        by = quantity.name.partition(" ")[2]
+        # The lever is of the construction, powers and energy are of the analysis.
+        columns[f"{letter} {term(language, 'quantity_part', by)}, {unit}"] = (
+            quantity.construction if by == LEVER else quantity.analysis
+        )
     yield word(language, "report.what_balances")
-    yield from header([word(language, "table.position"), *heads])
+    yield from header([word(language, "table.position"), *columns])
     least = comparison.construction.nothing_over[1]
-    for k in range(len(comparison.construction.phi)):
-        yield row([str(k), *(_table_cell(float(np.real(column[k])), float(least[k]), language) for column in columns)])
+    rows = zip(*(_sized(np.real(column), least) for column in columns.values()), strict=True)
+    for k, values in enumerate(rows):
+        yield row([str(k), *(_cell(float(value), language, TABLE_DIGITS) for value in values)])
     yield ""
-
-
-def _way(quantity: Quantity, language: str) -> str:
-    """Tell in words which way finds it; it has one letter in all columns."""
-    return term(language, "quantity_part", quantity.name.partition(" ")[2])
-
-
-def _own(quantity: Quantity) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
-    """Give what a way finds: the lever is of the construction, powers and energy are of the analysis."""
-    return np.real(quantity.construction if quantity.name.endswith(LEVER) else quantity.analysis)
-
-
-def _table_cell(value: float, least: float, language: str) -> str:
-    if np.isnan(value):
-        return word(language, "table.gap")
-    return number(value if abs(value) > least else 0.0, language, TABLE_DIGITS)
 
 
 DIGITS = 10
@@ -216,11 +205,8 @@ def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
 def _reversals(statics: Statics, language: str) -> Iterator[str]:
     for load, rests in statics.reversals:
         parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
-        yield word(language, "verdict.reverses", **parts, angles=", ".join(_angles(rests, language)))
-
-
-def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
-    return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
+        angles = ", ".join(f"{number(float(np.degrees(angle)), language)}°" for angle in rests)
+        yield word(language, "verdict.reverses", **parts, angles=angles)
 
 
 def _reactions(found: Kinetostatics, balancing: BalancingQuantity, statics: Statics) -> Iterator[str]:
@@ -251,12 +237,12 @@ def _sized(column: Any, nothing: Any) -> Any:
     return np.where(np.abs(column) <= nothing, 0.0, column)
 
 
-def _cell(value: complex | float, language: str) -> str:
+def _cell(value: complex | float, language: str, digits: int = DIGITS) -> str:
     if np.isnan(value):
         return word(language, "table.gap")
     if isinstance(value, complex):
-        return f"{number(value.real, language, DIGITS)}; {number(value.imag, language, DIGITS)}"
-    return number(float(value), language, DIGITS)
+        return f"{number(value.real, language, digits)}; {number(value.imag, language, digits)}"
+    return number(float(value), language, digits)
 
 
 def friction_lines(comparison: ForceComparison, found: Friction, language: str) -> Iterator[str]:

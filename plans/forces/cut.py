@@ -97,21 +97,9 @@ class ForcePlan:
     def redraw(self, boards: Mapping[str, Board], made: Mapping[Mark, Mark], below: Sequence[Plan]) -> ForcePlan:
         """Give this plan as it is on other boards, whose marks are named by those of this one."""
         other = copy(self)
+        drawn = {name: value for name, value in vars(self).items() if name not in ("machine", "mechanism")}
+        vars(other).update({name: remade(value, made, boards) for name, value in drawn.items()})
         other.positions, other.velocities, other.accelerations = below
-        for name in (
-            "board",
-            "pole",
-            "loads",
-            "couples",
-            "given",
-            "cuts",
-            "drive",
-            "driven",
-            "balancing",
-            "shaft",
-            "_places",
-        ):
-            vars(other)[name] = remade(vars(self)[name], made, boards)
         return other
 
     def acting(self, *links: int) -> tuple[list[Load], list[Couple]]:

@@ -10,7 +10,7 @@ from fractions import Fraction
 from math import radians
 
 from plans.forces.reading import references
-from plans.forces.reading.fields import Ends, LinkLoadTable, Vector, holders, point_of
+from plans.forces.reading.fields import Ends, Vector, holders, point_of
 from plans.forces.reading.form import (
     ForceForm,
     ForceTable,
@@ -97,7 +97,7 @@ def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
     diagram = _diagram(force, force.diagram) if force.diagram else None
     (end, other), resists = _where(force, mechanism), force.between is not None and force.against is not None
     line = _line(force, end, other)
-    track = _track(force)
+    track = Track(force.stroke or "", force.working)
     if other is not None and line is not None and force.stroke is None and force.changes:
         track = track._replace(point=end.point, parting=Parting(other.point, line))
     when = force.phase, diagram, _overrun(force.rests), track, force.useful
@@ -145,17 +145,12 @@ def _sized(value: Decimal | Vector | None, course: Decimal | tuple[str, ...] | N
     return 1.0 if value is None else float(value), direction(course) if isinstance(course, Decimal) else None
 
 
-def _track(load: LinkLoadTable) -> Track:
-    """Give whose stroke a load counts; a force between two links without another counts their own."""
-    return Track(load.stroke or "", load.working)
-
-
 def _overrun(rests: Vector) -> tuple[float, float]:
     return float(rests[0]), float(rests[1])
 
 
 def _moment(name: str, moment: MomentTable) -> Moment:
-    when = moment.phase, _overrun(moment.rests), _track(moment), moment.useful
+    when = moment.phase, _overrun(moment.rests), Track(moment.stroke or "", moment.working), moment.useful
     return Moment(name, moment.on, float(moment.value), moment.against is not None, *when)
 
 
