@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from drawings.cam.due_notes import DEGREES, CamNumbers, every_cam, numbers_of
-from drawings.cam.due_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
+from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, law_named
 from drawings.checks.expected import Cell, Expected, by_hand, cells, measured, phrases, subject
 from drawings.cyclogram.due_rows import cam_rows, chart
 from drawings.page.scale import Drafting, drafting_of
@@ -26,6 +26,7 @@ from plans.analytic.cam.contour import Curve
 from plans.cam.numbers import cam_by_hand, readings
 from plans.cyclogram.rows import EVERY
 from plans.model.cam import MM, RETURN, RISE, limits_of
+from plans.model.cam_motion import HARD
 from plans.model.motion import Floats
 from plans.study import Study
 

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from drawings.cam.due_values import HARD, CamValues
+from drawings.cam.due_values import CamValues
 from drawings.checks.expected import NOTES, Expected, cells, phrases
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
@@ -19,7 +19,7 @@ from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.study import CamStudy
 from plans.cam.tables import smoothing
 from plans.model.cam import DWELL, GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions
-from plans.model.cam_motion import CamFound, Contour, Extreme, Points, Shock
+from plans.model.cam_motion import HARD, CamFound, Contour, Extreme, Points, Shock
 from plans.model.motion import Floats
 from plans.quantity import Quantity
 from plans.study import Study

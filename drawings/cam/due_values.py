@@ -19,11 +19,10 @@ from plans.analytic.cam.pressure import stretches
 from plans.cam.quantities import Compared
 from plans.cam.study import CamDrawing
 from plans.model.cam import RETURN, RISE, Cam
-from plans.model.cam_motion import CamFound, Contour, FollowerTravel, Sizes
+from plans.model.cam_motion import HARD, SOFT, CamFound, Contour, FollowerTravel, Sizes
 from plans.model.motion import Complexes, Floats
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
-HARD, SOFT = 1, 2
 EQUAL = 1e-9  # of a turn: what is so near to an edge is on it
 DENSE, ROUNDS = 721, 6  # turns at which a curve is known; so often they are halved where its chords are off
 LOOPED = ("undercut", "crossing", "concave", "sharp", "hollow")  # flaws of a shape that no follower can go along

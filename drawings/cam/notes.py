@@ -10,7 +10,7 @@ from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.scale import Drafting
 from plans.cam.tables import smoothing
 from plans.model.cam import GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions, interval_of
-from plans.model.cam_motion import CamFlaw, CamFound, Extreme, Shock, Sizes
+from plans.model.cam_motion import HARD, CamFlaw, CamFound, Extreme, Shock, Sizes
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
 
@@ -75,7 +75,6 @@ def _kind(cam: Cam, phase: Phase) -> str:
 
 
 RPM = 30 / math.pi  # of a rad/s
-HARD = 1  # order of a shock that jumps the speed
 CORNERED = ("undercut", "hollow")  # flaws that a corner of the pitch curve has
 SHARP = 1e-9  # m: so small a radius is that of a corner
 

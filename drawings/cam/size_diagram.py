@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from drawings.cam.size_marks import offset_seen, region, rulers
-from drawings.cam.size_view import NAME, QUANTITY, SizeView, direction
+from drawings.cam.size_view import NAME, QUANTITY, SizeView
 from drawings.kinds.axes import Letter, arrow, placed
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
@@ -223,7 +223,7 @@ def _letters(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Lette
         yield Letter(place.on(complex(chord.centre.point)), "O'", size, cmath.phase(-beside), BESIDE + TOUCH)
     yield from _arm(view, place, drafting) if view.cam.rocks else _named(view, place, drafting)
     for name, end, text in _reaches(view, drafting):
-        side = direction(centre, place.on(end)) + (math.pi / 2 if name == "R_0" else -math.pi / 2)
+        side = cmath.phase(place.on(end) - centre) + (math.pi / 2 if name == "R_0" else -math.pi / 2)
         yield Letter((centre + place.on(end)) / 2, text, number, side)
 
 
@@ -245,11 +245,11 @@ def _arm(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
 def _numbers(view: SizeView, place: Place, hand: Hand) -> Iterator[Letter]:
     """Number the points of the diagram outward, and letter those that rulers touch."""
     for k in _numbered(view, place, hand):
-        side = direction(complex(view.tips[k]), complex(view.ends[k]))
+        side = cmath.phase(complex(view.ends[k] - view.tips[k]))
         yield Letter(place.on(complex(view.ends[k])), str(k), hand.number, side, BESIDE)
     for tangent in _touched(view, place):
         spot = complex(tangent.point.point)
-        yield Letter(place.on(spot), tangent.point.name, hand.number, direction(view.centre, spot), BESIDE + TOUCH)
+        yield Letter(place.on(spot), tangent.point.name, hand.number, cmath.phase(spot - view.centre), BESIDE + TOUCH)
 
 
 def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -187,11 +186,6 @@ def lower(tangent: SizeTangent) -> bool:
     """Tell whether a tangent is at the limit below 0 of a rise, which is held to both of its limits then."""
     bound = tangent.bound
     return isinstance(bound, PressureBound) and bound.kind == RISE and bound.side < 0
-
-
-def direction(start: complex, end: complex) -> float:
-    """Give the direction from one place to another, rad."""
-    return cmath.phase(end - start)
 
 
 def _spot(mark: Mark | None) -> complex:

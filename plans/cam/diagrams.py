@@ -19,7 +19,7 @@ from geometry.calculus import Integral, integral
 from geometry.strips import SLIVER, Departure, departure, middles, strips
 from plans.cam.course import Course, positions, settled
 from plans.model.cam import SHAPE, TABLE, Cam
-from plans.model.cam_motion import FollowerTravel
+from plans.model.cam_motion import HARD, SOFT, FollowerTravel
 from plans.model.motion import Floats
 from plans.words.calculus import REASONS
 
@@ -49,12 +49,12 @@ class TurnStrips:
     @cached_property
     def hard(self) -> tuple[int, ...]:
         """The edges at which there is a hard shock, both ends of a turn if there is one between two turns."""
-        return self._at(1)
+        return self._at(HARD)
 
     @cached_property
     def jumps(self) -> tuple[int, ...]:
         """The edges at which there is a shock of either kind."""
-        return tuple(sorted({*self.hard, *self._at(2)}))
+        return tuple(sorted({*self.hard, *self._at(SOFT)}))
 
     def _at(self, order: int) -> tuple[int, ...]:
         turned = [shock.turned for shock in self.course.shocks if shock.order == order]

@@ -121,8 +121,11 @@ class FollowerTravel(NamedTuple):
     bend: Floats  # S''
 
 
+HARD, SOFT = 1, 2  # orders of a shock: of the derivative of S that jumps
+
+
 class Shock(NamedTuple):
-    """A shock (удар): where, rad; `order` 1 is hard, a jump of S', 2 is soft, a jump of S''; after less before."""
+    """A shock (удар): where, rad; its order, hard of a jump of S', soft of one of S''; after less before."""
 
     turned: float
     order: int

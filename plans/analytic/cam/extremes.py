@@ -13,7 +13,7 @@ from numpy.polynomial import chebyshev
 from plans.analytic.cam.contour import Curve, Forces
 from plans.analytic.cam.laws import shocks
 from plans.model.cam import RETURN, RISE, SHAPE, TABLE, Cam, Law, interval_of
-from plans.model.cam_motion import BEND, SLOPE, Extreme, Pressing, Sizes
+from plans.model.cam_motion import BEND, HARD, SLOPE, SOFT, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
 
 TERMS: Final = (48, 96, 192, 384)  # of a series, twice as many until the last eighth is rounding
@@ -196,7 +196,7 @@ class CurveExtremes:
     def peaks(self) -> dict[str, Extreme]:
         """The largest S' and S'' by their size, signed; at a hard shock S'' has none."""
         found = {SLOPE: _largest(self.turn, lambda curve: curve.travel.slope)}
-        if all(shock.order == 2 for shock in shocks(self.cam)):
+        if all(shock.order == SOFT for shock in shocks(self.cam)):
             found[BEND] = _largest(self.turn, lambda curve: curve.travel.bend)
         return found
 
@@ -258,7 +258,7 @@ class CurveExtremes:
     @property
     def _convex(self) -> float | None:
         """R0 = ρ_min - min(S + S'') under a flat face; None of a rocker, and where S' falls at once, m."""
-        falls = any(shock.order == 1 and shock.jump < 0 for shock in shocks(self.cam))
+        falls = any(shock.order == HARD and shock.jump < 0 for shock in shocks(self.cam))
         most = None if self.cam.rocks or falls else self.turn.most(lambda curve: -curve.travel.s - curve.travel.bend)
         return most and self.cam.limits.curvature + most.value
 

@@ -16,7 +16,7 @@ from plans.analytic.cam.laws import shocks
 from plans.analytic.cam.loops import Loops
 from plans.analytic.cam.sizes import sizes as sizes_of
 from plans.model.cam import FORCE, GROOVE, NO_SIZES, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import CamError, CamFlaw, CamFound, Extreme, Sizes
+from plans.model.cam_motion import HARD, CamError, CamFlaw, CamFound, Extreme, Sizes
 from plans.model.motion import Floats
 
 NEAR: Final = 1e-9  # of a limit: sizes found by it touch it but for rounding, and so may a roller a radius
@@ -79,7 +79,7 @@ class Flaws:
         """Give where a hard shock makes a corner of the curve: the normal swings by the jump of the pressure angle."""
         for shock in shocks(self.cam):
             ends = np.array([shock.turned or (0.0 if self.cam.translates else self.cam.turn)])
-            if shock.order == 1 and not self._outside(shock.turned):
+            if shock.order == HARD and not self._outside(shock.turned):
                 after = self.turn.at(np.array([shock.turned])).pressure[0]
                 before = self.turn.at(ends, before=True).pressure[0]
                 if side * (after - before) < 0:
@@ -96,7 +96,7 @@ class Flaws:
 
         spans = list(self._beyond("concave", hollow, lambda curve: curve.radius, self.extremes.bends))
         yield from spans
-        falls = [shock.turned for shock in shocks(self.cam) if shock.order == 1 and shock.jump < 0]
+        falls = [shock.turned for shock in shocks(self.cam) if shock.order == HARD and shock.jump < 0]
         yield from (CamFlaw("concave", turned, turned, Extreme(0.0, turned)) for turned in falls)
         least, asked = self.extremes.sharpest, self.cam.limits.curvature
         if least and not spans and asked > 0 and least.value < asked * (1 - NEAR):

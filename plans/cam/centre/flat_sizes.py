@@ -22,7 +22,7 @@ from plans.cam.centre.bounds import (
 from plans.cam.centre.place import SIZES, SizeTangent, Sizing, axis, on_circle, place, rocker_sizes
 from plans.cam.course import Course, positions
 from plans.model.cam import Cam
-from plans.model.cam_motion import Sizes, fast_face, hard_face, no_distance, no_level, no_radius, no_region
+from plans.model.cam_motion import HARD, Sizes, fast_face, hard_face, no_distance, no_level, no_radius, no_region
 from plans.model.motion import Floats
 from plans.words.words import because
 
@@ -46,7 +46,7 @@ class FallBound(NamedTuple):
 def _smooth(course: Course) -> None:
     """Refuse a law whose S' falls at once: the profile would have to lie on both sides of its own tangent."""
     for shock in course.shocks:
-        if shock.order == 1 and shock.jump < 0:
+        if shock.order == HARD and shock.jump < 0:
             raise hard_face(course.cam, shock.turned)
 
 

@@ -13,7 +13,7 @@ from plans.cam.course import Course
 from plans.cam.profile.profile import curvature, curvature_slope, slip, slip_slope
 from plans.cam.profile.touch import FaceTouch, Stretches, Tip, TurnSide, Value
 from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, FollowerLoad, Phase, interval_of
-from plans.model.cam_motion import BEND, SLOPE, CamError, Extreme, Pressing, Sizes
+from plans.model.cam_motion import BEND, HARD, SLOPE, CamError, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
 
 
@@ -61,7 +61,7 @@ class ProfileExtremes:
             SLOPE: (lambda tip: tip.travel.slope, lambda tip: tip.travel.bend),
             BEND: (lambda tip: tip.travel.bend, lambda tip: tip.jerk),
         }
-        if any(shock.order == 1 for shock in self.stretches.course.shocks):
+        if any(shock.order == HARD for shock in self.stretches.course.shocks):
             del rows[BEND]
         found = {name: self._largest(value, self.stretches.places(slope)) for name, (value, slope) in rows.items()}
         return {name: extreme for name, extreme in found.items() if extreme is not None}
@@ -157,7 +157,7 @@ def base_convex(extremes: ProfileExtremes) -> float | None:
     R0 is added to the radius of curvature everywhere. A rocker's is not, and where S' falls at once no R0 helps.
     """
     course, sharpest = extremes.stretches.course, extremes.sharpest
-    falls = any(shock.order == 1 and shock.jump < 0 for shock in course.shocks)
+    falls = any(shock.order == HARD and shock.jump < 0 for shock in course.shocks)
     if course.cam.rocks or not course.cam.flat or sharpest is None or falls:
         return None
     return extremes.stretches.sizes.base - sharpest.value + course.cam.limits.curvature

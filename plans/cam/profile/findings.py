@@ -24,7 +24,7 @@ from plans.cam.profile.profile import Roller, curvature, profile, roller_of
 from plans.cam.profile.resting import ProfileEdge, crossings, loss
 from plans.cam.profile.touch import FaceTouch, Stretches, Tip, TurnSide, TurnSpan, Value
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import CamFlaw, CamFound, Extreme, Sizes
+from plans.model.cam_motion import HARD, CamFlaw, CamFound, Extreme, Sizes
 from plans.model.motion import Floats
 
 # Sizes that were found by a limit touch it, and a roller may be as large as a radius: the same within this share of the
@@ -87,7 +87,7 @@ class Search:
 
     def corners(self, side: float = 1.0) -> list[float]:
         """Give where hard shocks make corners of the theoretical profile: convex ones (1.0), or hollow ones (-1.0)."""
-        hard = [shock.turned for shock in self.stretches.course.shocks if shock.order == 1]
+        hard = [shock.turned for shock in self.stretches.course.shocks if shock.order == HARD]
         ends = np.array(hard if self.cam.translates else [turned or self.cam.turn for turned in hard])
         tips = (Tip(self.stretches.course, self.stretches.sizes, *at) for at in ((np.array(hard),), (ends, True)))
         after, before = (tip.lever for tip in tips)
@@ -108,7 +108,7 @@ class Search:
     def _steps(self) -> Iterator[float]:
         """Give where a hard shock makes contact jump back along the face: an edge is left there."""
         for shock in self.stretches.course.shocks:
-            if shock.order == 1 and shock.jump < 0:
+            if shock.order == HARD and shock.jump < 0:
                 yield shock.turned
 
     @property
