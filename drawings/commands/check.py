@@ -24,13 +24,13 @@ def run(options: argparse.Namespace) -> int:
     rows = []
     for path in options.sheets:
         scene: Path | None = options.scene or scene_beside(path)
-        own = originals(scene) if scene is not None else None
-        rows.append((path, options.language or (own.language if own else ENGLISH), _checked(path, own)))
+        redrawn = originals(scene) if scene is not None else None
+        rows.append((path, options.language or (redrawn.language if redrawn else ENGLISH), _checked(path, redrawn)))
     if options.json:
-        print_json({"sheets": [plain(path, language, one) for path, language, one in rows]})
+        print_json({"sheets": [plain(path, language, checked) for path, language, checked in rows]})
     else:
         print("\n".join(line for row in rows for line in lines(*row)))
-    return max(one.exit_code for *_, one in rows)
+    return max(checked.exit_code for *_, checked in rows)
 
 
 def _checked(path: Path, originals: Originals | None) -> Checked:

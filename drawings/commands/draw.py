@@ -51,7 +51,7 @@ class SheetSet(NamedTuple):
     @property
     def sheets(self) -> tuple[Leaf, ...]:
         """All sheets, in the order of their files."""
-        return tuple(leaf for own in self.leaves.values() for leaf in own)
+        return tuple(leaf for leaves in self.leaves.values() for leaf in leaves)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -143,14 +143,14 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
         contents = {path: svg(lettered(leaf, scene.sheet.lettering)) for path, (_, leaf) in sheets.items()}
         told_lines, report = lines(study, leaves), folder / f"{stem}-report.md"
         contents[report] = written(told_lines).encode("utf-8")
-        enclosures = {folder / f"{stem}-{one.name}": one for one in _enclosures(study)}
-        contents |= {path: one.content for path, one in enclosures.items()}
+        enclosures = {folder / f"{stem}-{enclosure.name}": enclosure for enclosure in _enclosures(study)}
+        contents |= {path: enclosure.content for path, enclosure in enclosures.items()}
     with staged(contents) as beside:
         with trace.stage("measuring"):
             seen, wrong, due = _held(study, sheets, beside)
             wrong[report] = [*phrase_faults(told_lines, due)]
-            wrong |= {path: enclosure_wrongs(beside[path], one) for path, one in enclosures.items()}
-            told = tuple(fault for one in seen.values() for fault in obscured(one))
+            wrong |= {path: enclosure_wrongs(beside[path], enclosure) for path, enclosure in enclosures.items()}
+            told = tuple(fault for sheet in seen.values() for fault in obscured(sheet))
             told += tuple(cramped(name) for _, leaf in sheets.values() for name in leaf.cramped)
         withheld = {path: said for path, said in wrong.items() if said}
         right = {path: content for path, content in contents.items() if path not in withheld}
@@ -175,15 +175,15 @@ def _held(
     wrong: dict[Path, list[Wrong]] = {}
     rows: dict[Key, Expected] = {}
     groups: dict[tuple[str, str], dict[Path, verify.Written]] = {}
-    for path, one in seen.items():
-        groups.setdefault((sheets[path][0], subject(one.leaf)), {})[path] = one
+    for path, sheet in seen.items():
+        groups.setdefault((sheets[path][0], subject(sheet.leaf)), {})[path] = sheet
     for (kind, _), group in groups.items():
-        due = {row.key: row for row in sheet_kind(kind).due(study, [one.leaf for one in group.values()])}
+        due = {row.key: row for row in sheet_kind(kind).due(study, [sheet.leaf for sheet in group.values()])}
         wrong |= zip(group, verify.wrongs([*group.values()], due, study.scene.sheet), strict=True)
         rows |= due
-    for path, one in seen.items():
-        wrong[path] += verify.scale_wrongs(one, sheet_kind(sheets[path][0]).scales, study.scene.sheet)
-    return {path: one.seen for path, one in seen.items() if not isinstance(one.seen, SheetRefused)}, wrong, rows
+    for path, sheet in seen.items():
+        wrong[path] += verify.scale_wrongs(sheet, sheet_kind(sheets[path][0]).scales, study.scene.sheet)
+    return {path: sheet.seen for path, sheet in seen.items() if not isinstance(sheet.seen, SheetRefused)}, wrong, rows
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:
@@ -206,7 +206,7 @@ def _say(scene: Scene, saying: Message) -> None:
 def _earlier(sheets: SheetSet, folder: Path) -> list[Path]:
     """Give following sheets that an earlier run left beside fewer new ones."""
     stem, found = stem_of(sheets.study.scene), []
-    for kind, own in sheets.leaves.items():
-        further = (sheet_path(folder, stem, kind, k) for k in range(len(own), SHEETS_MOST))
+    for kind, leaves in sheets.leaves.items():
+        further = (sheet_path(folder, stem, kind, k) for k in range(len(leaves), SHEETS_MOST))
         found += list(takewhile(os.path.lexists, further))
     return found

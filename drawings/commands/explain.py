@@ -49,12 +49,12 @@ def run(options: argparse.Namespace) -> int:
 def explained(study: Study, position: int, name: str) -> Explanation:
     """Find a letter in the plans of the techniques of a scene, those that rest on others first, or in their tables."""
     none: list[NoMark] = []
-    for own in (*own_names(name), *_of_sheets(study, position, name)):
-        answers = [*_answers(study, position, own)]
+    for letters in (*own_names(name), *_of_sheets(study, position, name)):
+        answers = [*_answers(study, position, letters)]
         if isinstance(answers[-1], Explanation):
             return _as_asked(answers[-1], name)
-        none = none or [one for one in reversed(answers) if isinstance(one, NoMark)]
-    found = next((one for own in own_names(name) if (one := _quantity(study, own))), None)
+        none = none or [answer for answer in reversed(answers) if isinstance(answer, NoMark)]
+    found = next((answer for letters in own_names(name) if (answer := _quantity(study, letters))), None)
     if found is None:
         raise UnknownMark(_no_mark(name, none))
     return _told(found, name, position)
@@ -78,7 +78,7 @@ def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | N
 def _of_sheets(study: Study, position: int, name: str) -> Iterator[str]:
     """Give what a letter is on the record that a sheet alone gives, such as the number of an arm."""
     for kind in (sheet_kind(sheet) for row in study.rows for sheet in row.sheets):
-        yield from (found for own in own_names(name) if (found := kind.letters(study, position, own)))
+        yield from (found for letters in own_names(name) if (found := kind.letters(study, position, letters)))
 
 
 def own_names(name: str) -> list[str]:
@@ -88,32 +88,34 @@ def own_names(name: str) -> list[str]:
     (['M_ур', 'M_bal'], ['F_−II', 'F_-II'])
     """
     found = dict.fromkeys((name, name.translate(SIGNS)))
-    for own, key in _indices():
-        index = re.compile(rf"(?<=[_^]){re.escape(own)}(?![^\W\d_])")
-        found |= dict.fromkeys(index.sub(key, one) for one in [*found])
+    for lettered, key in _indices():
+        index = re.compile(rf"(?<=[_^]){re.escape(lettered)}(?![^\W\d_])")
+        found |= dict.fromkeys(index.sub(key, letters) for letters in [*found])
     return [*found]
 
 
 def _indices() -> Iterator[tuple[str, str]]:
     """Give the indices that a language has letters of its own for, with what records call them."""
     for language in languages():
-        own = {key.removeprefix("index."): str(text) for key, text in words(language).items() if "index." in key}
-        own[ALONE] = word(language, "sheet.counterweight index")
-        yield from ((text, key) for key, text in own.items() if text != key)
+        letters = {key.removeprefix("index."): str(text) for key, text in words(language).items() if "index." in key}
+        letters[ALONE] = word(language, "sheet.counterweight index")
+        yield from ((text, key) for key, text in letters.items() if text != key)
 
 
 def _quantity(study: Study, name: str) -> Quantity | None:
     """Find a quantity that the tables tell, whether or not it was drawn: R_0 of the first cam, K2:R_0 of K2."""
-    of, _, own = name.rpartition(":")
+    of, _, letter_only = name.rpartition(":")
     cams = study.comparison("cam").analysis.cams if of and "cam" in study.techniques else ()
-    wanted = {name, f"Σ{name}", f"{own} {of}", *(own for cam in cams if [cam.cam.name] == [of] and len(cams) == 1)}
+    wanted = {name, f"Σ{name}", f"{letter_only} {of}"}
+    if [cam.cam.name for cam in cams] == [of]:
+        wanted.add(letter_only)
     told = [
         (quantity.name.translate(SIGNS), quantity)
         for row in reversed(study.techniques)
         for quantity in study.quantities(row)
     ]
-    exact = (one for letters, one in told if letters in wanted)
-    return next(exact, next((one for letters, one in told if letters.partition(" ")[0] == name), None))
+    exact = (quantity for letters, quantity in told if letters in wanted)
+    return next(exact, next((quantity for letters, quantity in told if letters.partition(" ")[0] == name), None))
 
 
 def _told(quantity: Quantity, name: str, position: int) -> Explanation:
@@ -138,10 +140,10 @@ def _size(value: complex | float) -> float:
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
     """Say which marks there are, and which of them may have been meant."""
-    near = difflib.get_close_matches(name, [known for one in none for known in one.names], 1)
-    examples = ", ".join(example for one in none for example in one.examples)
+    near = difflib.get_close_matches(name, [known for answer in none for known in answer.names], 1)
+    examples = ", ".join(example for answer in none for example in answer.examples)
     also = (message("mark.also", examples=examples),) if examples else ()
-    parts: dict[str, object] = {"mark": name, "listed": (*(one.listed for one in none if one.listed), *also)}
+    parts: dict[str, object] = {"mark": name, "listed": (*(answer.listed for answer in none if answer.listed), *also)}
     if not near:
         return message("mark.unknown", **parts)
     return message("mark.meant", near=near[0], **parts)

@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
         plain = {"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")}
         profiles = [_plain_profile(profile) for profile in measured.profiles]
         print_json(
-            plain | {"profiles": profiles} | {how: [one._asdict() for one in own] for how, own in astray.items()}
+            plain | {"profiles": profiles} | {how: [key._asdict() for key in keys] for how, keys in astray.items()}
         )
     else:
         for line in (*lines(measured, off, language), *_told(astray, language)):
@@ -48,7 +48,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _told(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[str]:
     """Say what is astray, mark by mark."""
-    for how, key in ((how, key) for how, own in astray.items() for key in own):
+    for how, key in ((how, key) for how, keys in astray.items() for key in keys):
         names = (
             plan_name(part, language) if part == key.plan else mark_name(str(part), language)
             for part in key
@@ -68,9 +68,9 @@ def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[M
     from drawings.redrawn.originals import Originals  # only a scene that is given has its sheets laid out
 
     originals = Originals(options.scene)
-    must = [originals.seen(one).measured for one in originals.of(options.sheet.name, measured.metadata)]
-    own = {mark.key for mark in _all(measured)}
-    right = max(must, key=lambda one: len(own & {mark.key for mark in _all(one)}))
+    must = [originals.seen(sheet).measured for sheet in originals.of(options.sheet.name, measured.metadata)]
+    drawn = {mark.key for mark in _all(measured)}
+    right = max(must, key=lambda redrawn: len(drawn & {mark.key for mark in _all(redrawn)}))
     stated = {mark.key: mark.stated for mark in right.marks}
     known = [replace(mark, stated=stated[mark.key]) for mark in measured.marks if mark.key in stated]
     held = measured._replace(
@@ -80,7 +80,7 @@ def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[M
     )
     there = {mark.key for mark in _all(right)}
     return {
-        "missing": [mark.key for mark in _all(right) if mark.key not in own],
+        "missing": [mark.key for mark in _all(right) if mark.key not in drawn],
         "added": [mark.key for mark in _all(measured) if mark.key not in there],
         "differs": [miss.key for miss in check(held)],
     }
@@ -109,10 +109,11 @@ def _plain(measured: Measured, kind: str) -> list[dict[str, object]]:
     ]  # fmt: skip
 
 
-def _plain_profile(one: MeasuredProfile) -> dict[str, object]:
+def _plain_profile(profile: MeasuredProfile) -> dict[str, object]:
     return {
-        "plan": one.plan, "quantity": one.quantity, "name": one.name, "unit": "m", "scale": one.scale,
-        "deviation": one.deviation, "quantum": one.quantum, "pieces": [_plain_piece(piece) for piece in one.pieces],
+        "plan": profile.plan, "quantity": profile.quantity, "name": profile.name, "unit": "m", "scale": profile.scale,
+        "deviation": profile.deviation, "quantum": profile.quantum,
+        "pieces": [_plain_piece(piece) for piece in profile.pieces],
     }  # fmt: skip
 
 

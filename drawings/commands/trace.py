@@ -48,7 +48,7 @@ class Trace:
         made = {key: [plan for plan in plans if (plan in study.made) == there] for key, there in MADE.items()}
         imported = [name for name in LIBRARIES if name in sys.modules]
         told = {
-            **{key: [term(study.scene.sheet.language, "plan", plan) for plan in own] for key, own in made.items()},
+            **{key: [term(study.scene.sheet.language, "plan", plan) for plan in plans] for key, plans in made.items()},
             "imported": [self._cost(name, say) for name in imported],
             "left_out": [name for name in LIBRARIES if name not in imported],
         }

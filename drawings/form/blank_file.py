@@ -55,9 +55,9 @@ def _marks(seen: SeenSheet, study: Study) -> Iterator[str]:
     """Name the vectors, the points that the scene does not fix, and those that are not drawn where they are."""
     yield from (f"{miss.key.plan} {miss.key.name}" for miss in check(seen.measured))
     yield from (f"{vector.plan} {vector.name}" for vector in (*seen.measured.vectors, *seen.measured.profiles))
-    own = study.of(LinkageStudy).mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
+    fixed = study.of(LinkageStudy).mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
     for point in seen.measured.points:
-        if point.name not in own or abs(point.stated - own[point.name]) > NEAR * abs(point.stated):
+        if point.name not in fixed or abs(point.stated - fixed[point.name]) > NEAR * abs(point.stated):
             yield f"{point.plan} {point.name}"
 
 

@@ -64,7 +64,7 @@ NOTHING = Fixed({}, frozenset(), ())
 def fixed(mechanism: Mechanism, positions: int) -> Fixed:
     """Give what a scene fixes of a mechanism."""
     points, slides = mechanism.links[GROUND].points, mechanism.slides
-    guides = (Guide(one.on_owner.through, one.on_owner.direction) for one in slides if one.owner == GROUND)
+    guides = (Guide(slide.on_owner.through, slide.on_owner.direction) for slide in slides if slide.owner == GROUND)
     hinges = frozenset(name for name in points if name in mechanism.hinges)
     return Fixed(dict(points), hinges, tuple(guides), positions)
 
@@ -84,7 +84,7 @@ class BlankFigure:
         return *self.lines, Group(tuple(texts))
 
 
-def measure(laid: LaidFigure, own: Fixed, drafting: Drafting) -> Picture:
+def measure(laid: LaidFigure, drafting: Drafting) -> Picture:
     """Measure the room of a place: as far about its pole as is known coarsely."""
     hand = drafting.hand
     side, below, above = (share * hand.letter for share in MARGINS)
@@ -105,16 +105,16 @@ def _zero(laid: LaidFigure) -> complex:
     return complex(x, y)
 
 
-def draw(laid: LaidFigure, own: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
+def draw(laid: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
     """Draw a place in its spot."""
     if laid.what == GRAPH:
-        return _graph(laid, own, spot, drafting)
+        return _graph(laid, fixed, spot, drafting)
     place, hand = room.place(*spot), drafting.hand
     head = heading(spot.box, laid.heading.title, drafting.scale(spot.scale), hand)
-    if laid.what == FRAME and own.points:
-        marks, off = list(_frame(laid, own, place, hand)), OFF + symbols.HINGE * hand.symbol
-        letters = [(place.on(at), name, off) for name, at in own.points.items()]
-        lines = list(_guides(own, room, place, hand))
+    if laid.what == FRAME and fixed.points:
+        marks, off = list(_frame(laid, fixed, place, hand)), OFF + symbols.HINGE * hand.symbol
+        letters = [(place.on(at), name, off) for name, at in fixed.points.items()]
+        lines = list(_guides(fixed, room, place, hand))
     else:
         marks, lines = list(_pole(laid, place)), []
         letters = [(place.on(0j), laid.pole["name"], OFF)] if laid.pole else []
@@ -149,30 +149,30 @@ def _pole(laid: LaidFigure, place: Place) -> Iterator[Group]:
         yield Group((symbols.pole(at),), "", _data(laid, place, "pole", laid.pole["name"], 0j), laid.pole["name"])
 
 
-def _frame(laid: LaidFigure, own: Fixed, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _frame(laid: LaidFigure, fixed: Fixed, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the fixed points: hinges with their stands."""
-    for name, value in own.points.items():
+    for name, value in fixed.points.items():
         at = place.on(value)
         kind = "pole" if name == laid.pole.get("name") else "point"
         radius = symbols.HINGE * hand.symbol
-        if name in own.hinges:
+        if name in fixed.hinges:
             yield from symbols.fixed_hinge(at, hand, radius)
         circle = (
-            symbols.hinge(at, hand)[0] if name in own.hinges else Circle(at, symbols.POINT * hand.symbol, hand.body)
+            symbols.hinge(at, hand)[0] if name in fixed.hinges else Circle(at, symbols.POINT * hand.symbol, hand.body)
         )
         yield Group((circle,), "", _data(laid, place, kind, name, value), name)
 
 
 def _data(laid: LaidFigure, place: Place, kind: str, name: str, value: complex) -> dict[str, str]:
-    own = {key: laid.pole[key] for key in ("plan", "quantity", "position") if key in laid.pole}
+    place_data = {key: laid.pole[key] for key in ("plan", "quantity", "position") if key in laid.pole}
     scale = {"unit": laid.unit, "scale": numeral(place.scale.mu)}
-    return {"kind": kind, "name": name, **own, "value": stated(value), **scale}
+    return {"kind": kind, "name": name, **place_data, "value": stated(value), **scale}
 
 
-def _guides(own: Fixed, room: Picture, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _guides(fixed: Fixed, room: Picture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the line of each guide through its place from side to side, and ground at its ends."""
     box = _box(room, place)
-    for guide in own.guides:
+    for guide in fixed.guides:
         ends = _across(place.on(guide.through), guide.direction, box)
         if ends is not None:
             yield Line(*ends, hand.axis)
@@ -202,14 +202,14 @@ def _across(at: complex, way: complex, box: Field) -> tuple[complex, complex] | 
     return (at + low * way, at + high * way) if low < high else None
 
 
-def _graph(laid: LaidFigure, own: Fixed, spot: Spot, drafting: Drafting) -> BlankFigure:
+def _graph(laid: LaidFigure, fixed: Fixed, spot: Spot, drafting: Drafting) -> BlankFigure:
     """Draw bare axes: the abscissa with ticks in the middle of the height, for it is not told what is below zero."""
     hand, box = drafting.hand, spot.box
     wide, high = (share * hand.letter for share in AXES)
     zero = complex(box.centre.real - wide / 2, box.bottom + MARGINS[1] * hand.letter + high / 2)
     under = ";  ".join(laid.scales) or " "
     head = heading(box, laid.heading.title, under, hand)
-    ticks = [symbols.tick(zero + wide * (k + 1) / (own.positions + 1), 1 + 0j, hand) for k in range(own.positions)]
+    ticks = [symbols.tick(zero + wide * (k + 1) / (fixed.positions + 1), 1 + 0j, hand) for k in range(fixed.positions)]
     axes = (*arrow(zero, zero + wide, hand), *arrow(zero - 0.5j * high, zero + 0.5j * high, hand))
     data = {"kind": "axes", "plan": laid.name}
     return BlankFigure((head, Group((*axes, *ticks), f"axes-{laid.name}", data), _axes(laid, zero, hand)), (), hand)
@@ -240,8 +240,8 @@ COMMON = (
 def form_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
     """Lay out the form of a scene, by kinds of sheets: all that its task gives, and no answer."""
     scene = study.scene.changed(sheet=study.scene.sheet.changed(drawn="", date=""))
-    own = _Task(scene, given(scene), _fixed(study), leaves_of(study))
-    found = bind(own.laid_out(PARTS), scene)
+    task = _Task(scene, given(scene), _fixed(study), leaves_of(study))
+    found = bind(task.laid_out(PARTS), scene)
     return {kind: tuple(_signed(leaf, kind) for leaf in leaves) for kind, leaves in found.items()}
 
 
@@ -250,7 +250,7 @@ class _Task(NamedTuple):
 
     scene: Scene
     known: Given
-    own: Fixed
+    fixed: Fixed
     sheets: Mapping[str, Sequence[Leaf]]
 
     def laid_out(self, parts: int) -> Mapping[str, Sequence[Leaf]]:
@@ -264,16 +264,16 @@ class _Task(NamedTuple):
 
     def _drafts(self, kind: str, parts: int) -> Iterator[Draft]:
         """Give a draft for each position or cam that a kind has sheets of its own for."""
-        for _, leaves in groupby(self.sheets[kind], lambda leaf: [leaf.metadata.get(key) for key in APART]):
-            own = tuple(leaves)
-            places = {figure.name: figure for leaf in own for figure in figures(leaf, kind, self.known, parts)}
-            bands = [table for leaf in own for table in tables(leaf, kind, self.known)]
-            title = own[0].title.removeprefix(f"{self.scene.heading(self.scene.sheet.language)}: ")
+        for _, group in groupby(self.sheets[kind], lambda leaf: [leaf.metadata.get(key) for key in APART]):
+            leaves = tuple(group)
+            places = {figure.name: figure for leaf in leaves for figure in figures(leaf, kind, self.known, parts)}
+            bands = [table for leaf in leaves for table in tables(leaf, kind, self.known)]
+            title = leaves[0].title.removeprefix(f"{self.scene.heading(self.scene.sheet.language)}: ")
             yield self._draft(kind, title, tuple(places.values()), bands)
 
     def _draft(self, kind: str, title: str, places: Sequence[LaidFigure], bands: Sequence[LaidTable]) -> Draft:
         drafting = drafting_of(self.scene)
-        shows = tuple(_exhibit(kind, place, self.own, self.scene, drafting) for place in places)
+        shows = tuple(_exhibit(kind, place, self.fixed, self.scene, drafting) for place in places)
         return Draft(kind, title, shows, blank(bands, drafting), tuple(data(self.scene)), _facts)
 
 
@@ -285,15 +285,15 @@ def _fixed(study: Study) -> Fixed:
     return fixed(linkage.mechanism, len(linkage.turn))
 
 
-def _exhibit(kind: str, laid: LaidFigure, own: Fixed, scene: Scene, drafting: Drafting) -> Exhibit:
+def _exhibit(kind: str, laid: LaidFigure, fixed: Fixed, scene: Scene, drafting: Drafting) -> Exhibit:
     """Give the place of a figure, and what it wants on the sheet."""
-    room = measure(laid, own, drafting)
+    room = measure(laid, drafting)
     key = key_of(kind, laid.name)
     shared = key if key in COMMON and scene.sheet.scales == "common" else ""
     weight, share = (FOREMOST, SHARE) if laid.what == FRAME else (EVEN, 0.0)
     together = laid.name.rpartition("-")[0] if laid.what == GRAPH else ""
     panel = Panel(room, weight, together, shared, share)
-    return Exhibit(panel, partial(draw, laid, own, room, drafting=drafting))
+    return Exhibit(panel, partial(draw, laid, fixed, room, drafting=drafting))
 
 
 def _facts(_: Collection[str]) -> dict[str, Any]:

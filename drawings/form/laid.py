@@ -51,7 +51,7 @@ class Given(NamedTuple):
         >>> Given(()).says("Largest of 360 positions")
         True
         """
-        return all(self._knows(one[0]) or _counts(one) for one in NUMERAL.finditer(text))
+        return all(self._knows(numeral[0]) or _counts(numeral) for numeral in NUMERAL.finditer(text))
 
     def _knows(self, numeral: str) -> bool:
         digits = numeral.replace(",", ".")
@@ -70,8 +70,8 @@ def _counts(numeral: re.Match[str]) -> bool:
 
 def given(scene: Scene) -> Given:
     """Gather the numbers of a scene."""
-    own = {abs(number) for number in _numbers(tomllib.loads(_text(scene)))}
-    return Given(tuple(sorted({number * unit for number in own for unit in UNITS})))
+    numbers = {abs(number) for number in _numbers(tomllib.loads(_text(scene)))}
+    return Given(tuple(sorted({number * unit for number in numbers for unit in UNITS})))
 
 
 def data(scene: Scene) -> list[str]:
@@ -90,13 +90,13 @@ def _text(scene: Scene) -> str:
 def _lines(name: str, value: Any) -> Iterator[str]:
     """Write a table in one paragraph, and each table within it in one of its own."""
     for table in value if isinstance(value, list) else [value]:
-        inner = {key: one for key, one in table.items() if _is_table(one)}
-        plain = {key: one for key, one in table.items() if key not in inner}
+        inner = {key: entry for key, entry in table.items() if _is_table(entry)}
+        plain = {key: entry for key, entry in table.items() if key not in inner}
         if plain:
             yield f"[{name}] {_written(plain)}"
-        for key, one in inner.items():
+        for key, entry in inner.items():
             if key != SKETCH:
-                yield from _lines(f"{name}.{key}", one)
+                yield from _lines(f"{name}.{key}", entry)
 
 
 def _is_table(value: Any) -> bool:
@@ -107,7 +107,7 @@ def _is_table(value: Any) -> bool:
 def _written(value: Any) -> str:
     match value:
         case dict():
-            return ", ".join(f"{key} = {_inner(one)}" for key, one in value.items())
+            return ", ".join(f"{key} = {_inner(entry)}" for key, entry in value.items())
         case list():
             return ", ".join(map(_inner, value))
         case bool() | str():
@@ -134,8 +134,8 @@ def _numbers(value: Any) -> Iterator[float]:
             yield from (float(numeral.replace(",", ".")) for numeral in NUMERAL.findall(value))
         case dict() | list():
             inner: Iterable[Any] = [*value.values(), *value] if isinstance(value, dict) else value
-            for one in inner:
-                yield from _numbers(one)
+            for part in inner:
+                yield from _numbers(part)
 
 
 SCALE = re.compile(r"([μK]_?(\{[^{}]*\}|[^\s=]+))(\s*=\s*)[\d.,]+(\s*(?:\([^()]*\)|1)?[^\d;()]*)")
@@ -191,12 +191,12 @@ def figures(leaf: Leaf, kind: str, known: Given, parts: int = PARTS) -> Iterator
     """Give the figures of a laid sheet that are known as places of the task, and whose titles say nothing else."""
     pending: Heading | None = None
     for group in leaf.groups:
-        if (own := _heading(group)) is not None:
-            pending = own
+        if (found := _heading(group)) is not None:
+            pending = found
             continue
         what = figure_of(kind, group.name) if group.name else ""
-        inner = (_heading(one) for one in groups(group.strokes))
-        heading, pending = next((one for one in inner if one is not None), pending), None
+        inner = (_heading(found) for found in groups(group.strokes))
+        heading, pending = next((found for found in inner if found is not None), pending), None
         if what and heading is not None and known.says(heading.title):
             yield from _figure(group, what, heading, parts)
 
@@ -205,7 +205,7 @@ def tables(leaf: Leaf, kind: str, known: Given) -> Iterator[LaidTable]:
     """Give the tables of a laid sheet that are known as parts of the task, band by band."""
     for group in groups(leaf.groups):
         name = table_of(kind, group.name) if group.name else ""
-        texts = [text for one in groups(group.strokes) for text in one.strokes if isinstance(text, Text)]
+        texts = [text for inner in groups(group.strokes) for text in inner.strokes if isinstance(text, Text)]
         if name and texts:
             yield _table(name, tuple(map(int, group.data.get("positions", "").split())), texts, known)
 
@@ -222,7 +222,7 @@ def _heading(group: Group) -> Heading | None:
 
 
 def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[LaidFigure]:
-    marks = [one for one in groups(group.strokes) if "scale" in one.data]
+    marks = [mark for mark in groups(group.strokes) if "scale" in mark.data]
     poles = [mark for mark in marks if mark.data["kind"] == "pole"]
     scale = SCALE.search(heading.under)
     ink = [stroke for stroke in flat(group.strokes) if not isinstance(stroke, Text)]
@@ -239,10 +239,10 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
 
 def _loose(group: Group) -> list[Text]:
     """Give the letters of a figure that stand in its own groups, the headings left out."""
-    own = [
+    lettering = [
         stroke for stroke in group.strokes if isinstance(stroke, Group) and not stroke.data and _heading(stroke) is None
     ]
-    return [text for one in own for text in one.strokes if isinstance(text, Text)]
+    return [text for part in lettering for text in part.strokes if isinstance(text, Text)]
 
 
 def _level(text: Text) -> str:
@@ -265,7 +265,7 @@ def _reach(ink: Sequence[Stroke], at: complex | None, mu: float, parts: int) -> 
     """Give how far strokes reach from a point, or from their middle, in true units, rounded up coarsely."""
     left, low, right, high = bounds(Group(tuple(ink)))
     at = complex(left + right, low + high) / 2 if at is None else at
-    far = [max(one, 0.0) * mu for one in (at.real - left, at.imag - low, right - at.real, high - at.imag)]
+    far = [max(reach, 0.0) * mu for reach in (at.real - left, at.imag - low, right - at.real, high - at.imag)]
     return coarse(far, parts)
 
 
@@ -281,7 +281,7 @@ def coarse(far: Sequence[float], parts: int = PARTS) -> tuple[float, float, floa
     power = 10.0 ** math.floor(math.log10(largest))
     steps = STEPS if parts == PARTS else [1 + k / parts for k in range(9 * parts + 1)]
     size = next(step * power for step in steps if step * power >= largest * (1 - ROUNDING))
-    left, low, right, high = (max(math.ceil(parts * one / size * (1 - ROUNDING)), 1) * size / parts for one in far)
+    left, low, right, high = (max(math.ceil(parts * reach / size * (1 - ROUNDING)), 1) * size / parts for reach in far)
     return left, low, right, high
 
 
@@ -289,8 +289,8 @@ def _table(name: str, positions: tuple[int, ...], texts: Sequence[Text], known: 
     """Read heads and rows: the heads stand before the first row, whose name begins at its left."""
     count = next((k for k, text in enumerate(texts) if text.anchor == "start"), len(texts))
     head, bands = texts[:count], max(len(positions), 1)
-    own = (count - 1) // bands
-    heads = [one for one in head[1 : 1 + own][1 if positions else 0 :] if known.says(one.plain)]
+    columns = (count - 1) // bands
+    heads = [text for text in head[1 : 1 + columns][1 if positions else 0 :] if known.says(text.plain)]
     rows = (text for text in texts[count:] if text.anchor == "start")
     said = tuple(_marked(row) if known.says(row.plain) else "" for row in rows)
     return LaidTable(name, positions, _marked(head[0]), tuple(map(_marked, heads)), said, head[0].size)
@@ -312,10 +312,10 @@ BESIDE = (
 
 def blank(bands: Iterable[LaidTable], drafting: Drafting) -> tuple[RuledTable, ...]:
     """Give the tables of a set of sheets, each whole: the bands and parts in which it was set put together."""
-    own: dict[str, list[LaidTable]] = {}
+    parts: dict[str, list[LaidTable]] = {}
     for band in bands:
-        own.setdefault(band.name, []).append(band)
-    return tuple(_whole(name, parts, drafting) for name, parts in own.items())
+        parts.setdefault(band.name, []).append(band)
+    return tuple(_whole(name, parts, drafting) for name, parts in parts.items())
 
 
 def _whole(name: str, parts: list[LaidTable], drafting: Drafting) -> RuledTable:

@@ -59,7 +59,7 @@ def figure_of(kind: str, name: str) -> str:
     >>> figure_of("kinematics", "velocities-4"), figure_of("forces", "detail-2-3-Z"), figure_of("cam", "law-1-velocity")
     ('plan', '', 'graph')
     """
-    return next((own for begin, own in FIGURES.get(kind, {}).items() if name.startswith(begin)), "")
+    return next((shown for begin, shown in FIGURES.get(kind, {}).items() if name.startswith(begin)), "")
 
 
 def table_of(kind: str, name: str) -> str:

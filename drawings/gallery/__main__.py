@@ -72,7 +72,7 @@ def redraw(folder: Path, because: str | None = None) -> Iterator[str]:
 
 def _renewed(folder: Path, paths: Sequence[Path], manifest: Path | None, because: str | None) -> list[str]:
     """Tell what changes of a set; keep all of it, or nothing."""
-    told = [one for path in paths for one in changes(path, folder / path.name)]
+    told = [change for path in paths for change in changes(path, folder / path.name)]
     if told and because:
         for path in (*paths, *([manifest] if manifest else ())):
             atomic_files.write(folder / path.name, path.read_bytes())

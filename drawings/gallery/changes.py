@@ -35,7 +35,7 @@ def differences(fresh: Path, kept: Path) -> Iterator[str]:
         yield f"{kept.name}: came"
         return
     told = _of_sheets if kept.suffix == ".svg" else _of_words
-    yield from (f"{kept.name}: {one}" for one in told(fresh.read_text("utf-8"), kept.read_text("utf-8")))
+    yield from (f"{kept.name}: {change}" for change in told(fresh.read_text("utf-8"), kept.read_text("utf-8")))
 
 
 def _of_sheets(fresh: str, kept: str) -> Iterator[str]:
@@ -56,7 +56,7 @@ def _agree(key: str, new: str, old: str) -> bool:
         return True
     if key in WORDS or NUMBER.sub("#", new) != NUMBER.sub("#", old):
         return False
-    ours, theirs = ([float(one.replace(",", ".")) for one in NUMBER.findall(text)] for text in (new, old))
+    ours, theirs = ([float(number.replace(",", ".")) for number in NUMBER.findall(text)] for text in (new, old))
     within = WITHIN if key in GEOMETRY else ROUNDED * max(map(abs, theirs))
     return all(abs(a - b) <= within for a, b in zip(ours, theirs, strict=True))
 
@@ -70,12 +70,12 @@ def _of_words(fresh: str, kept: str) -> Iterator[str]:
 
 def _near(new: str, old: str) -> bool:
     pairs = zip(NUMBER.findall(new), NUMBER.findall(old), strict=True)
-    return all(one == other if one.isdigit() and len(one) < LONG else _off(one, other) <= LAST for one, other in pairs)
+    return all(new == old if new.isdigit() and len(new) < LONG else _off(new, old) <= LAST for new, old in pairs)
 
 
-def _off(one: str, other: str) -> Decimal:
+def _off(new: str, old: str) -> Decimal:
     """Tell how many places of the last digit two numbers are apart."""
-    a, b = (Decimal(number.replace(",", ".")) for number in (one, other))
+    a, b = (Decimal(number.replace(",", ".")) for number in (new, old))
     return abs(a - b).scaleb(-min(int(a.as_tuple().exponent), int(b.as_tuple().exponent)))
 
 
@@ -150,7 +150,7 @@ def changes(fresh: Path, kept: Path) -> list[str]:
     ours, theirs = (see(path.read_bytes()).written for path in (kept, fresh))
     found = collate(ours, theirs)
     told = (*map(str, found.whole), *statements(found.edits))
-    return [f"{kept.name}: {one}" for one in told] or [f"{others[0]}; nothing that is seen"]
+    return [f"{kept.name}: {statement}" for statement in told] or [f"{others[0]}; nothing that is seen"]
 
 
 def statements(edits: Iterable[Edit]) -> Iterator[str]:
@@ -172,12 +172,12 @@ def _change(edit: Edit) -> str:
     return CHANGES[edit.how].format(**dict(edit.told.parts)) if edit.how in CHANGES else str(edit.told)
 
 
-def _counts(own: Iterable[Edit]) -> str:
+def _counts(edits: Iterable[Edit]) -> str:
     """Count strokes by what came of them, with how far the farthest moved."""
     found: dict[str, list[Edit]] = defaultdict(list)
-    for edit in own:
+    for edit in edits:
         found["went" if edit.how == "missing" else "came" if edit.how == "added" else edit.how].append(edit)
-    return ", ".join(f"{sum(one.strokes for one in some)} {how}{_farthest(some)}" for how, some in found.items())
+    return ", ".join(f"{sum(edit.strokes for edit in some)} {how}{_farthest(some)}" for how, some in found.items())
 
 
 def _farthest(edits: Iterable[Edit]) -> str:

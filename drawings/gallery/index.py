@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import NamedTuple
 
 from drawings.gallery.catalogue import Entry
-from drawings.gallery.engines import engines
+from drawings.lettering.words import number
 from drawings.report.table import Subject, report_of
+from plans.bank.engines import ENGINES, Engine
+from plans.bank.harmonics import SliderCrank
+from plans.bank.study import BankStudy
+from plans.model.balance.bank import BankBalance, BankTask, Harmonic, Member, Unit
 from plans.study import Study
 from plans.words.words import word
 
@@ -81,3 +86,55 @@ def _sheet(study: Study) -> str:
 def anchor(title: str) -> str:
     """Give the anchor that readers of Markdown make of a heading: small letters, hyphens, no other signs."""
     return re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-")
+
+
+UNIT, SPEED = Unit(0.04, 0.14, 0.0, 0.5), 300.0  # of every engine: what is told are ratios alone
+ORDERS = (1, 2, 4, 6)
+DIGITS = 4
+ENGINES_OPENING = """
+### The usual engines
+
+What a [bank](../../README.md) of equal cylinders leaves of each order: forces as so many times the largest force of
+that order of one cylinder, moments along the shaft as so many times that force by the pitch of the cylinders. What
+turns with the crank alone (↻, of the first order) can be taken by counterweights on the crank. Angles are in degrees;
+cylinders at one place along the shaft stand together.
+
+| engine | cranks | guides | forces left, order: times | moments left, order: times |
+|---|---|---|---|---|
+"""
+
+
+def engines() -> str:
+    """Write the table of the usual engines."""
+    return ENGINES_OPENING + "".join(map(engine_row, ENGINES))
+
+
+def engine_row(engine: Engine) -> str:
+    """Write the row of an engine: each order with what is left of it, or nothing."""
+    balance = BankStudy(BankTask(UNIT, engine.members, SPEED, ORDERS), SliderCrank(UNIT, SPEED)).balance
+    cells = word("en", f"engine.{engine.key}"), *_angles(engine), _left(balance, balance.forces)
+    return f"| {' | '.join((*cells, _left(balance, balance.moments)))} |\n"
+
+
+def _angles(engine: Engine) -> Iterator[str]:
+    """Write the angles of the cranks and of the guides along the shaft, those at one place together."""
+    places: dict[Fraction, list[Member]] = {}
+    for member in engine.members:
+        places.setdefault(member.place, []).append(member)
+    yield ", ".join(_together(member.crank for member in place) for place in places.values())
+    yield ", ".join(dict.fromkeys(_together(member.axis for member in place) for place in places.values()))
+
+
+def _together(angles: Iterable[Fraction]) -> str:
+    return " and ".join(dict.fromkeys(f"{float(angle):g}" for angle in angles)).replace("-", "−")
+
+
+def _left(balance: BankBalance, found: Mapping[int, Harmonic]) -> str:
+    """Write each order of which something is left, in what one cylinder has of it."""
+    told = [_share(harmonic, balance.single[order]) for order, harmonic in found.items() if not harmonic.vanishes]
+    return "; ".join(told) or "none"
+
+
+def _share(harmonic: Harmonic, single: Harmonic) -> str:
+    turns = " ↻" if harmonic.order == 1 and abs(harmonic.back) <= harmonic.slack else ""
+    return f"{harmonic.order}: {number(harmonic.size / single.size, 'en', DIGITS)}{turns}"

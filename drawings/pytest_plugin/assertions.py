@@ -98,71 +98,72 @@ def assert_close_to_analysis(
     The tolerance is "2 %" of the plan's largest vector, "0.2 mm" by which a hand slips in each act, or "exact".
     """
     __tracebackhide__ = True
-    own = handed(sheet).of(scene)
+    drawn = handed(sheet).of(scene)
     by = tolerated(tolerance)
-    graded = _scene(own).graded(own.path, by)
+    graded = _scene(drawn).graded(drawn.path, by)
     wrong = [said for said in (*graded.wrong, *graded.unseen) if said.kind not in verdict.OF_DRAWING]
-    _assert_none(own, graded, wrong, message("accept.off", sheet=own.path.name, tolerance=by.told))
+    _assert_none(drawn, graded, wrong, message("accept.off", sheet=drawn.path.name, tolerance=by.told))
 
 
 def assert_well_drawn(sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None) -> None:
     """Fail if a scale is not written, arrows do not meet, or letters are missing or swapped."""
     __tracebackhide__ = True
-    own = handed(sheet).of(scene)
-    graded = _scene(own).graded(own.path, Allowance())
+    drawn = handed(sheet).of(scene)
+    graded = _scene(drawn).graded(drawn.path, Allowance())
     wrong = [said for said in graded.wrong if said.kind in verdict.OF_DRAWING]
-    _assert_none(own, graded, wrong, message("accept.ill_drawn", sheet=own.path.name))
+    _assert_none(drawn, graded, wrong, message("accept.ill_drawn", sheet=drawn.path.name))
 
 
 def assert_sheet_matches(sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None) -> None:
     """Fail if anything on a sheet of ours is not as its scene gives it; a file that was only saved again passes."""
     __tracebackhide__ = True
-    own = handed(sheet).of(scene)
-    held = _scene(own).held(own.path)
+    drawn = handed(sheet).of(scene)
+    held = _scene(drawn).held(drawn.path)
     if not isinstance(held, OnPaper):
-        raise AssertionError(_rejected(own, held))
+        raise AssertionError(_rejected(drawn, held))
     wrong = [finding for finding in held.checked.findings if finding.kind not in RESAVED]
     if wrong:
         edits = [said.edit for said in wrong if said.edit is not None]
-        spots = [Spot(edit.told.worded(own.language), edit.at, edit.at) for edit in edits]
-        head = message("accept.other", sheet=own.path.name, scene=_scene(own).originals.path.name)
-        raise AssertionError(_told(own, head, [said.told.worded(own.language) for said in wrong], held.paper, spots))
+        spots = [Spot(edit.told.worded(drawn.language), edit.at, edit.at) for edit in edits]
+        head = message("accept.other", sheet=drawn.path.name, scene=_scene(drawn).originals.path.name)
+        lines = [finding.told.worded(drawn.language) for finding in wrong]
+        raise AssertionError(_told(drawn, head, lines, held.paper, spots))
 
 
-def _scene(own: HandedSheet) -> Assignment:
-    if own.scene is None:
-        raise AcceptanceError(message("accept.sceneless", sheet=own.path.name))
-    return own.scene
+def _scene(drawn: HandedSheet) -> Assignment:
+    if drawn.scene is None:
+        raise AcceptanceError(message("accept.sceneless", sheet=drawn.path.name))
+    return drawn.scene
 
 
-def _rejected(own: HandedSheet, graded: Graded) -> str:
-    return message("accept.rejected", sheet=own.path.name, reason=graded.reason).worded(own.language)
+def _rejected(drawn: HandedSheet, graded: Graded) -> str:
+    return message("accept.rejected", sheet=drawn.path.name, reason=graded.reason).worded(drawn.language)
 
 
-def _assert_none(own: HandedSheet, graded: Graded, wrong: Sequence[Verdict], head: Message) -> None:
+def _assert_none(sheet: HandedSheet, graded: Graded, wrong: Sequence[Verdict], head: Message) -> None:
     """Fail if anything is wrong, or nothing can be said."""
     __tracebackhide__ = True
     if graded.reason is not None:
-        raise AssertionError(_rejected(own, graded))
+        raise AssertionError(_rejected(sheet, graded))
     if wrong:
-        lines = [line for said in gathered(wrong) for line in _lines(own, graded, said)]
-        say = partial(without_values, hints={}, language=own.language)
+        lines = [line for said in gathered(wrong) for line in _lines(sheet, graded, said)]
+        say = partial(without_values, hints={}, language=sheet.language)
         spots = [Spot(say(said), *said.at) for said in wrong if said.at is not None]
-        raise AssertionError(_told(own, head, lines, graded.paper, spots))
+        raise AssertionError(_told(sheet, head, lines, graded.paper, spots))
 
 
-def _lines(own: HandedSheet, graded: Graded, said: Verdict) -> Iterator[str]:
+def _lines(sheet: HandedSheet, graded: Graded, said: Verdict) -> Iterator[str]:
     """Tell of a verdict, and what is drawn and what the analysis gives."""
-    hints = _scene(own).task.hints
-    yield (without_values if own.silent else with_values)(said, hints, own.language)
+    hints = _scene(sheet).task.hints
+    yield (without_values if sheet.silent else with_values)(said, hints, sheet.language)
     plan = next((plan for plan in graded.drawn if plan.asked.place == (said.plan, said.position)), None)
-    if own.silent or plan is None:
+    if sheet.silent or plan is None:
         return
     drawn = plan.value(said.letters)
     true = next((asked.true for asked in plan.asked.vectors if asked.letters == said.letters), None)
     if drawn is not None and true is not None and said.name:
         parts = {"drawn": _value(said, drawn), "true": _value(said, true)}
-        yield f"  {message('accept.values', **parts).worded(own.language)}"
+        yield f"  {message('accept.values', **parts).worded(sheet.language)}"
 
 
 def _value(said: Verdict, value: complex) -> Message:
@@ -174,22 +175,22 @@ def _value(said: Verdict, value: complex) -> Message:
 
 
 def _told(
-    own: HandedSheet, head: Message, lines: Sequence[str], paper: tuple[float, float], spots: Sequence[Spot]
+    sheet: HandedSheet, head: Message, lines: Sequence[str], paper: tuple[float, float], spots: Sequence[Spot]
 ) -> str:
     """Tell what is wrong, line by line, and where its picture lies, if pictures are drawn."""
     left = len(lines) - TOLD
-    more = [message("checked.more", count=left).worded(own.language)] if left > 0 else []
-    drawn = [message("accept.picture", file=path).worded(own.language) for path in _pictured(own, paper, spots)]
-    return "\n  ".join([head.worded(own.language), *lines[:TOLD], *more, *drawn])
+    more = [message("checked.more", count=left).worded(sheet.language)] if left > 0 else []
+    pictures = [message("accept.picture", file=path).worded(sheet.language) for path in _pictured(sheet, paper, spots)]
+    return "\n  ".join([head.worded(sheet.language), *lines[:TOLD], *more, *pictures])
 
 
-def _pictured(own: HandedSheet, paper: tuple[float, float], spots: Sequence[Spot]) -> Iterator[str]:
+def _pictured(sheet: HandedSheet, paper: tuple[float, float], spots: Sequence[Spot]) -> Iterator[str]:
     """Draw the places of what is wrong into the report's folder."""
-    if own.report is None or not spots or not all(paper):
+    if sheet.report is None or not spots or not all(paper):
         return
-    source = regular_bytes(own.path, SHEET_BYTES + 1)
+    source = regular_bytes(sheet.path, SHEET_BYTES + 1)
     if is_plain(source):
-        own.report.mkdir(parents=True, exist_ok=True)
-        file = own.report / f"{own.name or own.path.stem}.svg"
+        sheet.report.mkdir(parents=True, exist_ok=True)
+        file = sheet.report / f"{sheet.name or sheet.path.stem}.svg"
         write(file, picture(source, paper, spots[:MOST]))
         yield os.fspath(file)

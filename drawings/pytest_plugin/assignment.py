@@ -70,7 +70,7 @@ def _stated(measured: Measured) -> list[PlanAsked]:
         start, end = ends_of(mark)
         places.setdefault((mark.plan, mark.position), []).append(Asked(mark.name, start, end, mark.stated, None))
     units = {(mark.plan, mark.position): mark.unit for mark in measured.marks}
-    return [PlanAsked(*place, "", units[place], tuple(own), {}) for place, own in places.items()]
+    return [PlanAsked(*place, "", units[place], tuple(vectors), {}) for place, vectors in places.items()]
 
 
 FilePath: TypeAlias = str | os.PathLike[str]

@@ -108,12 +108,12 @@ class ReadPlan:
 def chosen(plans: Sequence[DrawnPlan], name: str, position: int | None, language: str) -> ReadPlan:
     """Give the plan of a name in anybody's words: "velocity", "velocities", "план скоростей"."""
     __tracebackhide__ = True
-    own = named(plans, name, position)
-    if len(own) == 1:
-        return ReadPlan(own[0], language)
-    there = tuple(_told(own or plans)) or (message("accept.nothing"),)
+    found = named(plans, name, position)
+    if len(found) == 1:
+        return ReadPlan(found[0], language)
+    there = tuple(_told(found or plans)) or (message("accept.nothing"),)
     parts = {"name": name, "names": there} if position is None else {"name": name, "names": there, "position": position}
-    key = f"accept.{'no' if not own else 'several'}_plan{'' if position is None else '_at'}"
+    key = f"accept.{'no' if not found else 'several'}_plan{'' if position is None else '_at'}"
     raise NotDrawnError(message(key, **parts).worded(language))
 
 
@@ -127,8 +127,8 @@ def _called(plan: str, name: str) -> bool:
     wanted = name.casefold().replace("_", " ")
     known = {plan, plan.removesuffix("s"), *(term(language, "plan", plan) for language in languages())}
     known |= {plan_named(plan).worded(language) for language in languages()}
-    known |= {f"{own.removesuffix('ies')}y" for own in known if own.endswith("ies")}
-    return wanted in {own.casefold().replace("_", " ") for own in known}
+    known |= {f"{word.removesuffix('ies')}y" for word in known if word.endswith("ies")}
+    return wanted in {word.casefold().replace("_", " ") for word in known}
 
 
 def _told(plans: Iterable[DrawnPlan]) -> Iterator[Message]:

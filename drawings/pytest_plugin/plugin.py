@@ -90,8 +90,8 @@ def _handed(request: pytest.FixtureRequest, path: Path, scene: Assignment | None
 
 
 def _scene(config: pytest.Config) -> Assignment | None:
-    own = config.option.plandraft_scene or next(iter(config.getini("plandraft_scene")), None)
-    return None if own is None else _assignment(Path(own))
+    path = config.option.plandraft_scene or next(iter(config.getini("plandraft_scene")), None)
+    return None if path is None else _assignment(Path(path))
 
 
 def _assignment(path: Path) -> Assignment:
@@ -111,8 +111,8 @@ def _sheets(config: pytest.Config) -> tuple[Path, ...]:
 def _files(path: Path) -> Sequence[Path]:
     if not path.is_dir():
         return [path]
-    found = sorted(one for one in path.iterdir() if not one.name.startswith(".") and not one.is_dir())
-    if answers := [one.name for one in found if one.suffix in ANSWERS]:
+    found = sorted(file for file in path.iterdir() if not file.name.startswith(".") and not file.is_dir())
+    if answers := [file.name for file in found if file.suffix in ANSWERS]:
         raise pytest.UsageError(f"{path}: {', '.join(answers)} lies among the sheets: give a folder of sheets alone")
     if not found:
         raise pytest.UsageError(f"{path}: no sheet is handed in there")
@@ -159,5 +159,5 @@ def _asked(reporter: Any) -> list[str]:
 def _answered(reporter: Any) -> set[str]:
     """Give the sheets that a test ran to its end for."""
     ends = (report for name in ENDS for report in reporter.stats.get(name, ()))
-    told = (own for report in ends for own in getattr(report, "user_properties", ()))
+    told = (pair for report in ends for pair in getattr(report, "user_properties", ()))
     return {str(value) for name, value in told if name == ANSWERED}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from drawings.gallery import engines as page
 from drawings.gallery import index
+from drawings.gallery import index as page
 from plans.bank.engines import ENGINES
 from plans.words.words import word
 from tests.gallery import GALLERY
@@ -22,7 +22,7 @@ ROWS = {
 @pytest.mark.parametrize("key", ROWS)
 def test_a_row_says_what_is_left(key: str) -> None:
     (engine,) = (one for one in ENGINES if one.key == key)
-    assert page.row(engine) == f"{ROWS[key]}\n"
+    assert page.engine_row(engine) == f"{ROWS[key]}\n"
 
 
 def test_the_page_has_the_table_before_its_end() -> None:
