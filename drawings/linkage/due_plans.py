@@ -14,14 +14,12 @@ from drawings.lettering.vector_letters import with_index
 from drawings.page.scale import Drafting
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
-from plans.linkage.dyads import KINDS
-from plans.linkage.parts import AnalysedVectors, findings, spans
+from plans.linkage.parts import AnalysedVectors, findings, spans, vectors_of
 from plans.linkage.plan import POLES, Plan, Sliding, Slotted, Turning, Vector
-from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.motion import ACCELERATIONS, ORDERS, VELOCITIES
+from plans.model.motion import ACCELERATIONS, PLANS, VELOCITIES
 from plans.quantity import Quantity
 
 Masses = Mapping[str, tuple[int, complex]]
@@ -59,7 +57,7 @@ class VectorPlans:
         true = self._analysed(k)
         arrows = true.arrows(self.study.groups).items()
         found = {f"{start} {end}": part for (where, start, end), part in arrows if where == plan}
-        order = next(part.number for part in ORDERS if part.plan == plan)
+        order = PLANS.index(plan)
         for name, mass in self.masses.items():
             found[f"{POLES[plan]} {true.letters.small(name)}"] = true.centre(*mass, order)
         for part in self.parts:
@@ -94,7 +92,7 @@ class VectorPlans:
 
     def _images(self, plan: str, k: int) -> list[dict[str, complex]]:
         """Give for each link the images of its points, of its places under pins, and of the one that stands for it."""
-        true, order = self._analysed(k), next(one.number for one in ORDERS if one.plan == plan)
+        true, order = self._analysed(k), PLANS.index(plan)
         written, found = true.letters, list[dict[str, complex]]()
         for number, link in self.study.mechanism.links.items():
             spots = {self._image(name, plan): place for name, place in link.points.items()}
@@ -159,13 +157,9 @@ class VectorPlans:
     @cached_property
     def _letters(self) -> tuple[tuple[str, str, str], ...]:
         """Plan, ends and letter of each vector that is no whole velocity or acceleration of a point: v_BA, a^n_BA."""
-        mechanism = self.study.mechanism
-        vectors = [*PRIMARIES[mechanism.drive.kind].vectors(mechanism)]
-        for group in self.study.groups:
-            vectors += KINDS[group.kind].vectors(group)
         return tuple(
             (plan, f"{start} {end}", letter)
-            for vector in vectors
+            for vector in vectors_of(self.study.mechanism, self.study.groups)
             for plan in (VELOCITIES.plan, ACCELERATIONS.plan)
             for start, end, letter in self._lettered(vector, plan)
             if start != POLES[VELOCITIES.plan]
@@ -200,7 +194,7 @@ class VectorPlans:
 
     def _made(self, plan: str) -> Plan:
         """Give a plan as it was constructed: which images share a letter."""
-        return self.study.drafts().plan(next(order.number for order in ORDERS if order.plan == plan))
+        return self.study.drafts().plan(PLANS.index(plan))
 
     def _image(self, point: str, plan: str) -> str:
         written = self.study.drafts().velocities.written

@@ -133,7 +133,7 @@ class _KinematicsSheet:
 
     def _plan(self, subject: str, k: int) -> Exhibit:
         """A plan, or in its place why it is not drawn."""
-        name, shown = f"{subject}-{k}", self._diagram(subject, k)
+        name, shown = f"{subject}-{k}", self._shown_plans[subject, k]
         if not self._is_whole(subject, k):
             why = self._why(subject, k)
             absent = measure_missing(why, name, self.drafting)
@@ -146,13 +146,13 @@ class _KinematicsSheet:
         yield link_working(mechanism, list(mechanism.links), POSITIONS.plan, self.drafting)
         for subject, k in ((order.plan, k) for order in ORDERS[1:] for k in self.positions):
             if self._is_whole(subject, k):
-                yield plan_working(self._diagram(subject, k), f"{subject}-{k}", self.drafting)
+                yield plan_working(self._shown_plans[subject, k], f"{subject}-{k}", self.drafting)
         if self.output is not None and self.output.shown:
             yield rows.working(self.output, self.drafting)
 
     def _is_whole(self, subject: str, k: int) -> bool:
         """Tell whether a plan can be drawn."""
-        return not self.study.lost[k] and bool(np.isfinite(self._diagram(subject, k).points).all())
+        return not self.study.lost[k] and bool(np.isfinite(self._shown_plans[subject, k].points).all())
 
     def _diagrams(self) -> list[Exhibit]:
         """The output's diagrams, one under another."""
@@ -165,11 +165,12 @@ class _KinematicsSheet:
         """Name the common scale of all plans of a kind; each has its own where the scene asks for that."""
         return subject if self.study.scene.sheet.scales == "common" else ""
 
-    def _diagram(self, subject: str, k: int) -> VectorDiagram:
-        drafts = self.study.drafts()
-        plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
-        shown = diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
-        return shown._replace(parts=self._parts)
+    @cached_property
+    def _shown_plans(self) -> dict[tuple[str, int], VectorDiagram]:
+        """What each plan of velocities and accelerations shows, by its name and position."""
+        drafts, masses = self.study.drafts(), unnamed(self.study.scene, self.study.mechanism.links)
+        plans = [(order, k, drafts.plan(order.number)) for order in ORDERS[1:] for k in self.positions]
+        return {(order.plan, k): diagram(plan, k, masses)._replace(parts=self._parts) for order, k, plan in plans}
 
     @cached_property
     def _parts(self) -> dict[tuple[Mark, Mark], tuple[str, ...]]:

@@ -34,6 +34,13 @@ if TYPE_CHECKING:
 Arrow = tuple[str, str, str]
 
 
+def vectors_of(mechanism: Mechanism, groups: Iterable[Group]) -> Iterator[Vector]:
+    """Tell the vectors that the plans of a mechanism must have, beside those of its points."""
+    yield from PRIMARIES[mechanism.drive.kind].vectors(mechanism)
+    for group in groups:
+        yield from KINDS[group.kind].vectors(group)
+
+
 class AnalysedVectors:
     """The vectors of the plans of one position, from the motion by analysis; the relative-motion formulas are M3.1."""
 
@@ -43,10 +50,7 @@ class AnalysedVectors:
     def arrows(self, groups: Sequence[Group]) -> dict[Arrow, complex]:
         """Give every arrow that a plan may show between named points, normal and Coriolis ends."""
         found = dict(self._absolute())
-        told = [*PRIMARIES[self.mechanism.drive.kind].vectors(self.mechanism)]
-        for group in groups:
-            told += KINDS[group.kind].vectors(group)
-        for vector in told:
+        for vector in vectors_of(self.mechanism, groups):
             found.update(self._of(vector))
         return found
 
@@ -58,12 +62,9 @@ class AnalysedVectors:
                 return self._slotted(vector)
         return ()
 
-    def moving(self) -> list[str]:
-        """Give the points that have velocities of their own."""
-        return [name for name in self.motion.points if name not in self.mechanism.links[FRAME].points]
-
     def _absolute(self) -> Iterator[tuple[Arrow, complex]]:
-        for name in self.moving():
+        fixed = self.mechanism.links[FRAME].points
+        for name in (name for name in self.motion.points if name not in fixed):
             yield ("velocities", "p", self.letters.small(name)), self.v(name)
             yield ("accelerations", "π", self.letters.small(name)), self.a(name)
 
@@ -197,10 +198,7 @@ class _Parts(NamedTuple):
 
     def all(self) -> list[VectorPart]:
         """List the parts, each once, in the order in which the plans are drawn."""
-        mechanism = self.study.mechanism
-        vectors = list(PRIMARIES[mechanism.drive.kind].vectors(mechanism))
-        for group in self.study.groups:
-            vectors += KINDS[group.kind].vectors(group)
+        vectors = vectors_of(self.study.mechanism, self.study.groups)
         told = [*self._centres(), *(part for vector in vectors for part in self._of(vector))]
         return list({part.name: part for part in told}.values())
 
