@@ -102,10 +102,10 @@ def _same_paper(laid: Leaf, there: Leaf) -> bool:
 def _same(laid: Stroke, there: Stroke, even: float) -> bool:
     """Tell whether two strokes are one and the same to the eye."""
     match laid, there:
-        case Group(), Group():
-            return _same_group(laid, there, even)
         case Text(), Text():
             return _same_text(laid, there, even)
+        case Group(), Group():
+            return _same_group(laid, there, even)
         case Line(), Line():
             ends = abs(laid.start - there.start) <= QUANTUM and abs(laid.end - there.end) <= QUANTUM
         case Circle(), Circle():
@@ -122,7 +122,7 @@ def _same(laid: Stroke, there: Stroke, even: float) -> bool:
             ends = _same_curve(laid, there)
         case _:
             return False
-    return ends and _same_style(laid.style, there.style)
+    return ends and (laid.style == there.style or _same_style(laid.style, there.style))
 
 
 def _same_group(laid: Group, there: Group, even: float) -> bool:
@@ -139,7 +139,7 @@ def _same_text(laid: Text, there: Text, even: float) -> bool:
         and laid.slanted == there.slanted
         and _same_place(laid, there, even)
         and abs(laid.size - there.size) <= 10 * WRITTEN
-        and _same_style(laid.style, there.style)
+        and (laid.style == there.style or _same_style(laid.style, there.style))
     )
 
 
@@ -149,6 +149,8 @@ def _same_place(laid: Text, there: Text, even: float) -> bool:
     A letter's points are rounded, which turns a small one most; its corner, where the text begins, is found from its
     first point, by that turn and at most across its cell.
     """
+    if laid.rotation == there.rotation:
+        return abs(laid.at - there.at) <= even
     turned = abs(math.radians((laid.rotation - there.rotation + 180) % 360 - 180))
     return turned <= 4 * NEAR / laid.size and abs(laid.at - there.at) <= even + turned * CELL * laid.size
 

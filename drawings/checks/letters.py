@@ -59,7 +59,7 @@ def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Mes
         _, plan, name, _ = key
         own = known.get(key) or letter
         plain = Text(0j, own if "{" in own else with_index(own)).plain
-        if not distance(labels.get(plain, ()), spots) <= WITHIN.get(plan, NEAREST):
+        if not beside(labels.get(plain, ()), spots, WITHIN.get(plan, NEAREST)):
             yield on("letter", plan, name=name)
 
 
@@ -74,14 +74,14 @@ def strayed(figure: Group, labels: Mapping[str, Sequence[Label]]) -> Iterator[Me
         for name, spot in zip(one.data["name"].split(" "), (line.start, line.end), strict=True):
             images.setdefault(Text(0j, with_index(name)).plain, []).append(spot)
     for letter, spots in ((letter, images[letter]) for letter in labels if letter in images):
-        if any(not distance((one,), spots) <= WITHIN.get(plan, NEAREST) for one in labels[letter]):
+        if not all(beside((label,), spots, WITHIN.get(plan, NEAREST)) for label in labels[letter]):
             yield on("letter", plan, name=letter)
     lines = {one.data["name"]: line for one, line in vectors if isinstance(line, Line)}
     for one in (said for said in stated((figure,)) if said.states and said.states.kind is Kind.LETTER):
         assert one.states is not None
         vector, _, name = one.states.name.rpartition(" ")
         own = lines.get(vector)
-        if own is not None and not distance(_labels(one.strokes), along(own.start, own.end)) <= NEAREST:
+        if own is not None and not beside(_labels(one.strokes), along(own.start, own.end), NEAREST):
             yield on("letter", plan, name=name)
 
 
@@ -97,6 +97,11 @@ def labels_of(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
         for letter in label.text.plain.split(", "):
             labels.setdefault(letter, []).append(label)
     return labels
+
+
+def beside(labels: Iterable[Label], spots: Sequence[complex], most: float) -> bool:
+    """Tell whether one of some labels is so near to one of some spots, mm."""
+    return any(off(spot, box) <= most for box in (label.place for label in labels) for spot in spots)
 
 
 def distance(labels: Iterable[Label], spots: Iterable[complex]) -> float:
@@ -145,4 +150,6 @@ def along(start: complex, end: complex) -> list[complex]:
 def off(spot: complex, box: Box) -> float:
     """Give how far a place is from a box, mm."""
     left, bottom, right, top = box
-    return abs(spot - complex(min(max(spot.real, left), right), min(max(spot.imag, bottom), top)))
+    x, y = spot.real, spot.imag
+    across = left - x if x < left else max(x - right, 0.0)
+    return math.hypot(across, bottom - y if y < bottom else max(y - top, 0.0))

@@ -97,9 +97,9 @@ def _curve(stroke: Curve) -> Stroke:
 
 def _text(text: Text, lined: bool) -> Text:
     """Give lettering from where its first letter begins; all of one level, it is a text of that level's size."""
-    _, content, size, anchor, slanted, rotation, style = text
-    own = _begun(content, size, anchor, slanted, rotation, lined)
-    return own._replace(at=text.at + own.at, style=style)
+    at, content, size, anchor, slanted, rotation, style = text
+    off, content, size, anchor, slanted, rotation, _ = _begun(content, size, anchor, slanted, rotation, lined)
+    return Text(at + off, content, size, anchor, slanted, rotation, style)
 
 
 @lru_cache(maxsize=4096)  # a sheet letters the same in many places
