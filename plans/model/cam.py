@@ -92,7 +92,7 @@ class Follower(NamedTuple):
     reach: float | None = None
 
 
-class PressureInterval(NamedTuple):
+class PermittedAngles(NamedTuple):
     """The least and the greatest pressure angle that are permitted, rad, the least below 0 (5.30)."""
 
     low: float
@@ -110,7 +110,7 @@ class Limits(NamedTuple):
         """Give the limit of the pressure angle on a kind of phase."""
         return {RISE: self.rise, RETURN: self.back}.get(kind)
 
-    def interval(self, kind: str, closure: str) -> PressureInterval | None:
+    def interval(self, kind: str, closure: str) -> PermittedAngles | None:
         """Give what is permitted on a kind of phase: in a groove from -back to rise on both kinds of phase (5.30).
 
         A spring drives the return, which nothing limits; on the rise it is held to both sides alike. A limit that
@@ -120,8 +120,8 @@ class Limits(NamedTuple):
         if asked is None or (closure == FORCE and kind == RETURN):
             return None
         if closure == FORCE or self.rise is None or self.back is None:
-            return PressureInterval(-asked, asked)
-        return PressureInterval(-self.back, self.rise)
+            return PermittedAngles(-asked, asked)
+        return PermittedAngles(-self.back, self.rise)
 
 
 class GivenSizes(NamedTuple):
@@ -228,7 +228,7 @@ def limits_of(cam: Cam) -> Limits:
     return kept._replace(rise=kept.rise or usual, back=None if cam.closure == FORCE else kept.back or usual)
 
 
-def interval_of(cam: Cam, kind: str) -> PressureInterval | None:
+def interval_of(cam: Cam, kind: str) -> PermittedAngles | None:
     """Give what a cam's pressure angle is held to on a kind of phase; None where the scene limits nothing there."""
     return None if cam.unlimited else limits_of(cam).interval(kind, cam.closure)
 

@@ -15,7 +15,7 @@ from plans.model.cam_motion import Contour, FollowerTravel, Points, Sizes
 from plans.model.motion import Floats
 
 
-class Forces(NamedTuple):
+class ContactForces(NamedTuple):
     """A loaded follower on a cam that goes at its speed, without friction."""
 
     load: FollowerLoad
@@ -45,9 +45,9 @@ class Forces(NamedTuple):
         return np.abs(self.normal(curve) * curve.slip(self.roller)) * self.speed
 
 
-def forces_of(cam: Cam, roller: float) -> Forces | None:
+def forces_of(cam: Cam, roller: float) -> ContactForces | None:
     """Give the forces, where the scene asks for them: with a load and a speed."""
-    return None if cam.load is None or cam.speed is None else Forces(cam.load, cam.speed, roller)
+    return None if cam.load is None or cam.speed is None else ContactForces(cam.load, cam.speed, roller)
 
 
 def mirrored(cam: Cam, points: Points) -> Points:

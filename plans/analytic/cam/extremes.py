@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from plans.analytic.cam.contour import Curve, Forces
+from plans.analytic.cam.contour import ContactForces, Curve
 from plans.analytic.cam.laws import shocks
 from plans.model.cam import RETURN, RISE, SHAPE, TABLE, Cam, Law, interval_of
 from plans.model.cam_motion import BEND, HARD, SLOPE, SOFT, Extreme, Pressing, Sizes
@@ -262,7 +262,7 @@ class CurveExtremes:
         most = None if self.cam.rocks or falls else self.turn.most(lambda curve: -curve.travel.s - curve.travel.bend)
         return most and self.cam.limits.curvature + most.value
 
-    def pressing(self, forces: Forces) -> Pressing:
+    def pressing(self, forces: ContactForces) -> Pressing:
         """Give the extremes of the contact's force and wear, and the preload that holds."""
         turn, nothing = self.turn, Extreme(np.nan, 0.0)
         places = turn.places(forces.normal)

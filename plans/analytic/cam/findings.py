@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from plans.analytic.cam.contour import Curve, Forces, contour, forces_of
+from plans.analytic.cam.contour import ContactForces, Curve, contour, forces_of
 from plans.analytic.cam.extremes import CurveExtremes, SidedTurn, Value, WholeTurn
 from plans.analytic.cam.laws import shocks
 from plans.analytic.cam.loops import Loops
@@ -29,7 +29,7 @@ class Flaws:
 
     extremes: CurveExtremes
     roller: float  # m
-    forces: Forces | None
+    forces: ContactForces | None
 
     @property
     def cam(self) -> Cam:

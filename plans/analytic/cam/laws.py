@@ -170,7 +170,7 @@ def _half(first: Callable[[Floats], Rates]) -> Closed:
 def _joined(k: Floats, ramp: Rates, flat: Rates, last: Rates) -> Rates:
     """Join the parts of half a law: to an eighth, to three, to the middle."""
     bounds = [k < 1 / 8, k < 3 / 8]
-    s, slope, bend = (np.select(bounds, [*own[:2]], own[2]) for own in zip(ramp, flat, last, strict=True))
+    s, slope, bend = (np.select(bounds, [*kept[:2]], kept[2]) for kept in zip(ramp, flat, last, strict=True))
     return s, slope, bend
 
 

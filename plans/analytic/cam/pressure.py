@@ -124,7 +124,7 @@ def roots(of: Callable[[Floats], Floats], grid: Floats) -> Floats:
     return np.concatenate([(low + high) / 2, grid[signs == 0]])
 
 
-class Ratio(NamedTuple):
+class TangentRatio(NamedTuple):
     """tan α as a ratio, (N,) each, with the derivatives of both by the cam's turn; below, it is above 0."""
 
     above: Floats
@@ -164,7 +164,7 @@ def extreme(cam: Cam, sizes: Sizes, kind: str, sign: int) -> Extreme:
     return Extreme(sign * found.value, found.stretch.turned(found.share))
 
 
-def ratio_of(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
+def ratio_of(cam: Cam, sizes: Sizes, at: FollowerTravel) -> TangentRatio:
     """Give tan α by the kind of cam and follower."""
     if cam.flat:
         return _face(cam, sizes, at) if cam.rocks and not cam.translates else _square(at)
@@ -173,24 +173,24 @@ def ratio_of(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
     return _rocker(cam, sizes, at) if cam.rocks else _guided(sizes, at)
 
 
-def _ratio(above: Floats, below: Floats | float, above_slope: Floats, below_slope: Floats | float) -> Ratio:
+def _ratio(above: Floats, below: Floats | float, above_slope: Floats, below_slope: Floats | float) -> TangentRatio:
     ones = np.ones_like(above)
-    return Ratio(above, below * ones, above_slope, below_slope * ones)
+    return TangentRatio(above, below * ones, above_slope, below_slope * ones)
 
 
-def _square(at: FollowerTravel) -> Ratio:
+def _square(at: FollowerTravel) -> TangentRatio:
     """Give that of a face square to its way: none."""
     zero = np.zeros_like(at.s)
     return _ratio(zero, 1.0, zero, 0.0)
 
 
-def _guided(sizes: Sizes, at: FollowerTravel) -> Ratio:
+def _guided(sizes: Sizes, at: FollowerTravel) -> TangentRatio:
     """Give (S' - e)/(S + S0) (5.28)."""
     level = math.sqrt(sizes.base**2 - sizes.offset**2)
     return _ratio(at.slope - sizes.offset, at.s + level, at.bend, at.slope)
 
 
-def _rocker(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
+def _rocker(cam: Cam, sizes: Sizes, at: FollowerTravel) -> TangentRatio:
     """Give (L cos ψ - l(1 - ψ'))/(L sin ψ) with ψ from the line of centres; against the cam -, and 1 + ψ'."""
     f, length, apart = cam.follower.sense, cam.follower.length or 0.0, sizes.centre
     psi = sizes.initial + at.s
@@ -199,14 +199,14 @@ def _rocker(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
     return _ratio(above, across, -f * across * at.slope + length * at.bend, along * at.slope)
 
 
-def _rail_rocker(cam: Cam, at: FollowerTravel) -> Ratio:
+def _rail_rocker(cam: Cam, at: FollowerTravel) -> TangentRatio:
     """Give that of a rocker on a cam that translates: (lψ' - sin x)/cos x, x from mid-swing."""
     f, length, x = cam.follower.sense, cam.follower.length or 0.0, at.s - cam.lift / 2
     above = length * at.slope - f * np.sin(x)
     return _ratio(above, np.cos(x), length * at.bend - f * np.cos(x) * at.slope, -np.sin(x) * at.slope)
 
 
-def _face(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
+def _face(cam: Cam, sizes: Sizes, at: FollowerTravel) -> TangentRatio:
     """Give that of a rocker's face: -h/t, with t = L cos ψ/(1 - ψ') from the pivot to the contact along the face."""
     f, face, psi = cam.follower.sense, cam.follower.face, sizes.initial + at.s
     along, across = sizes.centre * np.cos(psi), sizes.centre * np.sin(psi)

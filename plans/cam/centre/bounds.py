@@ -48,7 +48,7 @@ class SmoothStretch(NamedTuple):
         rows = [phase.change / phase.angle**order * law.at(share, order, before) for order in range(4)]
         return Instant(phase.level + rows[0], *rows[1:])
 
-    def one(self, share: float) -> Instant:
+    def instant(self, share: float) -> Instant:
         """Give the motion at one share of the phase."""
         return self.at(np.array([share]), share == self.end)
 
@@ -151,7 +151,7 @@ class RulerTouch(NamedTuple):
     @property
     def instant(self) -> Instant:
         """The follower's motion there, (1,) each."""
-        return self.stretch.one(self.share)
+        return self.stretch.instant(self.share)
 
     @property
     def motion(self) -> tuple[float, float]:
@@ -171,7 +171,7 @@ def _tops(stretch: SmoothStretch, rule: Rule) -> Iterator[RulerTouch]:
     padded = np.concatenate([[-np.inf], beyond, [-np.inf]])
     for k in np.flatnonzero((beyond >= padded[:-2]) & (beyond > padded[2:])).tolist():
         node, top = float(share[k]), _refined(stretch, rule, share, slope, k)
-        height = float(beyond[k]) if top == node else float(rule(stretch.one(top))[0][0])
+        height = float(beyond[k]) if top == node else float(rule(stretch.instant(top))[0][0])
         yield RulerTouch(stretch, top, height) if height > beyond[k] else RulerTouch(stretch, node, float(beyond[k]))
 
 
