@@ -1,1 +1,1 @@
-"""Kinds of figures of all techniques: graphs, their rows, hodographs, polygons, vector plans, charts (виды фигур)."""
+"""Kinds of figures of all techniques: graphs, rows, hodographs, polygons, vector plans, charts, schemes (виды фигур)."""

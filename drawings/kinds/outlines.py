@@ -80,8 +80,8 @@ class Poses:
         """Give the places of a spot that is fixed in a link, measured in the link's own frame."""
         if link == FRAME:
             return np.full(len(self), spot)
-        name, own = next(iter(self.links[link].points.items()))
-        return np.asarray(self.points[name] + self.turns[link] * (spot - own))
+        name, place = next(iter(self.links[link].points.items()))
+        return np.asarray(self.points[name] + self.turns[link] * (spot - place))
 
     def line(self, slide: Slide) -> Complexes:
         """Give the directions of a slide's line."""

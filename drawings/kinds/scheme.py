@@ -129,9 +129,9 @@ class Joints:
         yield from distinct(piece for outline in self.outlines for piece in self._pieces(outline))
 
     def _pieces(self, outline: LinkOutline) -> Iterator[Stroke]:
-        own = [block for slide, block in self.blocks if outline.link in (slide.slider, slide.owner)]
+        blocks = [block for slide, block in self.blocks if outline.link in (slide.slider, slide.owner)]
         lines = (Line(*ends, self.hand.result) for ends in self.placed(outline))
-        return trim(lines, [*self.rounds, *own])
+        return trim(lines, [*self.rounds, *blocks])
 
     def placed(self, outline: LinkOutline) -> Iterator[tuple[complex, complex]]:
         """Give the ends of an outline's bars on paper."""
@@ -192,12 +192,12 @@ class Joints:
 
     def _ways(self, name: str) -> Iterator[complex]:
         """Give the directions of the bars at a fixed hinge in all positions, those of the shown one as often again."""
-        poses, own = self.bones.numbered, self.bones.mechanism.links
+        poses, links = self.bones.numbered, self.bones.mechanism.links
         arms = [
-            (outline.link, bar[0] + bar[1] - 2 * own[outline.link].points[name])
+            (outline.link, bar[0] + bar[1] - 2 * links[outline.link].points[name])
             for outline in self.outlines
             for bar in outline.bars
-            if own[outline.link].points.get(name) in bar
+            if links[outline.link].points.get(name) in bar
         ]
         runs = [poses.turns[link] * arm / abs(arm) for link, arm in arms]
         runs += [
@@ -259,12 +259,14 @@ def _link(joints: Joints, name: str) -> int:
 
 def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
     """Give the nearest place of each bar of a link; of a link of one point alone its point."""
-    outline = next(one for one in joints.outlines if one.link == link)
+    outline = next(drawn for drawn in joints.outlines if drawn.link == link)
     bars = [(start, end) for start, end in joints.placed(outline) if start != end]
     yield from (nearest(start, end, spot) for start, end in bars)
     if not bars:
         numbered, k = joints.bones.numbered, joints.bones.shown
-        yield from (joints.place.on(complex(numbered.of(link, own)[k])) for own in numbered.links[link].points.values())
+        yield from (
+            joints.place.on(complex(numbered.of(link, place)[k])) for place in numbered.links[link].points.values()
+        )
 
 
 def nearest(start: complex, end: complex, spot: complex) -> complex:

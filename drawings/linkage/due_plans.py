@@ -105,7 +105,7 @@ class VectorPlans:
                 }
                 spots[written.of_link("n", number)] = self.study.drafts().positions.images[number].at
             still = number == FRAME
-            found.append({one: 0j if still else true.centre(number, at, order) for one, at in spots.items()})
+            found.append({image: 0j if still else true.centre(number, at, order) for image, at in spots.items()})
         return found
 
     @property

@@ -17,9 +17,9 @@ from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import RuledTable
-from drawings.linkage import position_plan, vector_plan
+from drawings.linkage import vector_plan
 from drawings.linkage.notes import notes
-from drawings.linkage.positions import force_positions, plans, position
+from drawings.linkage.positions import facts_of, force_positions, plans, position, shown_positions
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.linkage.vector_plan import (
     VectorDiagram,
@@ -41,12 +41,8 @@ from plans.linkage.parts import MotionByHand, alike, spans
 from plans.linkage.plan import unnamed
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import formula
 from plans.model.motion import ORDERS, POSITIONS, VELOCITIES
 from plans.study import Study
-
-FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
-SHARE = 1 / 3  # of its sheet
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -102,7 +98,7 @@ class _KinematicsSheet:
         if self.output is not None:
             words += diagram_notes(self.output, self.drafting)
         title = self.drafting.word("sheet title")
-        figures: tuple[Exhibit, ...] = (self._main(), *self._plans(), *self._diagrams())
+        figures: tuple[Exhibit, ...] = (shown_positions(self.bones, self.drafting), *self._plans(), *self._diagrams())
         shows: tuple[Exhibit | Caption, ...] = (*figures, *captions(self._workings()))
         tables, remarks = self._tables(), self._remarks if self.study.scene.sheet.scales == "common" else None
         facts, later = self._facts, lambda scales: self.by_hand.on_sheet(self.positions, scales)
@@ -120,12 +116,6 @@ class _KinematicsSheet:
     @cached_property
     def bones(self) -> Skeletons:
         return skeletons(self.study, self.comparison.construction, self.shown)
-
-    def _main(self) -> Exhibit:
-        """The plan of positions."""
-        room = position_plan.measure(self.bones, POSITIONS.plan, self.drafting)
-        draw = partial(position_plan.draw, self.bones, room, drafting=self.drafting)
-        return Exhibit(Panel(room, FOREMOST, share=SHARE), draw)
 
     def _plans(self) -> list[Exhibit]:
         """The plans of each position, which stand together."""
@@ -216,9 +206,7 @@ class _KinematicsSheet:
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet what its figures show."""
         return {
-            "structure": formula(self.study.mechanism, self.study.groups),
-            "positions": len(self.study.turn),
-            "shown": self.shown if POSITIONS.plan in names else None,
+            **facts_of(self.study, self.shown, names),
             "diagrams": rows.NAME in names,
             "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
             "vectors": [

@@ -11,8 +11,8 @@ import numpy as np
 from drawings.layout.contents import Panel
 from drawings.linkage import position_plan
 from drawings.linkage.notes import notes
-from drawings.linkage.skeleton import skeletons
-from drawings.page.scale import drafting_of
+from drawings.linkage.skeleton import Skeletons, skeletons
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out
@@ -175,8 +175,23 @@ def _output_speed(study: LinkageStudy, comparison: MotionComparison) -> Any:
     return motion.links[out.link].omega if slide is None else motion.points[out.point or slide.point].v
 
 
-FOREMOST = 1.5  # it states the scale of the sheet
+FOREMOST = 1.5  # the plan of positions states the scale of its sheet, and is doubled though all others are halved
 SHARE = 1 / 3  # of its sheet
+
+
+def shown_positions(bones: Skeletons, drafting: Drafting) -> Exhibit:
+    """Measure the plan of positions, to be drawn where it has its spot."""
+    room = position_plan.measure(bones, POSITIONS.plan, drafting)
+    return Exhibit(Panel(room, FOREMOST, share=SHARE), partial(position_plan.draw, bones, room, drafting=drafting))
+
+
+def facts_of(study: LinkageStudy, shown: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet of which mechanism it is, and which position its plan of positions shows."""
+    return {
+        "structure": formula(study.mechanism, study.groups),
+        "positions": len(study.turn),
+        "shown": shown if POSITIONS.plan in names else None,
+    }
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -184,17 +199,10 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     linkage, drafting = study.of(LinkageStudy), drafting_of(study.scene)
     comparison, shown = study.of(MotionComparison), _shown(linkage)
     bones = skeletons(linkage, comparison.construction, shown)
-    room = position_plan.measure(bones, POSITIONS.plan, drafting)
-    figure = Exhibit(Panel(room, FOREMOST, share=SHARE), partial(position_plan.draw, bones, room, drafting=drafting))
+    figure = shown_positions(bones, drafting)
 
     def facts(names: Collection[str]) -> dict[str, Any]:
-        return {
-            "structure": formula(linkage.mechanism, linkage.groups),
-            "positions": len(linkage.turn),
-            "shown": shown if POSITIONS.plan in names else None,
-            "plans": [],
-            "vectors": [],
-        }
+        return {**facts_of(linkage, shown, names), "plans": [], "vectors": []}
 
     words = tuple(notes(linkage, comparison, drafting.language, by_hand=False))
     return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), (figure,), (), words, facts)])

@@ -276,13 +276,13 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
     for plan in PLANS:
         told = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
         if told:
-            same = [(one,) for one in told] if plan == POSITIONS.plan else alike(told, study.mechanism)
-            findings = [one for one, *_ in same]
+            same = [(finding,) for finding in told] if plan == POSITIONS.plan else alike(told, study.mechanism)
+            findings = [finding for finding, *_ in same]
             title = term(language, "plan", plan)
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
             drive = study.mechanism.drive
             station = word(language, "table.way") if drive.pushed else "φ, °"
-            heads = [word(language, "table.position"), station, *(_heading(one, letters) for one in same)]
+            heads = [word(language, "table.position"), station, *(_heading(group, letters) for group in same)]
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
                 at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))

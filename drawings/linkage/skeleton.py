@@ -159,7 +159,7 @@ def way(study: LinkageStudy, drawn: Sequence[Poses]) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
     nodes = np.linspace(*_whole(study), NODES + 1)
     dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
-    known = [values for own in drawn for values in own.points.values()]
+    known = [values for known_poses in drawn for values in known_poses.points.values()]
     box = np.concatenate([*known, _round(study)])
     free, box = study.reached(nodes), box[~np.isnan(box)]
     points = {name: _near(np.where(free, values, np.nan), box) for name, values in dense.points.items()}

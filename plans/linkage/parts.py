@@ -279,7 +279,9 @@ class _Parts(NamedTuple):
         end = plan.board[under] if vector.held else plan.point(vector.pin)
         direction = plan.positions.units[vector.pair]
         assert direction is not None  # every guide has a direction on the plan of positions
-        line = next(one for one in end.step.inputs if one.step.op == "parallel" and carried_from(one, direction))
+        line = next(
+            locus for locus in end.step.inputs if locus.step.op == "parallel" and carried_from(locus, direction)
+        )
         start = line.step.inputs[0]
         laid = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
         return Span(start, end), Span(start.step.inputs[0], start) if laid else None
