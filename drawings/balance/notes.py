@@ -241,9 +241,8 @@ class BalanceNotes(NamedTuple):
         if straight(there) and straight(put_on) and present != "0":
             parts.append(f"{due} + {present[1:]}" if present.startswith("−") else f"{due} − {present}")
         told = EQUALS.join([*parts, f"{moment} {unit}"])
-        return (
-            f"{self.drafting.word('needed moment', link=link, point=point, own=present, due=due, unit=unit)};  {told}"
-        )
+        needed = self.drafting.word("needed moment", link=link, point=point, own=present, due=due, unit=unit)
+        return f"{needed};  {told}"
 
     def _sized(self, weight: Counterweight, put_on: complex, letter: str) -> str:
         """Give mass from place or place from mass; of a sector both, with its outer radius."""
@@ -358,11 +357,8 @@ class BalanceNotes(NamedTuple):
         force, reaction = found.least_force, found.least_reaction
         shares = {"share": force.share, "other": reaction.share}
         told = {name: self._rounded(value, 1.0) for name, value in shares.items()}
-        sizes = {
-            "force": force.force,
-            "reaction": reaction.reaction,
-            "bare": self.balance.before.reaction(self.mechanism.drive.link),
-        }
+        bare = self.balance.before.reaction(self.mechanism.drive.link)
+        sizes = {"force": force.force, "reaction": reaction.reaction, "bare": bare}
         told |= {name: self._rounded(value, self.balance.before.forces.largest) for name, value in sizes.items()}
         return {"main": FORCE, "letters": self.shaft, **told}
 

@@ -150,13 +150,9 @@ class _BalancingSheet:
         """Title, figures, tables and notes of the sheets."""
         shows = (*self._schemes(), self._polygon, *self._shaking(), *self._rocking(), *self._shares())
         workings = captions(self._workings())
-        title, facts = (
-            self.drafting.word("balancing sheet title"),
-            partial(figures_facts, position=self.shown.bones.shown),
-        )
-        return Draft(
-            "balancing", title, (*shows, *workings), self.tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION
-        )
+        facts = partial(figures_facts, position=self.shown.bones.shown)
+        title, notes = self.drafting.word("balancing sheet title"), self.shown.notes
+        return Draft("balancing", title, (*shows, *workings), self.tables, notes, facts, SCHEME + BEFORE, EQUATION)
 
     def _schemes(self) -> Iterator[Exhibit]:
         for shown, room in self._rooms:

@@ -211,29 +211,19 @@ class Bank:
     def bodies(self, compensator: Compensator) -> Iterator[Body]:
         """Give the masses of a compensator at phi = 0."""
         order = compensator.asked.order
-        pairs = (
-            (order, compensator.with_crank, compensator.with_angle),
-            (-order, compensator.against, compensator.against_angle),
-        )
-        for signed, moment, angle in pairs:
-            if angle is not None:
-                yield Body(letters("m", signed), moment, cmath.rect(1.0, angle) * self.turn, signed)
+        for signed, moment, angle in compensator.masses:
+            yield Body(letters("m", signed), moment, cmath.rect(1.0, angle) * self.turn, signed)
         if compensator.couple_angle is not None and compensator.couple is not None:
             name, way = couple_letters(order).replace("mr", "m"), cmath.rect(1.0, compensator.couple_angle) * self.turn
             yield Body(name, compensator.couple, way, order, True)
             yield Body(f"{name}'", compensator.couple, -way, order, True)
-
-    @staticmethod
-    def carried(compensator: Compensator) -> bool:
-        """Tell whether the crank itself carries the mass: it alone turns, and as fast as the crank."""
-        return compensator.asked.order == 1 and compensator.against_angle is None is not compensator.with_angle
 
     def nominal(self, compensator: Compensator, told: bool) -> bool:
         """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
         asked, moments = compensator.asked, [body.moment for body in self.bodies(compensator) if not body.coupled]
         if not asked.mass or not moments:
             return True
-        offset = 0.0 if self.carried(compensator) else abs(asked.offset)
+        offset = 0.0 if compensator.on_crank else abs(asked.offset)
         shafts = asked.shafts if compensator.couple_angle is not None and asked.shafts else 0.0
         gear = max(GEAR * max(moments) / asked.mass, offset / 2, OF_SHAFTS * shafts)
         over = min(moments) / asked.mass - COVERED * gear

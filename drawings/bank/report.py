@@ -63,11 +63,7 @@ def slight_moment(balance: BankBalance) -> bool:
 
 
 def _answered(balance: BankBalance) -> bool:
-    return any(
-        angle is not None
-        for compensator in balance.compensators
-        for angle in (compensator.with_angle, compensator.against_angle)
-    )
+    return any(compensator.masses for compensator in balance.compensators)
 
 
 def _most(values: Complexes) -> float:
@@ -233,31 +229,18 @@ class BankNotes(NamedTuple):
     def _compensator(self, compensator: Compensator) -> Iterator[str]:
         asked, word, number = compensator.asked, self.drafting.word, self._number
         order, square = asked.order, squared(asked.order)
-        if compensator.with_angle is None and compensator.against_angle is None:
+        if not compensator.masses:
             yield word("no compensator", order=order)
             return
-        moments = (
-            (1, compensator.with_crank, compensator.with_angle),
-            (-1, compensator.against, compensator.against_angle),
-        )
-        for sense, moment, angle in moments:
-            if angle is not None:
-                told = {
-                    "force": lowered_bank(letters(FORCE, sense * order)),
-                    "square": square,
-                    "moment": number(moment),
-                }
-                yield word("compensator mass", letters=lowered_bank(letters(STATIC, sense * order)), **told)
+        for signed, moment, _ in compensator.masses:
+            told = {"force": lowered_bank(letters(FORCE, signed)), "square": square, "moment": number(moment)}
+            yield word("compensator mass", letters=lowered_bank(letters(STATIC, signed)), **told)
         yield from self._unequal(compensator)
         if asked.offset and compensator.residual:
             yield word("compensator couple", residual=number(compensator.residual))
         if asked.shafts is not None and compensator.couple:
-            yield word(
-                "couple mass",
-                letters=lowered_bank(couple_letters(order)),
-                square=square,
-                moment=number(compensator.couple),
-            )
+            told = {"square": square, "moment": number(compensator.couple)}
+            yield word("couple mass", letters=lowered_bank(couple_letters(order)), **told)
 
     def _unequal(self, compensator: Compensator) -> Iterator[str]:
         """Say what two vectors of unlike size ask for: the crank itself carries what turns with it alone."""

@@ -96,16 +96,9 @@ def _masses(compensator: Compensator, balance: BankBalance, drafting: Drafting) 
     """Give the rows of the masses that are needed."""
     order, mass, speed = compensator.asked.order, compensator.asked.mass, balance.task.speed
     slack = balance.forces[order].slack / (order * speed) ** 2
-    for moment, angle, sense in (
-        (compensator.with_crank, compensator.with_angle, 1),
-        (compensator.against, compensator.against_angle, -1),
-    ):
-        if angle is not None:
-            far = None if mass is None else 1000 * moment / mass
-            cells = _cells(
-                (moment, mass, far, sense * order * speed, direction(cmath.rect(moment, angle), slack)), drafting
-            )
-            yield TableRow(lowered_bank(letters(MASS, sense * order)), cells)
+    for signed, moment, angle in compensator.masses:
+        far, way = None if mass is None else 1000 * moment / mass, direction(cmath.rect(moment, angle), slack)
+        yield TableRow(lowered_bank(letters(MASS, signed)), _cells((moment, mass, far, signed * speed, way), drafting))
     if compensator.couple_angle is not None:
         moment = max(compensator.with_crank, compensator.against)
         angle = direction(cmath.rect(moment, compensator.couple_angle), slack)

@@ -122,8 +122,7 @@ class BankView(NamedTuple):
     @property
     def compensated(self) -> bool:
         """Whether some compensator has a mass."""
-        angles = ((compensator.with_angle, compensator.against_angle) for compensator in self.balance.compensators)
-        return any(angle is not None for pair in angles for angle in pair)
+        return any(compensator.masses for compensator in self.balance.compensators)
 
     @property
     def shaken(self) -> bool:

@@ -141,10 +141,8 @@ class _Machine:
 
     def _equations(self, wheel: Flywheel, frame: Frame) -> Iterator[Expected]:
         """Give what is worked out beside the loop: angles °, segments mm, the origin of the whole diagram, inertia."""
-        (low, high), cuts = (
-            (math.degrees(math.atan(slope * frame.across / frame.up)) for slope in wheel.slopes),
-            wheel.cuts,
-        )
+        low, high = (math.degrees(math.atan(slope * frame.across / frame.up)) for slope in wheel.slopes)
+        cuts = wheel.cuts
         energy = KNOWN * (sum(map(abs, cuts)) + abs(wheel.energy))
         values = [("ψ_{min}", low, KNOWN * 90), ("ψ_{max}", high, KNOWN * 90)]
         values += [("o_1l", cuts[0] / frame.up, energy / frame.up), ("o_1k", cuts[1] / frame.up, energy / frame.up)]

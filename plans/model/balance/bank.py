@@ -129,6 +129,13 @@ class Compensator(NamedTuple):
     couple_angle: float | None = None
 
     @property
+    def masses(self) -> tuple[tuple[int, float, float], ...]:
+        """The masses that are needed: order, negative against the crank, static moment kg*m and angle rad of each."""
+        order = self.asked.order
+        pairs = (order, self.with_crank, self.with_angle), (-order, self.against, self.against_angle)
+        return tuple((signed, moment, angle) for signed, moment, angle in pairs if angle is not None)
+
+    @property
     def on_crank(self) -> bool:
         """Whether it is one mass that turns as the crank does, which is a counterweight on the crank itself."""
         return self.asked.order == 1 and self.with_angle is not None and self.against_angle is None
