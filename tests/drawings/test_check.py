@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import shutil
 from functools import cache
@@ -106,19 +105,6 @@ def other_text() -> bytes:
     table = next(group for group in leaf.groups if group.name == "masses-1")
     cell = next(one for one in texts((table,)) if one.plain == "0,09")
     return svg(swapped(leaf, cell, cell._replace(content="0,08")))
-
-
-def test_the_data_of_an_edit_have_its_place_and_figure(folder: Path, capsys: Capture) -> None:
-    (folder / NAME).write_bytes(other_text())
-    (folder / "fan-manifest.json").unlink()
-    code, said = told(capsys, folder / NAME, "--json")
-    (sheet,) = json.loads(said)["sheets"]
-    edits = [one for one in sheet["findings"] if one["finding"] == "edit"]
-    assert code == 5 and sheet["verdict"] == "edited"
-    assert [(one["edit"], one["what"], one["name"], one["figure"]) for one in edits] == [
-        ("text", "cell", "0,09", "masses-1")
-    ]
-    assert "«0,08», должно быть «0,09»" in edits[0]["told"]
 
 
 @pytest.mark.parametrize(

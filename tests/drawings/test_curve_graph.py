@@ -113,3 +113,9 @@ def test_a_whole_hodograph_is_closed_and_a_gap_breaks_it() -> None:
     values[50:60] = math.nan
     parts = [stroke for stroke in flat(figure(SHOWN._replace(values=values))) if isinstance(stroke, Polyline)]
     assert [(len(part.points), part.closed) for part in parts] == [(50, False), (300, False)]
+
+
+def test_a_turn_that_ends_with_position_0_again_begins_with_it_also_where_the_shown_one_is_beside_it() -> None:
+    at = np.arange(360.0)
+    drawn = graph(CURVE._replace(stations=at, ordinates=moment(at), shown=(1,)))
+    assert {0, 1} <= {vector.position for vector in measured(drawn).vectors}

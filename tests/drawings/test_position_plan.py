@@ -109,3 +109,12 @@ def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:
     found = drawn("eccentric")
     first, second = found.circle("O"), found.circle("A")
     assert first.radius + second.radius < abs(first.centre - second.centre)
+
+
+def test_two_blocks_on_one_pin_are_a_block_and_a_slot_about_the_pin() -> None:
+    found = drawn("cross-slide")
+    shapes = [s for s in found.strokes("shown-position") if isinstance(s, Polyline)]
+    corners = sorted(len(s.points) for s in shapes)
+    assert corners[:2] == [4, 4] and corners[2] > 8  # the stone A, the frame's block, and a slot with round ends
+    pin = found.on("D")
+    assert sum(abs(complex(np.mean(s.points)) - pin) < HAIR for s in shapes) == 2

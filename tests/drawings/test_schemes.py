@@ -19,10 +19,10 @@ from drawings.grading.scheme_arrows import arrow_verdicts
 from drawings.lettering.extent import bounds
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Group, Leaf, Line
+from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
-from drawings.symbols.couples import coupling, spring
+from drawings.symbols.couples import Gear, coupling, spring
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import to_scale
 from geometry.board import at
@@ -122,3 +122,21 @@ def test_an_arrow_may_be_turned_as_far_as_a_hand_slips(force: str, turned: float
 def test_an_arrow_that_is_not_to_scale_is_no_side_of_a_polygon(kind: str, sides: int) -> None:
     arrow = Group((Line(100 + 100j, 120 + 100j),), data={"kind": kind, "name": "F_s"})
     assert len(segments(Leaf(200.0, 200.0, (Group((arrow,)),)), {})) == sides
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("at", [0.0, 1.1, math.radians(210), 5.0])
+def test_the_line_of_action_leaves_the_pitch_tangent_by_the_pressure_angle(at: float, sense: int) -> None:
+    pressure = math.radians(20)
+    action = 1j * sense * cmath.rect(1, at + sense * pressure)
+    gear = Gear(100 + 100j, 60.0, at, action)
+    circle, tangent, line, arc, contact = gear.draw(HAND)
+    assert isinstance(circle, Arc) and circle.radius == 60.0 and circle.style.dash
+    assert isinstance(contact, Circle) and abs(contact.centre - gear.centre) == pytest.approx(60.0)
+    assert isinstance(arc, Arc) and arc.sweep == pytest.approx(pressure)
+    for stroke in (tangent, line):
+        assert isinstance(stroke, Line) and (stroke.start + stroke.end) / 2 == pytest.approx(contact.centre)
+    ends = {round(cmath.phase(arc.at(k) - contact.centre), 6) for k in (0, 1)}
+    assert ends == {round(cmath.phase(action), 6), round(cmath.phase(gear.tangent), 6)}
+    # square to the line of action from the shaft: the base circle
+    assert abs(((gear.centre - gear.contact) * action.conjugate()).imag) == pytest.approx(60 * math.cos(pressure))

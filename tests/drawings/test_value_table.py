@@ -12,6 +12,7 @@ from drawings.layout import value_table
 from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
 from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, row_by_hand
+from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import letter
 from drawings.page.page import Field
@@ -102,3 +103,13 @@ def test_two_lines_under_a_term_stay_apart_by_the_least_that_the_standard_allows
 )
 def test_letters_of_russian_sheets_are_those_of_russian_courses(ours: str, theirs: str) -> None:
     assert letter("ru", ours) == theirs and letter("en", ours) == ours
+
+
+def test_lines_of_letters_keep_clear_of_the_lines_under_terms() -> None:
+    strokes = drawn(60.0)
+    lines = [stroke for stroke in strokes if isinstance(stroke, Line)]
+    for text in (stroke for stroke in strokes if isinstance(stroke, Text)):
+        left, bottom, right, top = bounds(text)
+        for line in lines:
+            over = line.start.real < right and line.end.real > left
+            assert not (over and bottom - 0.3 < line.start.imag < top + 0.3), (text.plain, line)

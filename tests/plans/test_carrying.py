@@ -5,8 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plans.forces.quantities import compare_forces
-from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison, compare, compare_extremes
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import SceneError, parse_scene
@@ -56,29 +54,6 @@ def test_without_a_word_the_gap_is_told_with_what_to_write() -> None:
     beyond = [gap for gap in comparison.construction.gaps if gap.reason == "beyond a change point"]
     assert [gap.position for gap in beyond] == [5, 6, 7, 8, 9]
     assert all('through = "parallel"' in str(gap.advice) for gap in beyond)
-
-
-def test_forces_of_a_rod_that_is_carried_through() -> None:
-    """A coupling rod translates: its inertia force is that of a mass on the crank circle, and the shafts share it."""
-    one = study(COUPLING_ROD)
-    statics = Statics(one)
-    comparison = compare_forces(statics, compared(one))
-    assert comparison.agrees
-    forces = statics.forces
-    assert {gap.position: gap.reason for gap in forces.gaps if gap.plan == "forces"} == {
-        4: "statically indeterminate",
-        10: "statically indeterminate",
-    }
-    crank = np.exp(1j * np.radians(60 + 30 * np.arange(12)))
-    both = forces.reactions["0-1"].force + forces.reactions["0-3"].force
-    known = [k for k in range(12) if k not in (4, 10)]
-    inertia = 20 * 20.0**2 * 0.3 * crank
-    assert both[known] == pytest.approx((20 * 9.81j - inertia)[known], rel=1e-6)
-    assert forces.balancing.moment[known] == pytest.approx((50 + 20 * 9.81 * 0.3 * crank.real)[known], rel=1e-6)
-    pushed = Statics(study(COUPLING_ROD.replace("positions = 12", 'positions = 12\nbalancing = "force"')))
-    force = pushed.forces.balancing.force
-    assert compare_forces(pushed, compared(pushed.study)).agrees and force is not None
-    assert 0.3 * abs(force[known]) == pytest.approx(abs(forces.balancing.moment[known]), rel=1e-6)
 
 
 def test_nothing_else_carries_a_linkage() -> None:
