@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -11,8 +12,9 @@ import pytest
 
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
-from drawings.dynamics.sheet import Machine, sheets
+from drawings.dynamics.sheet import Machine, results, sheets
 from drawings.grading.curves.run_figures import Bare
+from drawings.page.scale import drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.walk import groups, texts
 from drawings.symbols.dashes import hatching
@@ -93,3 +95,13 @@ def test_speeds_follow_from_the_energies_that_are_drawn(delta: float) -> None:
 def test_nothing_follows_from_energies_at_which_the_machine_would_stop() -> None:
     true, surplus = swinging(1.9)
     assert np.isnan(drawn_on(true, 3 * surplus)).all()
+
+
+def test_the_difference_of_a_segment_is_told_of_both() -> None:
+    """A tangent that goes all but through o1 cuts off next to nothing: a share of that would say nothing."""
+    account = study().comparison("dynamics").exact
+    drawn = replace(account, flywheel=replace(account.flywheel, cuts=(-2e-9, 20.1)))
+    exact = replace(account, flywheel=replace(account.flywheel, cuts=(-1e-9, 20.0)))
+    lines = results(drawn, exact, None, drafting_of(study().scene)).lines
+    found = {line.name: line.cells[-1] for line in lines}
+    assert (found["o_1k·μ_T, J"], found["o_1l·μ_T, J"]) == ("0.500", "0.000")

@@ -206,3 +206,19 @@ def test_thirteen_links_have_indices_apart_and_their_rows_are_read() -> None:
     assert "R12,13, N" in names
     assert "R1,12, N" in names
     assert comparison.agrees
+
+
+def test_the_moments_of_the_equation_with_the_arms_as_stated_cancel(checked: Checked) -> None:
+    """ΣM_D of rod 4: the stated forces by the stated arms and the stated couple give zero."""
+    leaf = checked[3]
+    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts((group,)))
+    value = {name: float(number) for name, number in re.findall(r"(\S+) = (-?[\d.]+)", told.replace("−", "-"))}
+    arms = {"h1": value["h1"] / 1000, "h2": value["h2"] / 1000, "lBD": 0.2}
+    total = 0.0
+    equation = told[told.index("ΣMD") : told.index("=0") if "=0" in told else told.index("Rt34 = ")]
+    for sign, force, arm in re.findall(r"([-−+]?) ?(Rt34|Φ4|G4) ?· ?(lBD|h1|h2)", equation):
+        total += (-1 if sign in ("-", "−") else 1) * value[force] * arms[arm]
+    couple = re.search(r"([-−+]) ?\|MΦ4\|", equation)
+    assert couple is not None
+    total += (-1 if couple[1] in ("-", "−") else 1) * abs(value["MΦ4"])
+    assert total == pytest.approx(0, abs=2e-3)  # five digits of three newton metres

@@ -181,3 +181,10 @@ def test_a_line_too_steep_to_be_told_from_an_ordinate_is_refused() -> None:
         derivative_by_chords(Board("slopes"), "v", [0, 1e-6], [0, 1e7])
     with pytest.raises(ValueError, match="larger unit"):
         derivative_by_tangents(Board("slopes"), "v", [0], [0], [-1e13])
+
+
+def test_a_ray_of_a_derivative_is_parallel_to_its_chord_and_its_point_stands_over_the_middle() -> None:
+    curve = diagram()[1]
+    for k, point in enumerate(curve.points):
+        assert curve.rays[k].step.inputs == (curve.pole, curve.directions[k])
+        assert complex(point.point).real == pytest.approx(curve.middles[k], rel=8 * EPS, abs=0)

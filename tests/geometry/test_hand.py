@@ -130,3 +130,11 @@ def test_a_couple_is_out_by_its_arm_and_by_what_turns_it() -> None:
     assert deviation(board.couple("M", arm, turning, 6.0)) == pytest.approx(
         6 * SLIP * np.sqrt(2 / 30**2 + 2 * 12**2 / 30**4)
     )
+
+
+def test_a_square_meeting_adds_both_lines_and_its_prick() -> None:
+    """Two lines ruled square to each other: each pushes the meeting along the other, and the prick is its own."""
+    board = Board("positions")
+    start = board.given("P", 0j)  # a datum is where it is
+    lines = [board.parallel(name, start, board.given(name, way)) for name, way in (("x", 40 + 0j), ("y", 40j))]
+    assert deviation(board.meet("M", *lines)) == pytest.approx(SLIP * np.sqrt(2 + 2))
