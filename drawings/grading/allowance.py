@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.asked import PlanAsked, VectorAsked
 from drawings.paper.limits import QUANTUM
 from geometry.board import Mark
 from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
@@ -99,7 +99,7 @@ def _allowed(plan: PlanAsked, drawn: Mapping[str, float], by: Allowance, coarse:
     }
 
 
-def _moved(vector: Asked, found: Mapping[Mark, Slopes]) -> Slopes:
+def _moved(vector: VectorAsked, found: Mapping[Mark, Slopes]) -> Slopes:
     if vector.found is None:
         return np.zeros((0, 1), dtype=np.complex128)
     start, end = vector.found.span

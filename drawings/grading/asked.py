@@ -87,7 +87,7 @@ RECORDS: Final[Mapping[str, str]] = MappingProxyType(
 SYMBOLS: Final = MappingProxyType({"r": "l", "h": "l"})
 
 
-class Asked(NamedTuple):
+class VectorAsked(NamedTuple):
     """One vector or point that is asked for: letters of its ends, its name, its true value, how the record finds it.
 
     A free vector is lettered itself, wherever it lies: `letter` is what its sheet writes beside it.
@@ -130,7 +130,7 @@ class PlanAsked(NamedTuple):
     position: int | None
     sheet: str
     unit: str
-    vectors: tuple[Asked, ...]
+    vectors: tuple[VectorAsked, ...]
     scales: Mapping[str, float]
     board: str = ""
     symbol: str = ""
@@ -179,7 +179,7 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
 
 def _asked(
     mark: MeasuredVector | MeasuredPoint, record: Record, expected: Mapping[Key, Expected], titles: Mapping[Key, str]
-) -> Asked:
+) -> VectorAsked:
     """Ask for what a mark of our own sheet shows: its true value is expected, its construction is the record's."""
     place, (start, end) = (mark.plan, mark.position), ends_of(mark)
     kind = Kind.VECTOR if isinstance(mark, MeasuredVector) else Kind.POINT
@@ -188,7 +188,7 @@ def _asked(
     if found is None and isinstance(board, Board) and start in board and end in board:
         found = Found(mark.name, Span(board[start], board[end]))
     name, title = mark.name if found is None else found.name, titles.get(key, mark.name)
-    return Asked(name, start, end, expected[key].vector, found, title if is_free(mark) else "", title)
+    return VectorAsked(name, start, end, expected[key].vector, found, title if is_free(mark) else "", title)
 
 
 def _ways(names: Collection[str], place: Place, expected: Mapping[Key, Expected]) -> Iterator[tuple[str, complex]]:

@@ -8,7 +8,7 @@ from statistics import median
 from typing import NamedTuple
 
 from drawings.grading import verdict
-from drawings.grading.asked import Asked, PlanAsked, ends_of, is_free
+from drawings.grading.asked import PlanAsked, VectorAsked, ends_of, is_free
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SEEN
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
@@ -47,7 +47,7 @@ class DrawnPlan:
     doubled: tuple[str, ...] = ()  # the letters between which arrows go both ways
 
     @property
-    def lacking(self) -> list[Asked]:
+    def lacking(self) -> list[VectorAsked]:
         """The vectors that are asked for and not on it."""
         return [vector for vector in self.asked.vectors if vector.letters not in self.arrows]
 
@@ -61,7 +61,7 @@ class DrawnPlan:
         """Whether each vector that is asked for is on it."""
         return not self.lacking
 
-    def is_small(self, vector: Asked) -> bool:
+    def is_small(self, vector: VectorAsked) -> bool:
         """Tell whether a vector is too short on paper to be found by its letter."""
         return self.lettered and bool(vector.letter) and abs(vector.true) < 2 * SEEN * self.scale
 

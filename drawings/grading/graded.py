@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
-from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
+from drawings.grading.cells.graded_tables import BesideTables, Drawn, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.curves.form_figure import empty_axes, every_axes
@@ -131,7 +131,7 @@ def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -
     vectors, empty = dict(_vectors(read)), empty_axes(seen) if task.curves else frozenset()
     yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
     drawn = [figure for figures in found.figures.values() for figure in figures]
-    shown = Shown(read, drawn, sheets)
+    shown = BesideTables(read, drawn, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, by, seen)
 
 

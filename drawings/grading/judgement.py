@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from drawings.grading import verdict
-from drawings.grading.asked import Asked, Slip
+from drawings.grading.asked import Slip, VectorAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.verdict import Verdict
 from geometry.board import Board, Mark
@@ -135,26 +135,26 @@ class Judge:
                 blamed |= places
             yield said
 
-    def _places(self, vector: Asked) -> set[str]:
+    def _places(self, vector: VectorAsked) -> set[str]:
         """Give the places that a wrong arrow may have from another: its end, or where the sides that close meet."""
         if vector.letter:
             side = vector.found.side if vector.found is not None else None
             return {corner.name for corner in side or () if corner.step.op == "meet"}
         return {vector.end} if self._joined(vector) else set()
 
-    def _joined(self, vector: Asked) -> bool:
+    def _joined(self, vector: VectorAsked) -> bool:
         """Tell whether an arrow is drawn between the places of its letters, as its plan has them."""
         there, value = self.drawn.between(*vector.letters), self.drawn.value(vector.letters)
         return there is not None and value is not None and abs(there - value) <= self.allowed[vector.letters]
 
-    def _within(self, vector: Asked, times: Callable[[complex], complex]) -> Verdict:
+    def _within(self, vector: VectorAsked, times: Callable[[complex], complex]) -> Verdict:
         """Judge a vector of a plan that is out as a whole: what fits with the others loses nothing more."""
         value = self.drawn.value(vector.letters)
         if value is not None and self._near(vector, times(value)):
             return self._said(verdict.FOLLOWS, vector)
         return self._one(vector)
 
-    def _one(self, vector: Asked) -> Verdict:
+    def _one(self, vector: VectorAsked) -> Verdict:
         value, allowed = self.drawn.value(vector.letters), self.allowed[vector.letters]
         if not math.isfinite(allowed):
             return self._said(verdict.DEAD, vector)
@@ -174,12 +174,14 @@ class Judge:
             return self._said(slip.kind, vector, off)._replace(of=slip.of)
         return self._said(self._kind(vector, value), vector, off)
 
-    def _nearest(self, vector: Asked, value: complex, slips: tuple[Slip, ...], than: float = math.inf) -> Slip | None:
+    def _nearest(
+        self, vector: VectorAsked, value: complex, slips: tuple[Slip, ...], than: float = math.inf
+    ) -> Slip | None:
         """Give the mistake that a vector is drawn by, the nearest of those that are known of it and nearer `than`."""
         near = [slip for slip in slips if abs(value - slip.value) <= min(self.allowed[vector.letters], than)]
         return min(near, key=lambda slip: abs(value - slip.value), default=None)
 
-    def _kind(self, vector: Asked, value: complex) -> str:
+    def _kind(self, vector: VectorAsked, value: complex) -> str:
         if self._near(vector, -value):
             back = "" if vector.found is None else vector.found.back
             return back or PARTS.get(vector.name.partition("_")[0], verdict.REVERSED)
@@ -189,17 +191,17 @@ class Judge:
             return verdict.BRANCH
         return self._off(vector, value)
 
-    def _off(self, vector: Asked, value: complex) -> str:
+    def _off(self, vector: VectorAsked, value: complex) -> str:
         """Tell whether only the size or only the direction of a vector is wrong."""
         allowed = self.allowed[vector.letters]
         if value and abs(vector.true) > allowed and abs((value / vector.true).imag) * abs(vector.true) <= allowed:
             return verdict.LONG if (value / vector.true).real > 0 else verdict.WRONG
         return verdict.TURNED if abs(abs(value) - abs(vector.true)) <= allowed else verdict.WRONG
 
-    def _near(self, vector: Asked, value: complex) -> bool:
+    def _near(self, vector: VectorAsked, value: complex) -> bool:
         return abs(value - vector.true) <= self.allowed[vector.letters]
 
-    def _is_due(self, vector: Asked, value: complex) -> bool:
+    def _is_due(self, vector: VectorAsked, value: complex) -> bool:
         """Tell whether a vector is right, or what the student's other plans give; a free one also what his own give."""
         if self._near(vector, value) or vector.letter:
             return self._near(vector, value) or self._follows(vector, value)
@@ -207,13 +209,13 @@ class Judge:
         before = {mark: place for mark, place in self.places.items() if mark not in here}
         return any(abs(value - there) <= self.allowed[vector.letters] for there in self._going_on(vector, before))
 
-    def _follows(self, vector: Asked, value: complex) -> bool:
+    def _follows(self, vector: VectorAsked, value: complex) -> bool:
         """Tell whether a vector is what its own construction gives from what the student drew before it."""
         ways = (self.places, {**self.places, **self.without}) if self.without else (self.places,)
         gone = (there for places in ways for there in self._going_on(vector, places))
         return any(abs(value - there) <= self.allowed[vector.letters] for there in gone)
 
-    def _going_on(self, vector: Asked, places: Mapping[Mark, complex]) -> Iterator[complex]:
+    def _going_on(self, vector: VectorAsked, places: Mapping[Mark, complex]) -> Iterator[complex]:
         """Give what a vector is where the later of its ends is found by its construction from the student's places."""
         if vector.found is None:
             return
@@ -223,14 +225,14 @@ class Judge:
         if there is not None:
             yield sign * (there - begun)
 
-    def _carried_mirrored(self, vector: Asked, value: complex) -> bool:
+    def _carried_mirrored(self, vector: VectorAsked, value: complex) -> bool:
         if vector.found is None:
             return False
         start, end = vector.found.span
         there = mirrored(end, self.places)
         return there is not None and abs(value - (there - self.places.get(start, 0j))) <= self.allowed[vector.letters]
 
-    def _turned_over(self, vector: Asked, value: complex) -> bool:
+    def _turned_over(self, vector: VectorAsked, value: complex) -> bool:
         """Tell whether a point is at the other of the two places where its loci meet."""
         other = None if vector.found is None else turned_over(vector.found.span.end)
         return vector.start == "" and other is not None and abs(value - other) <= self.allowed[vector.letters]
@@ -247,7 +249,7 @@ class Judge:
                 return kind, times
         return None
 
-    def _said(self, kind: str, vector: Asked | None = None, off: float | None = None) -> Verdict:
+    def _said(self, kind: str, vector: VectorAsked | None = None, off: float | None = None) -> Verdict:
         asked = self.drawn.asked
         if vector is None:
             return Verdict(asked.plan, asked.position, "", kind, unit=asked.unit)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from drawings.checks.letters import Label, along, distance, off
-from drawings.grading.asked import Asked, Place, PlanAsked
+from drawings.grading.asked import Place, PlanAsked, VectorAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
 from drawings.grading.onlooker import JOINED, Segment, spelled
@@ -121,7 +121,7 @@ def _told(
     return {vector.letters: row[k] for vector, row, k in pairs if k < len(arrows) and row[k].away < NONE}
 
 
-def _match(asked: Asked, arrow: Segment, labels: Mapping[str, Sequence[Label]], scale: complex) -> _Match:
+def _match(asked: VectorAsked, arrow: Segment, labels: Mapping[str, Sequence[Label]], scale: complex) -> _Match:
     """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
     unsure = UNSURE if scale and abs((arrow.end - arrow.start) * scale - asked.true) > SHARE * abs(asked.true) else 0.0
     if asked.letter:

@@ -102,7 +102,7 @@ TOGETHER = 3  # units that may be written without a sign between them: "kgm2", "
 TURN, MINUTE = 2 * math.pi, 60.0  # of speeds in turns a minute
 
 
-class Unit(NamedTuple):
+class Worth(NamedTuple):
     """What a unit is worth in metres, kilograms and seconds, and their powers; an angle is a number."""
 
     size: float
@@ -115,28 +115,28 @@ class Unit(NamedTuple):
         """Of which kind of quantity it is."""
         return self.metres, self.kilograms, self.seconds
 
-    def times(self, other: Unit, power: int = 1) -> Unit:
+    def times(self, other: Worth, power: int = 1) -> Worth:
         """Multiply it by a power of another."""
         powers = (ours + power * theirs for ours, theirs in zip(self.powers, other.powers, strict=True))
-        return Unit(self.size * other.size**power, *powers)
+        return Worth(self.size * other.size**power, *powers)
 
 
-ONE: Final = Unit(1.0)
-_NEWTON, _JOULE = Unit(1.0, 1, 1, -2), Unit(1.0, 2, 1, -2)
+ONE: Final = Worth(1.0)
+_NEWTON, _JOULE = Worth(1.0, 1, 1, -2), Worth(1.0, 2, 1, -2)
 # By how each looks: what is written alike in both languages stands once.
 _PREFIXED: Final = MappingProxyType({
     folded(name): unit
     for names, unit in (
-        ("m м", Unit(1.0, 1)), ("g г", Unit(1e-3, 0, 1)), ("s с sec сек", Unit(1.0, 0, 0, 1)), ("N Н", _NEWTON),
-        ("J Дж", _JOULE), ("W Вт", Unit(1.0, 2, 1, -3)), ("Pa Па", Unit(1.0, -1, 1, -2)), ("rad рад", ONE),
+        ("m м", Worth(1.0, 1)), ("g г", Worth(1e-3, 0, 1)), ("s с sec сек", Worth(1.0, 0, 0, 1)), ("N Н", _NEWTON),
+        ("J Дж", _JOULE), ("W Вт", Worth(1.0, 2, 1, -3)), ("Pa Па", Worth(1.0, -1, 1, -2)), ("rad рад", ONE),
     )
     for name in names.split()
 })  # fmt: skip
 _BARE: Final = MappingProxyType({
     folded(name): unit
     for names, unit in (
-        ("1", ONE), ("%", Unit(0.01)), ("° deg град", Unit(math.pi / 180)), ("min мин", Unit(MINUTE, 0, 0, 1)),
-        ("rev turn об", Unit(TURN)), ("rpm", Unit(TURN / MINUTE, 0, 0, -1)),
+        ("1", ONE), ("%", Worth(0.01)), ("° deg град", Worth(math.pi / 180)), ("min мин", Worth(MINUTE, 0, 0, 1)),
+        ("rev turn об", Worth(TURN)), ("rpm", Worth(TURN / MINUTE, 0, 0, -1)),
     )
     for name in names.split()
 })  # fmt: skip
@@ -189,14 +189,14 @@ def _bare(unit: str) -> str:
 
 
 @lru_cache(maxsize=1024)
-def _readings(unit: str) -> tuple[Unit, ...]:
+def _readings(unit: str) -> tuple[Worth, ...]:
     """Give all that a unit may be: letters that stand together may be several, and a product after a stroke too."""
     if not unit:
         return (ONE,)
     return tuple(_quotients(unit)) if len(unit) <= LONGEST else ()
 
 
-def _quotients(unit: str) -> Iterator[Unit]:
+def _quotients(unit: str) -> Iterator[Worth]:
     """Read what is over and under strokes: all that is after one is under it, or its first factor alone."""
     over, *under = (list(map(_factor, _parts(part, "·"))) for part in _parts(unit, "/"))
     for top in _products(over):
@@ -220,14 +220,14 @@ def _parts(unit: str, sign: str) -> list[str]:
     return parts
 
 
-def _products(factors: list[tuple[Unit, ...]]) -> Iterator[Unit]:
+def _products(factors: list[tuple[Worth, ...]]) -> Iterator[Worth]:
     found = [ONE]
     for factor in factors:
         found = [product.times(other) for product in found for other in factor]
     yield from found
 
 
-def _factor(text: str) -> tuple[Unit, ...]:
+def _factor(text: str) -> tuple[Worth, ...]:
     """Read a factor with its power."""
     power = re.search(rf"(?:{_POWER.pattern}|\^\({_POWER.pattern}\))$", text)
     if power is None or text == "1":
@@ -236,23 +236,23 @@ def _factor(text: str) -> tuple[Unit, ...]:
     return tuple(_raised(text[: power.start()], times))
 
 
-def _raised(text: str, power: int) -> Iterator[Unit]:
+def _raised(text: str, power: int) -> Iterator[Worth]:
     """Read what has a power: of units written together only the last one has it."""
     if text.startswith("("):
         yield from (ONE.times(atom, power) for atom in _atoms(text))
         return
     for row in _words(text, TOGETHER):
-        yield reduce(Unit.times, row[:-1], ONE).times(row[-1], power)
+        yield reduce(Worth.times, row[:-1], ONE).times(row[-1], power)
 
 
-def _atoms(text: str) -> Iterator[Unit]:
+def _atoms(text: str) -> Iterator[Worth]:
     if text.startswith("(") and text.endswith(")"):
         yield from _readings(text[1:-1])
     else:
-        yield from (reduce(Unit.times, row, ONE) for row in _words(text, TOGETHER))
+        yield from (reduce(Worth.times, row, ONE) for row in _words(text, TOGETHER))
 
 
-def _words(text: str, most: int) -> Iterator[tuple[Unit, ...]]:
+def _words(text: str, most: int) -> Iterator[tuple[Worth, ...]]:
     """Read letters as one unit with its prefix or none, then as several."""
     whole = _named(text)
     if whole is not None:
@@ -263,7 +263,7 @@ def _words(text: str, most: int) -> Iterator[tuple[Unit, ...]]:
             yield from ((first, *rest) for rest in _words(text[k:], most - 1))
 
 
-def _named(text: str) -> Unit | None:
+def _named(text: str) -> Worth | None:
     if text in _BARE:
         return _BARE[text]
     if text in _PREFIXED:
@@ -271,5 +271,5 @@ def _named(text: str) -> Unit | None:
     for name, unit in _PREFIXED.items():
         prefix = text.removesuffix(name)
         if prefix != text and prefix in _PREFIXES:
-            return unit.times(Unit(_PREFIXES[prefix]))
+            return unit.times(Worth(_PREFIXES[prefix]))
     return None

@@ -54,7 +54,7 @@ _ANGLE = re.compile(r"(?P<sign>-?)\s*(?P<degrees>\d+)\s*°\s*(?P<minutes>\d{1,2}
 MINUTE = 1 / 60  # of a degree
 
 
-class Written(NamedTuple):
+class WrittenNumber(NamedTuple):
     """A number that is written in a cell: its value in the column's unit, and what half of its last digit is worth.
 
     The value is NaN where the unit that is written is not understood.
@@ -74,15 +74,15 @@ def is_read(texts: Sequence[Text]) -> bool:
     return not any(UNREAD in text.plain for text in texts)
 
 
-def number(texts: Sequence[Text], unit: str = "") -> Written | None:
+def number(texts: Sequence[Text], unit: str = "") -> WrittenNumber | None:
     """Read the number of a cell; None where there is none, or more than one.
 
     >>> number([Text(0j, "−1,52·10^{3} mm/s")], "m/s")
-    Written(value=-1.52, rounding=0.005)
+    WrittenNumber(value=-1.52, rounding=0.005)
     >>> number([Text(0j, "1.5")]).rounding, number([Text(0j, "2 of 3")]), number([Text(0j, "5 ells")], "m").understood
     (0.0, None, False)
     >>> number([Text(0j, "30°15'")], "°"), number([Text(0j, "0.0000 9.99")])
-    (Written(value=30.25, rounding=0.008333333333333333), None)
+    (WrittenNumber(value=30.25, rounding=0.008333333333333333), None)
     """
     plain = plainly(" ".join(map(levelled, texts)))
     if (angle := _ANGLE.fullmatch(plain)) is not None:
@@ -95,8 +95,8 @@ def number(texts: Sequence[Text], unit: str = "") -> Written | None:
     if not math.isfinite(value):
         return None
     if times is None:
-        return Written(math.nan, 0.0)
-    return Written(value * times, half * times)
+        return WrittenNumber(math.nan, 0.0)
+    return WrittenNumber(value * times, half * times)
 
 
 def plainly(text: str) -> str:
@@ -114,14 +114,14 @@ def value_of(found: re.Match[str]) -> tuple[float, float]:
     return float(f"{found['sign']}{digits}") * times, half if sure else 0.0
 
 
-def _angle(found: re.Match[str], unit: str) -> Written:
+def _angle(found: re.Match[str], unit: str) -> WrittenNumber:
     """Read an angle in degrees and minutes."""
     minutes = found["minutes"].replace(",", ".")
     value = float(found["degrees"]) + MINUTE * float(minutes)
     half = 0.5 * math.pow(10.0, -len(minutes.partition(".")[2])) * MINUTE
     times = in_unit("°", unit)
     times = math.nan if times is None else times
-    return Written((-value if found["sign"] else value) * times, half * times)
+    return WrittenNumber((-value if found["sign"] else value) * times, half * times)
 
 
 def levelled(text: Text) -> str:

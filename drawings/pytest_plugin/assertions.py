@@ -30,7 +30,7 @@ LETTERS, LINES = 34, 2  # of a line under a place, and lines
 UNDER = 1.5 * LETTER * LINES  # mm
 
 
-class Spot(NamedTuple):
+class WrongPlace(NamedTuple):
     """What is wrong at a place of a sheet: in words, and from where to where it lies, mm, y up."""
 
     told: str
@@ -38,7 +38,7 @@ class Spot(NamedTuple):
     end: complex
 
 
-def picture(source: bytes, paper: tuple[float, float], spots: Sequence[Spot]) -> bytes:
+def picture(source: bytes, paper: tuple[float, float], spots: Sequence[WrongPlace]) -> bytes:
     """Draw the places of a sheet side by side."""
     shown, (width, height) = spots[:MOST], paper
     columns, rows = min(ACROSS, len(shown)), -(-len(shown) // ACROSS)
@@ -53,7 +53,7 @@ def picture(source: bytes, paper: tuple[float, float], spots: Sequence[Spot]) ->
     ).encode("ascii")
 
 
-def _tile(number: int, spot: Spot, height: float) -> str:
+def _tile(number: int, spot: WrongPlace, height: float) -> str:
     """Draw one place, with what it is under it."""
     x, y = GAP + number % ACROSS * (TILE + GAP), GAP + number // ACROSS * (TILE + UNDER + GAP)
     told = textwrap.wrap(spot.told, LETTERS, max_lines=LINES, placeholder="…")
@@ -68,14 +68,14 @@ def _tile(number: int, spot: Spot, height: float) -> str:
     )
 
 
-def _window(spot: Spot, height: float) -> Iterator[str]:
+def _window(spot: WrongPlace, height: float) -> Iterator[str]:
     """Give what a place shows of the sheet: left, top and both sides, mm, y down."""
     middle, reach = (spot.start + spot.end) / 2, spot.end - spot.start
     side = max(LEAST, abs(reach.real) + 2 * ROOM, abs(reach.imag) + 2 * ROOM)
     yield from (f"{size:.3f}" for size in (middle.real - side / 2, height - middle.imag - side / 2, side, side))
 
 
-def _mark(spot: Spot, height: float) -> str:
+def _mark(spot: WrongPlace, height: float) -> str:
     look = f'fill="none" stroke="{RED}" stroke-width="{WIDTH}" stroke-opacity="0.7"'
     if spot.start == spot.end:
         return f'<circle cx="{spot.end.real:.3f}" cy="{height - spot.end.imag:.3f}" r="{RADIUS}" {look}/>'
@@ -124,7 +124,7 @@ def assert_sheet_matches(sheet: HandedSheet | FilePath, scene: Assignment | File
     wrong = [finding for finding in held.checked.findings if finding.kind not in RESAVED]
     if wrong:
         edits = [said.edit for said in wrong if said.edit is not None]
-        spots = [Spot(edit.told.worded(drawn.language), edit.at, edit.at) for edit in edits]
+        spots = [WrongPlace(edit.told.worded(drawn.language), edit.at, edit.at) for edit in edits]
         head = message("accept.other", sheet=drawn.path.name, scene=_scene(drawn).originals.path.name)
         lines = [finding.told.worded(drawn.language) for finding in wrong]
         raise AssertionError(_told(drawn, head, lines, held.paper, spots))
@@ -148,7 +148,7 @@ def _assert_none(sheet: HandedSheet, graded: Graded, wrong: Sequence[Verdict], h
     if wrong:
         lines = [line for said in gathered(wrong) for line in _lines(sheet, graded, said)]
         say = partial(without_values, hints={}, language=sheet.language)
-        spots = [Spot(say(said), *said.at) for said in wrong if said.at is not None]
+        spots = [WrongPlace(say(said), *said.at) for said in wrong if said.at is not None]
         raise AssertionError(_told(sheet, head, lines, graded.paper, spots))
 
 
@@ -175,7 +175,7 @@ def _value(said: Verdict, value: complex) -> Message:
 
 
 def _told(
-    sheet: HandedSheet, head: Message, lines: Sequence[str], paper: tuple[float, float], spots: Sequence[Spot]
+    sheet: HandedSheet, head: Message, lines: Sequence[str], paper: tuple[float, float], spots: Sequence[WrongPlace]
 ) -> str:
     """Tell what is wrong, line by line, and where its picture lies, if pictures are drawn."""
     left = len(lines) - TOLD
@@ -184,7 +184,7 @@ def _told(
     return "\n  ".join([head.worded(sheet.language), *lines[:TOLD], *more, *pictures])
 
 
-def _pictured(sheet: HandedSheet, paper: tuple[float, float], spots: Sequence[Spot]) -> Iterator[str]:
+def _pictured(sheet: HandedSheet, paper: tuple[float, float], spots: Sequence[WrongPlace]) -> Iterator[str]:
     """Draw the places of what is wrong into the report's folder."""
     if sheet.report is None or not spots or not all(paper):
         return

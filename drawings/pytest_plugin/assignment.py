@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
 
 from drawings.grading.allowance import Allowance, Allowances, allowance
-from drawings.grading.asked import Asked, Place, PlanAsked, ends_of
+from drawings.grading.asked import Place, PlanAsked, VectorAsked, ends_of
 from drawings.grading.class_list import grade_all, grade_own
 from drawings.grading.drawn_plan import from_marks
 from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
@@ -65,10 +65,10 @@ def by_its_marks(source: bytes) -> Graded:
 
 def _stated(measured: Measured) -> list[PlanAsked]:
     """Give the plans of a sheet with what its marks say that they are."""
-    places: dict[Place, list[Asked]] = {}
+    places: dict[Place, list[VectorAsked]] = {}
     for mark in measured.marks:
         start, end = ends_of(mark)
-        places.setdefault((mark.plan, mark.position), []).append(Asked(mark.name, start, end, mark.stated, None))
+        places.setdefault((mark.plan, mark.position), []).append(VectorAsked(mark.name, start, end, mark.stated, None))
     units = {(mark.plan, mark.position): mark.unit for mark in measured.marks}
     return [PlanAsked(*place, "", units[place], tuple(vectors), {}) for place, vectors in places.items()]
 

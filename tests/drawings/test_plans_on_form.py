@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.asked import PlanAsked, VectorAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.onlooker import Segment, spelled_labels
 from drawings.grading.plans_on_form import FormPlace, plans_on_form
@@ -15,7 +15,7 @@ PAIRS = [("π", "a"), ("a", "n_BA"), ("n_BA", "b"), ("π", "b")]
 
 
 def plan(position: int, turn: complex = 1 + 0j) -> PlanAsked:
-    own = tuple(Asked(f"a_{end}", start, end, (SPOTS[end] - SPOTS[start]) * turn, None) for start, end in PAIRS)
+    own = tuple(VectorAsked(f"a_{end}", start, end, (SPOTS[end] - SPOTS[start]) * turn, None) for start, end in PAIRS)
     return PlanAsked("accelerations", position, "sheet", "m/s2", own, {"accelerations": 1.0}, symbol="a")
 
 

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import pytest
 
 from drawings.pytest_plugin.assertions import (
-    Spot,
+    WrongPlace,
     assert_close_to_analysis,
     assert_sheet_matches,
     assert_well_drawn,
@@ -169,7 +169,7 @@ def test_what_the_teacher_writes_wrong_is_no_fault_of_a_sheet(right: Path, scene
 
 def test_a_picture_shows_the_place_and_nothing_runs_in_it() -> None:
     source = b'<svg xmlns="http://www.w3.org/2000/svg"><script>alert(1)</script></svg>'
-    spots = [Spot("an arrow <b>", 100 + 50j, 110 + 50j), Spot("a letter", 20 + 30j, 20 + 30j)]
+    spots = [WrongPlace("an arrow <b>", 100 + 50j, 110 + 50j), WrongPlace("a letter", 20 + 30j, 20 + 30j)]
     shown = picture(source, (420.0, 297.0), spots)
     root = ElementTree.fromstring(shown)
     boxes = [one.get("viewBox") for one in root if one.tag.endswith("}svg")]

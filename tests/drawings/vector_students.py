@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.asked import PlanAsked, VectorAsked
 from drawings.lettering.vector_letters import with_index
 from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
 from drawings.pens.svg import svg
@@ -34,7 +34,7 @@ def beside(own: Task, place: tuple[str, int | None]) -> tuple[PlanAsked, ...]:
     return tuple(plan for plan in own.plans if (plan.sheet, plan.position) == (one.sheet, one.position))
 
 
-def free(plans: tuple[PlanAsked, ...]) -> dict[Key, Asked]:
+def free(plans: tuple[PlanAsked, ...]) -> dict[Key, VectorAsked]:
     """Give the free vectors of plans that a record is known of."""
     return {(plan.plan, one.name): one for plan in plans for one in plan.vectors if one.letter and one.found}
 

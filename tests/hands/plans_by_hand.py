@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.asked import PlanAsked, VectorAsked
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, drawn_places, lacking_places, places_of, scales_beside
 from drawings.grading.judgement import Judge
 from drawings.grading.verdict import Verdict
@@ -29,7 +29,7 @@ class PlansByHand(NamedTuple):
     true: tuple[DrawnPlan, ...]
 
     @property
-    def asked(self) -> dict[Key, Asked]:
+    def asked(self) -> dict[Key, VectorAsked]:
         """The vectors that are asked for."""
         return {(plan.asked.plan, one.letters): one for plan in self.true for one in plan.asked.vectors}
 
@@ -99,12 +99,12 @@ def _plan(asked: PlanAsked, arrows: Mapping[tuple[str, str], Arrow]) -> DrawnPla
     return DrawnPlan(asked, arrows, asked.scales[asked.plan], places_of(hung))
 
 
-def _marks(one: Asked) -> tuple[Mark, ...]:
+def _marks(one: VectorAsked) -> tuple[Mark, ...]:
     """Give the marks that an arrow is drawn by, those that it lies between last: a free one begins in its polygon."""
     return () if one.found is None else (*one.found.span, *(one.found.side or one.found.span))
 
 
-def _laid(one: Asked, spots: Mapping[Mark, Ends], drawings: int) -> Ends:
+def _laid(one: VectorAsked, spots: Mapping[Mark, Ends], drawings: int) -> Ends:
     """Give where an arrow starts and ends that goes by its marks; one without any is known."""
     if one.found is None:
         return np.broadcast_to(np.array([[0j], [one.true]]), (2, drawings))

@@ -128,7 +128,7 @@ class _Cell(NamedTuple):
     sheet: Original
 
 
-class _Part(NamedTuple):
+class _TablePart(NamedTuple):
     """A table or a part of one: the sheet that it stands on, and those of its cells in which something is due."""
 
     sheet: Original
@@ -138,14 +138,14 @@ class _Part(NamedTuple):
 
 def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
     """Give the tables of a scene's sheets whose cells a form leaves empty."""
-    found: dict[Sought, list[_Part]] = {}
+    found: dict[Sought, list[_TablePart]] = {}
     for sheet in originals.sheets:
         for name, part in _of_sheet(originals, sheet):
             found.setdefault((sheet.kind, name, sheet.leaf.metadata.get(CAM)), []).append(part)
     return tuple(_Own(originals, sought, parts).asked() for sought, parts in found.items())
 
 
-def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Part]]:
+def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _TablePart]]:
     leaf, due = plain(sheet.leaf, sheet.leaf.lettering), originals.due(sheet)
     bands = (
         (table_of(sheet.kind, group.name), next(texts((group,)), None)) for group in groups(leaf.groups) if group.name
@@ -161,13 +161,13 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Par
             for key, cell in table.cells.items()
             if cell.texts and id(cell.texts[0]) in told
         }
-        yield from ((name, _Part(sheet, table, cells)) for text, name in corners if text is table.corner)
+        yield from ((name, _TablePart(sheet, table, cells)) for text, name in corners if text is table.corner)
 
 
 class _Own:
     """One table as our own sheets have it, in all its parts."""
 
-    def __init__(self, originals: Originals, sought: Sought, parts: Sequence[_Part]) -> None:
+    def __init__(self, originals: Originals, sought: Sought, parts: Sequence[_TablePart]) -> None:
         self.originals, self.sought, self.parts = originals, sought, parts
         self.labels = {label: text for part in parts for label, text in part.table.labels.items()}
         self.heads = {head: text for part in parts for head, text in part.table.heads.items()}

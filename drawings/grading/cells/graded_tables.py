@@ -18,7 +18,7 @@ from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_records import ORDINATES
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places
 from drawings.grading.verdict import Verdict
-from drawings.grading.written_number import Written, is_read, number
+from drawings.grading.written_number import WrittenNumber, is_read, number
 from drawings.lettering.words import letter
 from drawings.paper.strokes import Text
 from drawings.paper.walk import texts
@@ -32,14 +32,14 @@ from geometry.steps import Reading
 from plans.words.words import term
 
 
-class Shown(NamedTuple):
+class BesideTables(NamedTuple):
     """The plans and graphs that a student has drawn beside his tables, and which sheets of the task these are of."""
 
     plans: Sequence[DrawnPlan]
     figures: Sequence[DrawnFigure]
     sheets: Set[str]
 
-    def agrees(self, cell: CellAsked, written: Written, by: Allowances, rough: float, language: str) -> bool:
+    def agrees(self, cell: CellAsked, written: WrittenNumber, by: Allowances, rough: float, language: str) -> bool:
         """Tell whether a number is what the student's own plans show; his tables are lettered in a language."""
         ordinates = self._ordinates(cell, cell.allowed(by, rough), language)
         for size, scale in (*self._sizes(cell, language), *ordinates):
@@ -104,7 +104,7 @@ SPEEDS = ("rad/s", "рад/с")
 ONCE = (verdict.DECADE, verdict.DEGREES, verdict.TURNS)  # mistakes that a whole table has for one reason
 
 
-class Guess(NamedTuple):
+class NumberSlip(NamedTuple):
     """A mistake that a number may come of: its kind, the number that it gives, how far that may be out, whose it is."""
 
     kind: str
@@ -122,7 +122,7 @@ class CellJudge:
     moved: Affine
     by: Allowances
     rough: float  # mm, how finely the sheet is written
-    shown: Shown
+    shown: BesideTables
     doubled: Set[Key] = frozenset()
 
     def verdicts(self) -> Iterator[Verdict]:
@@ -159,32 +159,32 @@ class CellJudge:
         guess = self._mistake(key, written)
         return self._said(key, verdict.WRONG if guess is None else guess.kind, off, guess.of if guess else "")
 
-    def _allowed(self, cell: CellAsked, written: Written) -> float:
+    def _allowed(self, cell: CellAsked, written: WrittenNumber) -> float:
         return cell.allowed(self.by, self.rough) + written.rounding
 
-    def _mistake(self, key: Key, written: Written) -> Guess | None:
+    def _mistake(self, key: Key, written: WrittenNumber) -> NumberSlip | None:
         """Give the mistake that a number comes of: of the sign first, then the one that fits best."""
         cell = self.asked.cells[key]
         if abs(written.value + cell.true) <= self._allowed(cell, written):
-            return Guess(verdict.SIGN, -cell.true, 0.0)
+            return NumberSlip(verdict.SIGN, -cell.true, 0.0)
         fitting = [
             guess for guess in self._guesses(key)
             if abs(guess.value) > guess.allowed and abs(written.value - guess.value) <= guess.allowed + written.rounding
         ]  # fmt: skip
         return min(fitting, key=lambda guess: abs(written.value - guess.value) / guess.allowed, default=None)
 
-    def _guesses(self, key: Key) -> Iterator[Guess]:
+    def _guesses(self, key: Key) -> Iterator[NumberSlip]:
         """Give the mistakes that may be made in a cell."""
         cell = self.asked.cells[key]
         for kind, times, of in _factors(cell.unit):
-            yield Guess(kind, cell.true * times, cell.allowed(self.by, self.rough) * abs(times), of)
+            yield NumberSlip(kind, cell.true * times, cell.allowed(self.by, self.rough) * abs(times), of)
         for other, beside in self.asked.cells.items():
             if other != key and beside.unit == cell.unit:
                 allowed = beside.allowed(self.by, self.rough)
                 if beside.quantity == cell.quantity and beside.place != cell.place:
-                    yield Guess(verdict.PLACE, beside.true, allowed, beside.place)
+                    yield NumberSlip(verdict.PLACE, beside.true, allowed, beside.place)
                 elif beside.place == cell.place and beside.quantity != cell.quantity:
-                    yield Guess(verdict.ROW, beside.true, allowed, beside.quantity)
+                    yield NumberSlip(verdict.ROW, beside.true, allowed, beside.quantity)
 
     def _said(self, key: Key, kind: str, off: float | None = None, of: str = "") -> Verdict:
         cell, box = self.asked.cells[key], self.seen[key].box
@@ -281,7 +281,7 @@ def _says(seen: SeenCell, asked: CellAsked) -> bool:
 
 
 def table_verdicts(
-    found: Drawn, asked: Sequence[TableAsked], shown: Shown, by: Allowances, seen: SeenSheet
+    found: Drawn, asked: Sequence[TableAsked], shown: BesideTables, by: Allowances, seen: SeenSheet
 ) -> Iterator[Verdict]:
     """Judge the tables of a sheet; what is due of them and not there is missing, or told where that is not sure."""
     for table, cells, _, doubled in found:

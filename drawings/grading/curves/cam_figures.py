@@ -37,7 +37,7 @@ from plans.words.words import because
 ABOVE = {VELOCITY: ACCELERATION, TRAVEL: VELOCITY}
 
 
-def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
+def figures_of_cam(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of a cam (row of the table of records)."""
     cams = {cam.cam.name: cam for cam in study.comparison("cam").analysis.cams}
     name = sheet.leaf.metadata.get("cam")
@@ -46,7 +46,7 @@ def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
         yield from bars(sheet)
         yield from rings(sheet, cam_rows(turning), turning[0].sense)
     if name is not None and name in cams:
-        drawn = _Sheet(sheet, CamCourses(CamValues(cams[name], study.of(CamStudy).drawings[name])))
+        drawn = _CamSheet(sheet, CamCourses(CamValues(cams[name], study.of(CamStudy).drawings[name])))
         yield from drawn.laws()
         yield from drawn.sizes()
         yield from drawn.pressure()
@@ -55,7 +55,7 @@ def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
 
 
 @dataclass(frozen=True)
-class _Sheet:
+class _CamSheet:
     """A sheet of one cam with what the analysis says of it."""
 
     sheet: SceneSheet

@@ -25,9 +25,9 @@ from drawings.grading.curves.figure_records import (
     POINTS,
     PRICKED,
     FigureAsked,
-    Item,
     Mistake,
     SceneSheet,
+    ValueAsked,
     by_number,
 )
 from drawings.grading.curves.radial_figures import arm_at, written
@@ -201,8 +201,9 @@ def rings(sheet: SceneSheet, rows: Sequence[Row], sense: int) -> Iterator[Figure
     true = np.asarray(reach * np.exp(1j * sense * np.array(turned)))
     yield FigureAsked(
         key=CIRCLE, plan=CIRCLE, sheet=sheet.name, unit="mm", scales={"": 1.0},
-        items=tuple(Item(name, None, k, name) for k, name in enumerate(names)), true=true, slack=np.zeros(len(true)),
-        error=np.full(len(true), PRICKED), kind=BEARINGS, on_paper=True, rings=places, why=because("ring_turn"),
+        items=tuple(ValueAsked(name, None, k, name) for k, name in enumerate(names)), true=true,
+        slack=np.zeros(len(true)), error=np.full(len(true), PRICKED), kind=BEARINGS, on_paper=True, rings=places,
+        why=because("ring_turn"),
         mistakes=(Mistake(verdict.MIRRORED, true.conj()), *_unset(rows, np.array(places), true, sense)),
     )  # fmt: skip
 
@@ -280,7 +281,7 @@ class _Layout:
         names = tuple(letters(FORCE, body.turns) for body in shown)
         yield FigureAsked(
             self.plan + part, self.plan, self.sheet.name, "m" if scaled else "mm", {"l": scales["l"]},
-            tuple(Item(body.name, None, k, body.name) for k, body in enumerate(shown)), true, np.zeros(len(true)),
+            tuple(ValueAsked(body.name, None, k, body.name) for k, body in enumerate(shown)), true, np.zeros(len(true)),
             np.full(len(true), PRICKED), POINTS if scaled else BEARINGS, why=because("compensator_arm"),
             on_paper=not scaled, arms=tuple(written(body.name) for body in shown),
             mistakes=(Mistake(verdict.HEAVY, -true), Mistake(verdict.EXCHANGED, true[::-1])),

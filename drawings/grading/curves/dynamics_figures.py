@@ -24,7 +24,7 @@ from drawings.grading.curves.figure_records import (
     SceneSheet,
     by_number,
 )
-from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speeds, tachogram
+from drawings.grading.curves.run_figures import BEARING, CUT, TurnCourses, bare_speeds, tachogram
 from geometry.board import Board
 from geometry.calculus import integral
 from geometry.hand_error import SlippingHand, slopes
@@ -55,13 +55,13 @@ def chords_by_hand(wide: Floats, high: Floats, pole: float) -> Floats:
 WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_chord"), SURPLUS: because("steady")})
 
 
-def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
+def figures_of_dynamics(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of dynamics (row of the table of records)."""
     comparison, task = study.of(DynamicsComparison), study.of(DynamicsStudy).task
     yield from load_diagrams(sheet, study.of(DynamicsStudy).statics)
     if comparison.analysis.cycle is None:
         return
-    drawn = _Sheet(sheet, AnalysedTurn(task, comparison.analysis), AnalysedTurn(task, comparison.exact))
+    drawn = _DynamicsSheet(sheet, AnalysedTurn(task, comparison.analysis), AnalysedTurn(task, comparison.exact))
     yield from drawn.graphs()
     yield from drawn.loop()
     yield from bare_speeds(sheet, drawn.expected, drawn.exact)
@@ -69,7 +69,7 @@ def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
 
 
 @dataclass(frozen=True)
-class _Sheet:
+class _DynamicsSheet:
     """A sheet with what the analysis says of it: by the chords of the construction, and exactly."""
 
     sheet: SceneSheet
@@ -78,7 +78,7 @@ class _Sheet:
 
     def graphs(self) -> Iterator[FigureAsked]:
         """Give the graphs over the turn in the order in which they are drawn."""
-        turn = Turned(self.expected)
+        turn = TurnCourses(self.expected)
         yield from self._graph(MOMENTS, mistakes=tuple(self._idle()))
         yield from self._graph(WORKS, (MOMENTS,), turn.works, self._works_by_hand)
         yield from self._graph(SURPLUS, (WORKS,), turn.surplus, self._surplus_by_hand, tuple(self._undriven()))
@@ -145,7 +145,7 @@ class _Sheet:
         scales = self.sheet.scales(LOOP)
         if not {"J", "T"} <= scales.keys():
             return
-        turn = Turned(self.expected, (scales["J"], scales["T"]))
+        turn = TurnCourses(self.expected, (scales["J"], scales["T"]))
         yield from self._points(turn)
         if self.expected.wheel is not None and self.expected.omega is not None:
             yield from self._tangents(turn)
@@ -153,18 +153,18 @@ class _Sheet:
             error = PRICKED * np.hypot(1.0, slips / self.scale(SPEEDS))
             yield from self._graph(SPEEDS, (SURPLUS, INERTIA, CUT), turn.speeds, error)
 
-    def _points(self, turn: Turned) -> Iterator[FigureAsked]:
+    def _points(self, turn: TurnCourses) -> Iterator[FigureAsked]:
         true = turn.loop(turn.true)
         places = {(name, k): k for name, k in self.sheet.marks(LOOP) if k is not None}
         yield from self.sheet.figure(
             LOOP, LOOP, places, true, unit="mm", scales={"J": turn.scales[0], "T": turn.scales[1]}, on_paper=True,
-            slack=np.abs(true - turn.loop(Turned(self.exact, turn.scales).true)),
+            slack=np.abs(true - turn.loop(TurnCourses(self.exact, turn.scales).true)),
             error=np.full(len(true), 2 * PRICKED),  # in x and in y, each measured off a graph
             why=because("loop_point"), behind=(SURPLUS, INERTIA), course=turn.loop, curved=tuple(range(len(true))),
             mistakes=(Mistake(verdict.AXES, 1j * true.conj()), Mistake(verdict.MIRRORED, -true.conj())),
         )  # fmt: skip
 
-    def _tangents(self, turn: Turned) -> Iterator[FigureAsked]:
+    def _tangents(self, turn: TurnCourses) -> Iterator[FigureAsked]:
         wheel, ratio = turn.wheel, turn.scales[0] / turn.scales[1]
         seen = {
             vector.name: vector

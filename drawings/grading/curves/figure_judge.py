@@ -12,7 +12,7 @@ import numpy.typing as npt
 from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
-from drawings.grading.curves.figure_records import BEARINGS, ORDINATES, FigureAsked, Item, Mistake
+from drawings.grading.curves.figure_records import BEARINGS, ORDINATES, FigureAsked, Mistake, ValueAsked
 from drawings.grading.curves.form_figure import from_form
 from drawings.grading.curves.radial_figures import from_arms, from_rings
 from drawings.grading.verdict import Verdict
@@ -191,7 +191,7 @@ class _Told:
         within = self._fits(self.mistake.values) if self.mistake is not None else np.zeros_like(self.near)
         yield from (self._one(item, within) for item in self.asked.items)
 
-    def _one(self, item: Item, within: Truths) -> Verdict:
+    def _one(self, item: ValueAsked, within: Truths) -> Verdict:
         k, value = item.place, self.drawn.values[item.place]
         if np.isnan(value):
             return self._said(verdict.UNREAD if self.drawn.lines else verdict.MISSING, item)
@@ -221,7 +221,7 @@ class _Told:
             return False
         return any(self._stepped(int(before[-1]), k, due) for due in (self.asked.true, *self.going_on))
 
-    def _said(self, kind: str, item: Item | None = None, off: float | None = None) -> Verdict:
+    def _said(self, kind: str, item: ValueAsked | None = None, off: float | None = None) -> Verdict:
         asked = self.asked
         if item is None:
             return Verdict(asked.plan, None, "", kind, unit=asked.unit)

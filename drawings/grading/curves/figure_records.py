@@ -44,7 +44,7 @@ Place: TypeAlias = tuple[str, int | None]  # the name and the position of a mark
 MARKS: Final[Mapping[type, Kind]] = MappingProxyType({MeasuredVector: Kind.VECTOR, MeasuredPoint: Kind.POINT})
 
 
-class Item(NamedTuple):
+class ValueAsked(NamedTuple):
     """One value that is asked for: the name and position of its mark, its place in the figure, what it is called."""
 
     name: str
@@ -95,7 +95,7 @@ class FigureAsked:
     sheet: str
     unit: str
     scales: Mapping[str, float]  # true units a mm, by the letters that they are written with; across, then up
-    items: tuple[Item, ...]
+    items: tuple[ValueAsked, ...]
     true: Complexes
     slack: Floats
     error: Floats
@@ -196,7 +196,7 @@ class SceneSheet(NamedTuple):
         first = next(iter(shown.values()))
         plain = {"unit": first.unit, "scales": {self.letter(plan, first.scale): first.scale}, "slack": 0.0, **how}
         sizes = {name: np.broadcast_to(plain.get(name, PRICKED), len(values)) for name in ("slack", "error")}
-        items = tuple(Item(place[0], place[1], places[place], called(mark)) for place, mark in shown.items())
+        items = tuple(ValueAsked(place[0], place[1], places[place], called(mark)) for place, mark in shown.items())
         yield FigureAsked(key=key, plan=plan, sheet=self.name, items=items, true=values, **plain | sizes)
 
     def vectors(self, plan: str) -> dict[int, MeasuredVector]:
@@ -272,12 +272,12 @@ def by_number(marks: Mapping[int, MeasuredVector], places: Mapping[int, int] | N
 # By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
 FIGURES: Final[Mapping[str, str]] = MappingProxyType(
     {
-        "dynamics": "drawings.grading.curves.dynamics_figures:figures_of",
+        "dynamics": "drawings.grading.curves.dynamics_figures:figures_of_dynamics",
         "bank": "drawings.grading.curves.diagram_figures:figures_of_arms",
         "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
         "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
         "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
-        "cam": "drawings.grading.curves.cam_figures:figures_of",
+        "cam": "drawings.grading.curves.cam_figures:figures_of_cam",
     }
 )
 

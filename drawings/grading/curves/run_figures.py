@@ -17,9 +17,9 @@ from drawings.grading.curves.figure_records import (
     ORDINATES,
     PRICKED,
     FigureAsked,
-    Item,
     Mistake,
     SceneSheet,
+    ValueAsked,
     by_number,
 )
 from plans.analytic.dynamics.speeds import energy_at
@@ -60,7 +60,7 @@ def moved_means(drawn: Floats, after: Floats, before: Floats, means: Floats) -> 
 BEARING, CUT = "bearings of the loop", "cuts of the loop"
 
 
-class Turned(NamedTuple):
+class TurnCourses(NamedTuple):
     """A turn in strips, and how the figures of its motion follow from one another."""
 
     expected: AnalysedTurn
@@ -154,7 +154,7 @@ def tachogram(sheet: SceneSheet, constructed: Run | None, exact: Run | None) -> 
     yield FigureAsked(
         key=TACHOGRAM, plan=TACHOGRAM, sheet=sheet.name, unit=marks[first].unit,
         scales={"t": scales["t"], "ω": scales["ω"]},
-        items=tuple(Item(name, None, k, f"ω({name})") for k, name in enumerate(names)),
+        items=tuple(ValueAsked(name, None, k, f"ω({name})") for k, name in enumerate(names)),
         true=np.asarray(1j * true), slack=np.abs(true - drawn), error=PRICKED * np.hypot(1.0, steep), kind=ORDINATES,
         paper=None if paper is None else paper._replace(turn=None), why=because("run_stage"),
         mistakes=tuple(_straight(exact, names, t)),
