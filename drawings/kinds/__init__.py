@@ -1,1 +1,1 @@
-"""Kinds of figures of all techniques: graphs, rows, hodographs, polygons, vector plans, charts, schemes (виды фигур)."""
+"""Kinds of figures of all techniques: graphs, hodographs, polygons, vector plans, charts, schemes (виды фигур)."""
