@@ -35,8 +35,6 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
 from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
-from plans.forces.quantities import ForceComparison
-from plans.forces.statics import Statics
 from plans.linkage.parts import MotionByHand, alike, spans
 from plans.linkage.plan import unnamed
 from plans.linkage.quantities import MotionComparison
@@ -72,6 +70,9 @@ def _loaded(study: Study) -> tuple[int, ...]:
     """Give the positions whose forces the set draws: their inertia forces are taken from the plans of these."""
     if "forces" not in study.scene.sheets:
         return ()
+    from plans.forces.quantities import ForceComparison  # only of a scene with force sheets
+    from plans.forces.statics import Statics
+
     try:
         return force_positions(study.of(Statics), study.of(ForceComparison))
     except SheetError:
