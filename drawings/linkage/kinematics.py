@@ -70,8 +70,8 @@ def _loaded(study: Study) -> tuple[int, ...]:
     """Give the positions whose forces the set draws: their inertia forces are taken from the plans of these."""
     if "forces" not in study.scene.sheets:
         return ()
-    from plans.forces.quantities import ForceComparison  # only of a scene with force sheets
-    from plans.forces.statics import Statics
+    from plans.forces.quantities import ForceComparison  # noqa: PLC0415  (only a scene with force sheets needs them)
+    from plans.forces.statics import Statics  # noqa: PLC0415
 
     try:
         return force_positions(study.of(Statics), study.of(ForceComparison))
