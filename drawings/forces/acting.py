@@ -158,7 +158,6 @@ class ShownMoment(NamedTuple):
     name: str
     at: complex
     sense: int
-    unknown: bool = False
 
 
 class GuideShift(NamedTuple):
@@ -215,7 +214,7 @@ def _couples(plan: ForcePlan, cut: CutGroup, links: CutLinks, column: int) -> It
     if cut.group is None and plan.drive is None and plan.mechanism.drive.ram is None:
         size = at(plan.balancing.point, column).real
         shaft = at(plan.positions.point(plan.mechanism.drive.pivot).point, column)
-        yield ShownMoment(BALANCING, shaft, 1 if size > 0 else -1, unknown=True)
+        yield ShownMoment(BALANCING, shaft, 1 if size > 0 else -1)
 
 
 def _hinge(support: Support, column: int) -> Iterator[ShownVector]:
@@ -241,7 +240,7 @@ def _guide(
         return force, [], []
     if abs(across) <= least or abs(arm) > FAR * links.size:
         name = support.force.name.replace("R", "M", 1)
-        return force, [ShownMoment(name, foot, 1 if turning > 0 else -1, unknown=True)], []
+        return force, [ShownMoment(name, foot, 1 if turning > 0 else -1)], []
     end = foot + along * arm
     return force._replace(at=end), [], [GuideShift(support.force.name.replace("R", "x", 1), foot, end, value)]
 

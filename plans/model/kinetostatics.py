@@ -203,14 +203,3 @@ class Friction:
     locking: Mapping[str, Floats]  # of pairs that a group drives: friction over driving force
     driving: Mapping[str, Floats]  # W with which the group drives the link of such a pair, and the rest's friction
     jams: tuple[Jam, ...]
-
-    @property
-    def loss(self) -> Floats:
-        """Loss coefficient xi = 1 - efficiency (коэффициент потерь)."""
-        return 1.0 - self.efficiency
-
-    @property
-    def shares(self) -> Mapping[str, Floats]:
-        """Share of each pair in the power lost, position by position (износ); NaN where nothing is lost."""
-        with np.errstate(invalid="ignore"):
-            return {key: power / self.lost for key, power in self.powers.items()}

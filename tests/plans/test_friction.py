@@ -105,10 +105,9 @@ def test_power_lost_in_each_pair_of_the_shaper(road: str) -> None:
 
 def test_efficiency_and_wear_of_the_shaper(road: str) -> None:
     now = found(shaper(), SHAPER, on(5, "D", 1500), 60, 1, road)
-    assert (now.useful[0], now.efficiency[0], now.loss[0]) == printed(2546.372724, 0.8832703562, 0.1167296438)
+    assert (now.useful[0], now.efficiency[0]) == printed(2546.372724, 0.8832703562)
     assert list(now.wear)[:3] == ["2-3", "0-1", "1-2"]
     assert tuple(now.wear.values())[:3] == printed(0.4185536972, 0.2926377574, 0.1383148257)
-    assert now.shares["2-3"][0] == pytest.approx(0.4185536972, rel=DIGITS)
     assert now.cycle is None  # one position is no cycle
 
 
