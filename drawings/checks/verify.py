@@ -35,22 +35,22 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     exit_code = 5
 
 
-class Written(NamedTuple):
+class WrittenSheet(NamedTuple):
     """A sheet as it was laid out, and as it was seen in its file; without being seen it cannot be measured."""
 
     leaf: Leaf
     seen: SeenSheet | SheetRefused
 
 
-def written(path: Path, leaf: Leaf) -> Written:
+def written(path: Path, leaf: Leaf) -> WrittenSheet:
     """See a written sheet."""
     try:
-        return Written(leaf, see(path.read_bytes()))
+        return WrittenSheet(leaf, see(path.read_bytes()))
     except SheetRefused as refused:
-        return Written(leaf, refused)
+        return WrittenSheet(leaf, refused)
 
 
-def wrongs(sheets: Sequence[Written], due: Mapping[Key, Expected], sheet: SheetTable) -> list[list[Wrong]]:
+def wrongs(sheets: Sequence[WrittenSheet], due: Mapping[Key, Expected], sheet: SheetTable) -> list[list[Wrong]]:
     """List, for each sheet of a kind, what is wrong with it.
 
     It is held stroke by stroke to what was laid out, and that with all its digits to the analysis. What stands on no
@@ -66,7 +66,7 @@ def wrongs(sheets: Sequence[Written], due: Mapping[Key, Expected], sheet: SheetT
     return told
 
 
-def _wrong(one: Written, due: Mapping[Key, Expected], sheet: SheetTable) -> Iterator[Wrong]:
+def _wrong(one: WrittenSheet, due: Mapping[Key, Expected], sheet: SheetTable) -> Iterator[Wrong]:
     if isinstance(one.seen, SheetRefused):
         yield message("check.unmeasured", refusal=one.seen)
         return
@@ -110,7 +110,7 @@ def cramped(figure: str) -> Message:
     return on("cramped", figure)
 
 
-def scale_wrongs(one: Written, keys: Mapping[str, str], sheet: SheetTable) -> list[Wrong]:
+def scale_wrongs(one: WrittenSheet, keys: Mapping[str, str], sheet: SheetTable) -> list[Wrong]:
     """List the figures of a sheet that have another scale than is stated; `keys` are those of [sheet.scale]."""
     return [] if isinstance(one.seen, SheetRefused) else [*scale_faults([(keys, one.seen.measured)], sheet)]
 

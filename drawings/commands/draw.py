@@ -174,7 +174,7 @@ def _held(
     seen = {path: verify.written(beside[path], leaf) for path, (_, leaf) in sheets.items()}
     wrong: dict[Path, list[Wrong]] = {}
     rows: dict[Key, Expected] = {}
-    groups: dict[tuple[str, str], dict[Path, verify.Written]] = {}
+    groups: dict[tuple[str, str], dict[Path, verify.WrittenSheet]] = {}
     for path, sheet in seen.items():
         groups.setdefault((sheets[path][0], subject(sheet.leaf)), {})[path] = sheet
     for (kind, _), group in groups.items():

@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeAlias
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
 from drawings.reading.alphabet import picked
-from drawings.reading.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
+from drawings.reading.letters import ASKEW, NEAR, STANCES, UNREAD, LetterReading, Stance, Trail, angles, readings
 from drawings.reading.pathdata import PathStep, centred, handles, steps
 from drawings.reading.transform import Affine
 
@@ -27,7 +27,7 @@ _CHAINS = re.compile(rf"(?:M{_NUMBER} {_NUMBER}(?:L{_NUMBER} {_NUMBER})++Z?+)++"
 _ROUND = 1e-5  # Editors write about six digits of a radius: an arc with more between its two is of an ellipse.
 
 
-class Track(NamedTuple):
+class PenTrack(NamedTuple):
     """What a pen goes through without being lifted: from its start by pieces, and whether it is closed."""
 
     start: complex
@@ -39,31 +39,31 @@ class Track(NamedTuple):
         """All its points, handles and middles too."""
         return (self.start, *(point for piece in self.pieces for point in piece))
 
-    def mapped(self, place: Affine) -> Track:
+    def mapped(self, place: Affine) -> PenTrack:
         """Give it on paper: an affine map takes each point where it belongs, but of arcs when it stretches."""
         pieces = tuple(tuple(place(point) for point in piece) for piece in self.pieces)
-        return Track(place(self.start), pieces, self.closed)  # type: ignore[arg-type]
+        return PenTrack(place(self.start), pieces, self.closed)  # type: ignore[arg-type]
 
 
-def tracks(path: str) -> list[Track]:
+def tracks(path: str) -> list[PenTrack]:
     """Read path data; a move that nothing follows leaves no track.
 
     >>> tracks("m1 1h2v2z")
-    [Track(start=(1+1j), pieces=(((3+1j),), ((3+3j),)), closed=True)]
+    [PenTrack(start=(1+1j), pieces=(((3+1j),), ((3+3j),)), closed=True)]
     """
-    found: list[Track] = []
+    found: list[PenTrack] = []
     start, pieces, closed = 0j, list[Piece](), False
     for step in steps(path):
         letter = step.letter.upper()
         if (letter == "M" or closed) and pieces:
-            found.append(Track(start, tuple(pieces), closed))
+            found.append(PenTrack(start, tuple(pieces), closed))
             pieces = []
         if letter == "M" or closed:
             start = step.end if letter == "M" else step.start
         closed = letter == "Z"
         if letter not in "MZ":
             pieces += _pieces(step, pieces)
-    return [*found, Track(start, tuple(pieces), closed)] if pieces else found
+    return [*found, PenTrack(start, tuple(pieces), closed)] if pieces else found
 
 
 def chains(path: str) -> list[tuple[list[complex], bool]] | None:
@@ -155,11 +155,11 @@ class Glyph:
 
     __slots__ = ("known", "trail")
 
-    def __init__(self, trail: Trail, known: Mapping[Stance, Sequence[Reading]]) -> None:
+    def __init__(self, trail: Trail, known: Mapping[Stance, Sequence[LetterReading]]) -> None:
         self.trail, self.known = trail, known
 
 
-class Letters(NamedTuple):
+class PathLetters(NamedTuple):
     """Letters of one pen on paper: the first point of each (mm, y up), the width of the pen, mm, how they are drawn."""
 
     places: tuple[complex, ...]
@@ -179,21 +179,21 @@ class _Set(NamedTuple):
 
 
 _Letter: TypeAlias = tuple[complex, float, Glyph]  # its first point, the width of its pen, how it is drawn
-_Turned: TypeAlias = tuple[complex, float, Sequence[Reading]]  # a letter as if its line of writing went along
+_Turned: TypeAlias = tuple[complex, float, Sequence[LetterReading]]  # a letter as if its line of writing went along
 _Line: TypeAlias = tuple[Stance, list[_Set]]
 _ALONG = attrgetter("along")
 
 
-def written(rows: Sequence[Letters], said: str, ink: LineStyle) -> Text:
+def written(rows: Sequence[PathLetters], said: str, ink: LineStyle) -> Text:
     """Read letters as one text; those that are none are unread in it."""
     first = rows[0].places[0]
-    off = [Letters(tuple([one - first + _FAR for one in places]), unit, drawn) for places, unit, drawn in rows]
+    off = [PathLetters(tuple([one - first + _FAR for one in places]), unit, drawn) for places, unit, drawn in rows]
     at, runs, size, anchor, slanted, rotation, _ = _written(tuple(off), said)
     return Text(first + at, runs, size, anchor, slanted, rotation, ink)
 
 
 @lru_cache(maxsize=4096)  # a sheet writes the same in many places
-def _written(rows: tuple[Letters, ...], said: str) -> Text:
+def _written(rows: tuple[PathLetters, ...], said: str) -> Text:
     """Read letters by how far they are from the first, as a text that begins from there."""
     letters = [(one - _FAR, pen, own) for at, pen, drawn in rows for one, own in zip(at, drawn, strict=True)]
     size = 10 * max(row.unit for row in rows)
@@ -340,7 +340,7 @@ class _Pen(dict[str, Glyph]):
 _pen = lru_cache(maxsize=64)(_Pen)
 
 
-def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
+def plain_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | None:
     """Read path data that is written letter by letter; None, if it is not."""
     parts = _LETTERS.split(path)
     if any(parts[::4]):
@@ -350,10 +350,10 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
         return None
     p, q, t = place
     spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))
-    return Letters(tuple([p * one + q * one.conjugate() + t for one in spots]), style.width, glyphs)
+    return PathLetters(tuple([p * one + q * one.conjugate() + t for one in spots]), style.width, glyphs)
 
 
-def any_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
+def any_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | None:
     """Read path data as an editor may have rewritten it: as many strokes as make a letter are one."""
     left = [track.mapped(place) for track in tracks(path)]
     places, glyphs = list[complex](), list[Glyph]()
@@ -361,7 +361,7 @@ def any_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
         places.append(left[0].start)
         glyphs.append(_longest(left, style.width))
         left = left[len(glyphs[-1].trail.signature) :]
-    return Letters(tuple(places), style.width, tuple(glyphs)) if places else None
+    return PathLetters(tuple(places), style.width, tuple(glyphs)) if places else None
 
 
 def pen_of_letters(style: LineStyle) -> bool:
@@ -369,7 +369,7 @@ def pen_of_letters(style: LineStyle) -> bool:
     return style.cap == "round" and not style.dash and style.fill == "none" and style.colour != "none"
 
 
-def _longest(left: Sequence[Track], unit: float) -> Glyph:
+def _longest(left: Sequence[PenTrack], unit: float) -> Glyph:
     """Find the letter of the most strokes that a row of tracks begins with; an editor rounds it once more."""
     trails = [_trail(left[:count]) for count in range(min(_MOST, len(left)), 0, -1)]
     looked_up = ((trail, readings(trail, unit, 2 * NEAR)) for trail in trails)
@@ -377,7 +377,7 @@ def _longest(left: Sequence[Track], unit: float) -> Glyph:
     return Glyph(trail, found)
 
 
-def _trail(own: Sequence[Track]) -> Trail:
+def _trail(own: Sequence[PenTrack]) -> Trail:
     """Give tracks on paper as one trail from their first point."""
     first = own[0].start if own else 0j
     # A straight piece has one point after its start, an arc two, a cubic three.

@@ -40,7 +40,7 @@ def _turned(rotation: float) -> complex:
 STANCES = tuple(Stance(rotation, slanted) for rotation in (0.0, 90.0, 180.0, 270.0) for slanted in (False, True))
 
 
-class Reading(NamedTuple):
+class LetterReading(NamedTuple):
     """What letter a shape may be, from its first point the corner of its cell along its line, mm, and its width, mm."""
 
     letter: str
@@ -57,7 +57,7 @@ class Trail(NamedTuple):
 
 
 @lru_cache(maxsize=16384)
-def readings(trail: Trail, unit: float, near: float = NEAR) -> Mapping[Stance, Sequence[Reading]]:
+def readings(trail: Trail, unit: float, near: float = NEAR) -> Mapping[Stance, Sequence[LetterReading]]:
     """Give by stances what letters a trail may be that a pen of a width in mm has drawn; nothing if it is none."""
     own = tuple(_of(trail, unit, near, False)) or tuple(_of(trail, unit, near, True))
     return {stance: [one for one in own if one.stance is stance] for stance in dict.fromkeys(one.stance for one in own)}
@@ -82,7 +82,7 @@ def _angle(own: Sequence[complex], trail: Trail, unit: float) -> float | None:
     return cmath.phase(turn) if fits else None
 
 
-def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[Reading]:
+def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[LetterReading]:
     last, off = trail.points[-1] / unit if unit and trail.points else 0j, near / unit if unit else 0.0
     for found, points in _stood(trail.signature, accents):
         if abs(points[-1] - last) <= off and all(
@@ -92,15 +92,15 @@ def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[Readi
 
 
 @cache
-def _stood(signature: Signature, accents: bool) -> tuple[tuple[Reading, tuple[complex, ...]], ...]:
+def _stood(signature: Signature, accents: bool) -> tuple[tuple[LetterReading, tuple[complex, ...]], ...]:
     """Give the letters of a signature in all stances, d: what each is, and its points from the first one."""
     own = accented(signature) if accents else shapes().get(signature, ())
     return tuple(_standing(letter, stance) for stance in STANCES for letter in own)
 
 
-def _standing(letter: LetterShape, stance: Stance) -> tuple[Reading, tuple[complex, ...]]:
+def _standing(letter: LetterShape, stance: Stance) -> tuple[LetterReading, tuple[complex, ...]]:
     points = [_leaning(point, stance) for point in letter.points]
-    found = Reading(letter.letter, stance, -points[0], letter.width)
+    found = LetterReading(letter.letter, stance, -points[0], letter.width)
     return found, tuple(stance.turn * (point - points[0]) for point in points)
 
 

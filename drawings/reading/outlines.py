@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from drawings.paper.limits import REACH, SheetRefused
 from drawings.paper.strokes import PLAIN, Arc, Circle, Curve, Fill, Line, LineStyle, Polyline, Stroke
-from drawings.reading.lettered import Track, chains, tracks
+from drawings.reading.lettered import PenTrack, chains, tracks
 from drawings.reading.marks import at
 from drawings.reading.pathdata import number, numbers, pieces
 from drawings.reading.transform import Affine
@@ -48,7 +48,7 @@ def outlines(tag: str, attributes: Mapping[str, str], place: Affine, style: Line
         yield _chain(own, closed, style)
 
 
-def stroke(track: Track, style: LineStyle) -> Stroke:
+def stroke(track: PenTrack, style: LineStyle) -> Stroke:
     """Give a track on paper as the plainest stroke that it is."""
     for point in track.points:
         _checked(point)
@@ -101,7 +101,7 @@ def _chain(points: tuple[complex, ...], closed: bool, style: LineStyle) -> Strok
     return Polyline(points, closed, style)
 
 
-def _arc(track: Track, style: LineStyle) -> Arc | None:
+def _arc(track: PenTrack, style: LineStyle) -> Arc | None:
     """Give arcs that go on about one centre counter-clockwise as one."""
     only, *others = merged(pieces(_spots(track)))
     if others or not isinstance(only, RoundPiece) or only.sweep <= 0:
@@ -110,7 +110,7 @@ def _arc(track: Track, style: LineStyle) -> Arc | None:
     return Arc(only.centre, only.radius, begin, begin + min(only.sweep, math.tau), style)
 
 
-def _spots(track: Track) -> Iterator[tuple[complex, ...]]:
+def _spots(track: PenTrack) -> Iterator[tuple[complex, ...]]:
     """Give the points of each piece with its start; a straight one is a cubic that is gone through evenly."""
     here = track.start
     for piece in track.pieces:
@@ -121,7 +121,7 @@ def _spots(track: Track) -> Iterator[tuple[complex, ...]]:
         here = piece[-1]
 
 
-def _tracks(tag: str, attributes: Mapping[str, str]) -> list[Track]:
+def _tracks(tag: str, attributes: Mapping[str, str]) -> list[PenTrack]:
     """Give what a shape other than a line or a circle goes through, in its own units."""
     match tag:
         case "path":
@@ -130,7 +130,7 @@ def _tracks(tag: str, attributes: Mapping[str, str]) -> list[Track]:
             flat = numbers(attributes.get("points", ""))
             points = list(map(complex, flat[::2], flat[1::2]))
             rest = tuple((point,) for point in points[1:])
-            return [Track(points[0], rest, tag == "polygon")] if rest else []
+            return [PenTrack(points[0], rest, tag == "polygon")] if rest else []
     return tracks(_rounded(tag, {name: number(attributes.get(name, "0")) for name in _SIZES[tag]}))
 
 

@@ -15,7 +15,7 @@ from drawings.paper.walk import flat
 from drawings.reading import alphabet
 from drawings.reading.covering import veiled
 from drawings.reading.ink import Ink, Unseen, ink, length
-from drawings.reading.lettered import Letters, any_letters, pen_of_letters, plain_letters, written
+from drawings.reading.lettered import PathLetters, any_letters, pen_of_letters, plain_letters, written
 from drawings.reading.marks import KINDS, Frame
 from drawings.reading.measure import Measured, measure
 from drawings.reading.outlines import SHAPES, cornered, outlines, scale_of
@@ -156,7 +156,7 @@ class Opened:
         self.strokes: list[Stroke] = []
         self.data: dict[str, str] = {}
         self.heard: list[str] = []
-        self.letters: list[Letters | Typeset] = []
+        self.letters: list[PathLetters | Typeset] = []
 
 
 class Observer:
@@ -299,7 +299,7 @@ def _text(one: Opened) -> Text | None:
     if not one.letters:
         return None
     typed = [part for part in one.letters if isinstance(part, Typeset)]
-    lined = [part for part in one.letters if isinstance(part, Letters)]
+    lined = [part for part in one.letters if isinstance(part, PathLetters)]
     said = one.attributes.get(_SAID, "")
     if typed:
         return joined(typed, said, _filled(one.ink.style.fill))

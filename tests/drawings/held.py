@@ -7,7 +7,7 @@ from itertools import chain
 
 from drawings.checks import verify
 from drawings.checks.expected import Wrong
-from drawings.checks.verify import Written
+from drawings.checks.verify import WrittenSheet
 from drawings.lettering.lettering import lettered
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
@@ -32,12 +32,12 @@ def wrongs(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[Wrong]:
     return [*chain(*verify.wrongs(written, due, sheet), *scales)]
 
 
-def seen(leaf: Leaf, mode: str = "text") -> Written:
+def seen(leaf: Leaf, mode: str = "text") -> WrittenSheet:
     """See a leaf as it stands in its file."""
     try:
-        return Written(leaf, see(svg(lettered(leaf, mode))))
+        return WrittenSheet(leaf, see(svg(lettered(leaf, mode))))
     except SheetRefused as refused:
-        return Written(leaf, refused)
+        return WrittenSheet(leaf, refused)
 
 
 def measured(leaf: Leaf) -> Measured:

@@ -15,7 +15,7 @@ from drawings.paper.walk import texts as texts_of
 from drawings.pens.svg import svg
 from drawings.reading import alphabet
 from drawings.reading.alphabet import notations, shape, shapes
-from drawings.reading.lettered import Glyph, Letters, Track, any_letters, tracks, written
+from drawings.reading.lettered import Glyph, PathLetters, PenTrack, any_letters, tracks, written
 from drawings.reading.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
 from drawings.reading.sheet import SeenSheet, see
 from drawings.reading.transform import MIRROR
@@ -111,7 +111,7 @@ def test_letters_that_an_editor_has_written_anew_are_read() -> None:
     assert written([letters], "", INK).plain.replace(" ", "") == alphabet.folded("Öйi Ё%…").replace("\u2009", "")
 
 
-def absolute(track: Track) -> str:
+def absolute(track: PenTrack) -> str:
     steps = [f"M{track.start.real:.3f},{track.start.imag:.3f}"]
     for piece in track.pieces:
         numbers = " ".join(f"{point.real:.3f},{point.imag:.3f}" for point in piece)
@@ -124,7 +124,7 @@ def absolute(track: Track) -> str:
 )
 def test_letters_farther_apart_than_paper_reaches_are_no_line_of_writing(spaces: int, plain: str) -> None:
     trail, apart = written_trail("5"), 0.18 * (shape("5").width + 2 * (spaces + 1))
-    letters = Letters((0j, apart + 0j), 0.18, 2 * (Glyph(trail, readings(trail, 0.18)),))
+    letters = PathLetters((0j, apart + 0j), 0.18, 2 * (Glyph(trail, readings(trail, 0.18)),))
     assert written([letters], "", INK).plain == plain
 
 
