@@ -30,6 +30,7 @@ from plans.model.run import Account
 from plans.study import Study
 
 LOOP, EQUATIONS, SKETCH = "loop", "loop-equations", "flywheel_sketch"
+TURNED = ("φ slowest", "φ fastest")
 TANGENTS, SEGMENTS, ANGLES, CUTS = ("ψmin", "ψmax"), ("o1l", "o1k"), ("ψ_{min}", "ψ_{max}"), ("l", "k")
 RESULTS, POSITIONS = "results", "positions"
 DIGITS, FEW, FINE, FINER = 4, 3, 5, 6  # of numbers in notes; of per cents there; in equations; of results
@@ -128,8 +129,11 @@ class _Machine:
         short = not abs(cut) > 1.01 * frame.up  # mm: so short a segment has no dimension
         yield Expected(Kind.VECTOR, LOOP, SEGMENTS[which], 1j * cut, KNOWN * high, may_lack=short)
         spot = complex(touch.varying, touch.surplus)
+        tied = self._tied(wheel, which, frame)
         crowded = which == 1 and len(self.turn.cycle.means) > MARKED
-        yield Expected(Kind.POINT, LOOP, ANGLES[which], spot, self._tied(wheel, which, frame), may_lack=crowded)
+        yield Expected(Kind.POINT, LOOP, ANGLES[which], spot, tied, may_lack=crowded)
+        angle = (TURNED[which], math.degrees(touch.turned), math.inf if tied > TOUCHED * frame.across else KNOWN)
+        yield from phrases(LOOP, [angle], DIGITS, may_lack=touch.turned in self.turn.cycle.turned)
 
     def _tied(self, wheel: Flywheel, which: int, frame: Frame) -> float:
         """Give how far the corners that a tangent touches by rounding are apart, kg*m2."""

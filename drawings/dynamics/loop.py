@@ -22,7 +22,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import pole
-from plans.model.dynamics import TURN, Cycle, Flywheel
+from plans.model.dynamics import TURN, Cycle, Flywheel, Touch
 
 NAME = "loop-equations"
 LINES = 5
@@ -217,6 +217,7 @@ def _plain(name: str) -> str:
 
 APART = 1.6  # sizes of a number from one numbered point to the next
 SAME = 1e-9  # rad: angles that differ by less are one edge
+TURNED = ("φ slowest", "φ fastest")  # what the angle at a point of touch is called, as in the notes
 TOUCH = 1.1  # mm, radius of a point that a tangent touches
 
 
@@ -249,6 +250,13 @@ class ShownLoop:
         return min(float(energy.min()), 0.0, *cuts), max(float(energy.max()), 0.0, *cuts)
 
     @property
+    def rests(self) -> tuple[tuple[str, Touch], ...]:
+        """The points between two edges that tangents touch, by the names of their angles."""
+        touches = self.flywheel.touches if self.flywheel else ()
+        rows = zip(ANGLES, touches, self.touched, strict=False)
+        return tuple((angle, touch) for angle, touch, edges in rows if not edges)
+
+    @property
     def touches(self) -> tuple[int, ...]:
         """The edges that the tangents touch, where they touch one."""
         return tuple(k for edges in self.touched for k in edges)
@@ -270,11 +278,11 @@ def loop_part(loop: ShownLoop, axes: Axes, drafting: Drafting) -> Part:
     hand = drafting.hand
     numbered = _numbered(loop, axes, hand)
     lines = [*axes.lines(loop.across, loop.up, hand, LOOP), *_curve(loop, axes, hand)]
-    lines += _points(loop, numbered, axes, hand)
+    lines += [*_points(loop, numbered, axes, hand), *_rests(loop, axes, hand)]
     ends = (loop.across[1], f"ΔJ, {drafting.word('kg*m2')}"), (loop.up[1], f"ΔT, {drafting.word('J')}")
     energy, inertia = Graph(LOOP, axes, hand).ends(*ends)
     letters = [inertia, energy, Letter(axes.zero, "o_{1}", hand.letter, -3 * math.pi / 4)]
-    letters += _numbers(loop, numbered, axes, hand)
+    letters += [*_turned(loop, axes, drafting), *_numbers(loop, numbered, axes, hand)]
     if loop.flywheel is not None:
         for k in (0, 1):
             tangent = ShownTangent(loop.across, loop.up[1], loop.flywheel, axes, hand, k)
@@ -318,6 +326,21 @@ def _touching(loop: ShownLoop, k: int, mark: Stroke) -> Stroke:
     for touched, angle in zip(loop.touched, ANGLES, strict=False):
         mark = stating(Statement(Kind.POINT, LOOP, angle), mark) if k in touched else mark
     return mark
+
+
+def _rests(loop: ShownLoop, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Mark the points between two edges that tangents touch."""
+    for angle, touch in loop.rests:
+        mark = Circle(axes.on(touch.varying, touch.surplus), TOUCH * hand.symbol, INK)
+        yield stating(Statement(Kind.POINT, LOOP, angle), mark)
+
+
+def _turned(loop: ShownLoop, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
+    """Letter them with the angle turned since position 0."""
+    for angle, touch in loop.rests:
+        slot = drafting.slot(Slot(TURNED[ANGLES.index(angle)], math.degrees(touch.turned)))
+        place, side = axes.on(touch.varying, touch.surplus), UNDER if angle == ANGLES[0] else OVER
+        yield Letter(place, joined("", (slot, "°")), drafting.hand.number, side, 1.4)
 
 
 def _numbers(loop: ShownLoop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Letter]:

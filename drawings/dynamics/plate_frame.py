@@ -19,10 +19,10 @@ from drawings.layout.picture import Spot
 from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.scale import Scale, fitting
 from drawings.paper.formats import Field
-from drawings.paper.strokes import Group, Line, Stroke
+from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import around, trim
-from plans.model.dynamics import TURN
+from plans.model.dynamics import TURN, Touch
 
 POLE = (3.2, 8.2)  # least and greatest pole distance, in sizes of a letter
 COARSER = 4  # scales tried beyond the largest: they differ by ten times
@@ -224,8 +224,9 @@ class PlateFrame:
         if self.plate.graphs:
             yield from self._jumps()
         if self.plate.loop:
-            for k in self.plate.shown.touches:
-                yield from self._transfer(k)
+            wheel = self.plate.account.flywheel
+            for touch in wheel.touches if wheel else ():
+                yield from self._transfer(touch)
 
     def _jumps(self) -> Iterator[Stroke]:
         """Draw the edges at which a load jumps through the graphs of works and energy."""
@@ -234,14 +235,14 @@ class PlateFrame:
             across = float(self.plate.strips.turned[k])
             yield Line(axes.on(across, low), axes.on(across, high), self.plate.hand.axis)
 
-    def _transfer(self, k: int) -> Iterator[Stroke]:
-        """Carry an edge's inertia and energy into the loop."""
-        cycle, style = self.plate.cycle, self.plate.hand.drafted
-        turned, inertia, energy = float(cycle.turned[k]), float(cycle.varying[k]), float(cycle.surplus[k])
-        spot = self.loop_axes.on(inertia, energy)
-        yield Line(self.inertia_axes.on(turned, inertia), spot, style)
+    def _transfer(self, touch: Touch) -> Iterator[Stroke]:
+        """Carry inertia and energy of a point that a tangent touches into the loop, marked on their graphs."""
+        spot, hand = self.loop_axes.on(touch.varying, touch.surplus), self.plate.hand
+        sources = [self.inertia_axes.on(touch.turned, touch.varying)]
         if self.plate.graphs:
-            yield Line(self.axes(SURPLUS).on(turned, energy), spot, style)
+            sources.append(self.axes(SURPLUS).on(touch.turned, touch.surplus))
+        for source in sources:
+            yield from (Line(source, spot, hand.drafted), Circle(source, graphs.DOT * hand.symbol, INK))
 
 
 def working(shown: Plate) -> Working:

@@ -16,9 +16,10 @@ from geometry.board import Board, Mark
 from geometry.calculus import Integral, integral
 from geometry.strips import middles, strips
 from plans.dynamics.reduction import Reducing, Reduction
+from plans.dynamics.touch import touched
 from plans.forces.loading import ROUNDING, OutputStroke, asks, working_of
 from plans.linkage.sweep import NODES, at_angles, changes_of_sign
-from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Touch, Wheel, settled
+from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Wheel, settled
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
 from plans.words.calculus import REASONS
@@ -48,23 +49,17 @@ def methods(cycle: Cycle, task: Task) -> Methods | None:
     if not task.delta:
         return None
     square, delta = task.speed**2, task.delta
-    level, (top, low) = _rest(cycle, square), ((1 + s * delta / 2) ** 2 * square for s in (1, -1))
-    gutyar = _rest(cycle, top).max() - _rest(cycle, low).min()
-    even = (1 + delta) * square, (1 - delta) * square
-    book = _rest(cycle, even[0]).max() - _rest(cycle, even[1]).min()
-    touches = _touch(cycle, int(level.argmin())), _touch(cycle, int(level.argmax()))
-    whole = float(np.ptp(level))
+    gutyar = _range(cycle, *((1 + s * delta / 2) ** 2 * square / 2 for s in (-1, 1)))
+    book = _range(cycle, (1 - delta) * square / 2, (1 + delta) * square / 2)
+    touches = touched(cycle, square / 2, -1), touched(cycle, square / 2, 1)
+    whole = touches[1].above(square / 2) - touches[0].above(square / 2)
     over = square * delta
-    return Methods(float(book) / over, whole / over, float(gutyar) / over, whole, touches)
+    return Methods(book / over, whole / over, gutyar / over, whole, touches)
 
 
-def _rest(cycle: Cycle, square: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
-    """Give the change of energy of what turns evenly, J, the links at a speed whose square is given."""
-    return np.asarray(cycle.surplus - cycle.varying * square / 2)
-
-
-def _touch(cycle: Cycle, k: int) -> Touch:
-    return Touch(float(cycle.turned[k]), float(cycle.varying[k]), float(cycle.surplus[k]))
+def _range(cycle: Cycle, low: float, high: float) -> float:
+    """Give the range of energy of what turns evenly, J, the links at half the squares of two speeds at its ends."""
+    return touched(cycle, high, 1).above(high) - touched(cycle, low, -1).above(low)
 
 
 # Two breaks are one if they are nearer than an extreme is known by its notch or a root: half the digits of an angle.

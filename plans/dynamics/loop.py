@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
+from plans.dynamics.touch import touched
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Task, Touch, edge_names
-from plans.model.motion import Floats
 from plans.model.motor import Motor
 from plans.model.run import ReducedLink, Works, beyond
 from plans.words.words import because
@@ -152,7 +152,6 @@ def _carried(acting: Acting, row: RunRow, step: float, end: float, kept: float) 
 
 
 LOOP = "loop"
-SAME = 1e-12  # of the height of the loop: points whose heights differ by less are on one line
 LEAST, GREATEST = "ψ_min", "ψ_max"
 
 
@@ -163,7 +162,6 @@ class Tangent(NamedTuple):
     touch: Mark
     line: Mark
     cut: Mark  # l of the least speed, k of the greatest
-    place: int  # of the point among the edges of the strips
 
 
 @dataclass(frozen=True)
@@ -198,31 +196,26 @@ def loop(cycle: Cycle, task: Task) -> Loop:
         board.given(name, complex(x, y), because("loop_point"))
         for name, x, y in zip(names, varying.tolist(), surplus.tolist(), strict=True)
     )
-    least = _tangent(board, points, axis, (LEAST, "l"), low, _support(low * varying - surplus))
-    greatest = _tangent(board, points, axis, (GREATEST, "k"), high, _support(surplus - high * varying))
+    touches = touched(cycle, low, -1), touched(cycle, high, 1)
+    least = _tangent(board, _touch(board, points, cycle, touches[0], LEAST), axis, (LEAST, "l"), low)
+    greatest = _tangent(board, _touch(board, points, cycle, touches[1], GREATEST), axis, (GREATEST, "k"), high)
     origin = board.meet("O", least.line, greatest.line, why=because("machine_origin"))
-    both = least, greatest
-    touches = [
-        Touch(float(cycle.turned[tangent.place]), float(varying[tangent.place]), float(surplus[tangent.place]))
-        for tangent in both
-    ]
-    cuts = [complex(tangent.cut.point).imag for tangent in both]
-    found = Flywheel(
-        CONSTRUCTION, (low, high), (touches[0], touches[1]), (cuts[0], cuts[1]), float(cycle.inertia[0]), task.present
-    )
-    return Loop(board, points, axis, both, origin, found)
+    cuts = complex(least.cut.point).imag, complex(greatest.cut.point).imag
+    found = Flywheel(CONSTRUCTION, (low, high), touches, cuts, float(cycle.inertia[0]), task.present)
+    return Loop(board, points, axis, (least, greatest), origin, found)
 
 
-def _support(beyond: Floats) -> int:
-    """Give the point that a ruler touches first; of several on one line, the first of the turn."""
-    return int(np.argmax(beyond >= beyond.max() - SAME * np.ptp(beyond)))
+def _touch(board: Board, points: tuple[Mark, ...], cycle: Cycle, touch: Touch, angle: str) -> Mark:
+    """Give the point that is touched: one of an edge, or one of the curve between two."""
+    edges = np.flatnonzero(cycle.turned == touch.turned)
+    if edges.size:
+        return points[int(edges[0])]
+    return board.given(f"t({angle})", complex(touch.varying, touch.surplus), because("touched_between"))
 
 
-def _tangent(
-    board: Board, points: tuple[Mark, ...], axis: Mark, names: tuple[str, str], slope: float, index: int
-) -> Tangent:
+def _tangent(board: Board, touch: Mark, axis: Mark, names: tuple[str, str], slope: float) -> Tangent:
     angle, letter = names
     direction = board.given(angle, complex(1.0, slope), because("tangent_angle"))
-    line = board.parallel(f"τ({angle})", points[index], direction, because("ruler"))
+    line = board.parallel(f"τ({angle})", touch, direction, because("ruler"))
     cut = board.meet(letter, axis, line, why=because("cut_off"))
-    return Tangent(direction, points[index], line, cut, index)
+    return Tangent(direction, touch, line, cut)

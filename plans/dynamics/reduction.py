@@ -25,7 +25,7 @@ from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import Sweep, at_angles
-from plans.model.dynamics import CONSTRUCTION, Cycle, Reduced, Speeds, settled
+from plans.model.dynamics import CONSTRUCTION, Cycle, Reduced, Speeds, Touch, settled
 from plans.model.mechanism import Mechanism
 from plans.model.motion import VELOCITIES, Floats
 from plans.words.calculus import REASONS
@@ -48,11 +48,14 @@ class SpeedCurve:
         return self.derivative.board
 
 
-def speed_curve(cycle: Cycle, slope: Floats, inertia: float, energy: float) -> SpeedCurve:
+def speed_curve(
+    cycle: Cycle, slope: Floats, inertia: float, energy: float, touches: Iterable[Touch] = ()
+) -> SpeedCurve:
     """Read the speed off the energy-mass diagram, whose rays have the slope omega2/2, and its slope by tangents.
 
     A tangent at either side of each edge has the slope epsilon/omega, with J epsilon = M - omega2 J'/2: `slope`
-    (n + 1,) is J', kg*m2. `inertia` kg*m2 and `energy` J are those of the whole machine at position 0.
+    (n + 1,) is J', kg*m2. `inertia` kg*m2 and `energy` J are those of the whole machine at position 0. It is slowest
+    and fastest at an edge, or where the loop is touched between two.
     """
     omega = omegas(cycle, inertia, energy)
     both = np.stack([omega[:-1], omega[1:]], axis=1)
@@ -61,7 +64,8 @@ def speed_curve(cycle: Cycle, slope: Floats, inertia: float, energy: float) -> S
     places = np.stack([cycle.turned[:-1], cycle.turned[1:]], axis=1)
     x, y, steep = (row.ravel() for row in (places, both, tangents))
     derivative = derivative_by_tangents(Board(SPEEDS), "ω", x, y, steep, why=REASONS)
-    extremes = float(omega.min()), float(omega.max())
+    reached = [*omega.tolist(), *(touch.omega(inertia, energy) for touch in touches)]
+    extremes = min(reached), max(reached)
     growth = settled(both * derivative.values.reshape(-1, 2), extremes[1] ** 2)
     speeds = Speeds(CONSTRUCTION, cycle.turned, omega, growth, extremes, inertia, energy)
     return SpeedCurve(speeds, derivative)

@@ -201,7 +201,7 @@ class DynamicsStudy:
         if wheel.needed <= 0:
             return self.unaided
         self.made.setdefault(SPEEDS)
-        return speed_curve(self.cycle, self.works.edge.slope, wheel.whole, wheel.energy)
+        return speed_curve(self.cycle, self.works.edge.slope, wheel.whole, wheel.energy, wheel.touches)
 
     @cached_property
     def unaided(self) -> SpeedCurve | None:

@@ -198,6 +198,12 @@ class Cycle:
         """The part of the reduced inertia that changes, kg*m2: that above its value at position 0."""
         return settled(self.inertia - self.inertia[0], float(np.abs(self.inertia).max()))
 
+    @property
+    def leaning(self) -> Floats:
+        """The slopes with which its curve is drawn through the edges: of the parabola through each and both beside."""
+        x, y = self.turned, self.varying
+        return np.gradient(np.r_[y[-2], y, y[1]], np.r_[x[-2] - TURN, x, x[1] + TURN])[1:-1]
+
 
 def settled(values: Floats, of: float) -> Floats:
     """Give values of which those are zero that are but the rounding of what they are the difference of."""
@@ -210,6 +216,14 @@ class Touch(NamedTuple):
     turned: float
     varying: float
     surplus: float
+
+    def above(self, slope: float) -> float:
+        """Give what a line of a slope J per kg*m2 through it cuts off the axis of energy, J."""
+        return self.surplus - slope * self.varying
+
+    def omega(self, inertia: float, energy: float) -> float:
+        """Give the speed there, rad/s, of a machine with an inertia kg*m2 and an energy J at position 0 (6.12)."""
+        return float(np.sqrt(2 * (energy + self.surplus) / (inertia + self.varying)))
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,12 @@ import cmath
 import math
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from drawings.dynamics import graphs
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.dynamics.sheet import Machine, results, sheets
@@ -105,3 +107,25 @@ def test_the_difference_of_a_segment_is_told_of_both() -> None:
     lines = results(drawn, exact, None, drafting_of(study().scene)).lines
     found = {line.name: line.cells[-1] for line in lines}
     assert (found["o_1k·μ_T, J"], found["o_1l·μ_T, J"]) == ("0.500", "0.000")
+
+
+PRESS = Path(__file__).parents[1] / "cases/dynamics/press-touched-between-positions.toml"
+
+
+@pytest.mark.parametrize("asked", [25, 5, 60])
+def test_tangents_touch_the_loop_that_is_drawn(asked: int) -> None:
+    """No point of the drawn loop is beyond a tangent, and the speed that follows from it fluctuates as asked."""
+    scene = parse_scene(PRESS.read_text(encoding="utf-8").replace("1/25", f"1/{asked}"))
+    own = Study(scene)["dynamics"].account
+    dense = graphs.dense(own.cycle)
+    energy = own.cycle.driving * dense.turned + dense.work
+    (low, high), (below, above) = own.flywheel.slopes, own.flywheel.cuts
+    over, under = energy - high * dense.varying - above, below - energy + low * dense.varying
+    tall = np.ptp(energy)
+    assert over.max() <= 1e-9 * tall and under.max() <= 1e-9 * tall
+    assert over.max() >= -1e-3 * tall and under.max() >= -1e-3 * tall
+    assert not {touch.turned for touch in own.flywheel.touches} & set(own.cycle.turned)
+    speeds = graphs.omega(own.cycle, dense, own.speeds)
+    mean, delta = 90 * math.pi / 30, 1 / asked
+    assert (speeds.min(), speeds.max()) == pytest.approx((mean * (1 - delta / 2), mean * (1 + delta / 2)), rel=1e-4)
+    assert speeds.max() <= own.speeds.extremes[1] * (1 + 1e-12) and speeds.min() >= own.speeds.extremes[0] * (1 - 1e-12)

@@ -156,9 +156,8 @@ def flywheel(found: Exact, task: Task, slopes: tuple[float, float] | None = None
 
 
 def flywheel_of_points(cycle: Cycle, task: Task, slopes: tuple[float, float] | None = None) -> Flywheel:
-    """Find it from the corners of a drawn loop alone."""
-    points = cycle.turned, cycle.varying, cycle.surplus
-    return _flywheel(lambda slope, sign: _farthest(*points, slope, sign), float(cycle.inertia[0]), task, slopes)
+    """Find it from a drawn loop alone: its corners, and the cubics that join them."""
+    return _flywheel(lambda slope, sign: _touch_drawn(cycle, slope, sign), float(cycle.inertia[0]), task, slopes)
 
 
 def _flywheel(support: Support, linkage: float, task: Task, slopes: tuple[float, float] | None) -> Flywheel:
@@ -173,6 +172,29 @@ def _touch(found: Exact, slope: float, sign: int) -> Touch:
     driving = found.driving
     at = found.turns(lambda turned, side: driving + found.moment(turned, side) - slope * found.slope(turned))
     return _farthest(at, found.varying(at), found.surplus(at), slope, sign)
+
+
+def _touch_drawn(cycle: Cycle, slope: float, sign: int) -> Touch:
+    """Find where the drawn energy less slope times the drawn inertia is greatest, or least: at a corner or a rest."""
+    wide = np.diff(cycle.turned)
+    leaning = np.column_stack((cycle.leaning[:-1], cycle.leaning[1:]))
+    energy = _powers(cycle.surplus, (cycle.driving + cycle.moments) * wide[:, None])
+    inertia = _powers(cycle.varying, leaning * wide[:, None])
+    _, linear, square, cube = energy - slope * inertia
+    with np.errstate(divide="ignore", invalid="ignore"):  # a strip without a rest has no number
+        stem = -(square + np.copysign(np.sqrt(square**2 - 3.0 * linear * cube), square))
+        shares = np.stack((stem / (3.0 * cube), linear / stem))
+    _, k = inside = np.nonzero((shares > 0.0) & (shares < 1.0))
+    s = shares[inside]
+    varying, surplus = (sum(row[k] * s**power for power, row in enumerate(rows)) for rows in (inertia, energy))
+    turned = np.append(cycle.turned, cycle.turned[k] + s * wide[k])
+    return _farthest(turned, np.append(cycle.varying, varying), np.append(cycle.surplus, surplus), slope, sign)
+
+
+def _powers(edges: Floats, slopes: Floats) -> Floats:
+    """Give the powers of the share of a strip that make up the cubic with its ends and slopes, (4, n)."""
+    first, rise, (start, end) = edges[:-1], np.diff(edges), slopes.T
+    return np.stack((first, start, 3.0 * rise - 2.0 * start - end, start + end - 2.0 * rise))
 
 
 def _farthest(turned: Floats, varying: Floats, surplus: Floats, slope: float, sign: int) -> Touch:

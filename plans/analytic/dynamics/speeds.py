@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -114,7 +115,9 @@ def with_flywheel_of_points(cycle: Cycle, slope: Floats, task: Task, wheel: Flyw
     `slope` (n + 1,) kg*m2 is the derivative of the reduced inertia at the edges.
     """
     if wheel.needed > 0.0:
-        return _speeds(cycle, slope, wheel.whole, wheel.energy)
+        found = _speeds(cycle, slope, wheel.whole, wheel.energy)
+        speeds = *found.extremes, *(touch.omega(wheel.whole, wheel.energy) for touch in wheel.touches)
+        return replace(found, extremes=(min(speeds), max(speeds)))
     return without_flywheel_of_points(cycle, slope, task)
 
 
