@@ -34,6 +34,7 @@ TURNED = ("φ slowest", "φ fastest")
 TANGENTS, SEGMENTS, ANGLES, CUTS = ("ψmin", "ψmax"), ("o1l", "o1k"), ("ψ_{min}", "ψ_{max}"), ("l", "k")
 RESULTS, POSITIONS = "results", "positions"
 DIGITS, FEW, FINE, FINER = 4, 3, 5, 6  # of numbers in notes; of per cents there; in equations; of results
+EVEN = 0.5e-4  # of the largest of a column: half of its fifth digit, to which the whole column is told
 MARKED = 72  # strips: of more not all edges bear marks
 LOST = 1e-9  # of the largest work: all that a turn of weights leaves over
 TOUCHED = 1e-5  # of the loop's height: a corner so near a tangent may be the one that it touches
@@ -67,9 +68,10 @@ def _reduction(found: Account) -> Iterator[Expected]:
     yield from _columns(columns, map(str, range(len(reduced.phi))))
 
 
-def _columns(columns: Sequence[Floats], rows: Iterator[str]) -> Iterator[Expected]:
-    """Give the cells of a table of values over the turn; rounding is a share of the largest of a column."""
-    slacks = [KNOWN * float(np.nanmax(np.abs(column), initial=0.0)) for column in columns]
+def _columns(columns: Sequence[Floats], rows: Iterator[str], among: Sequence[Floats] = ()) -> Iterator[Expected]:
+    """Give the cells of a table of values over the turn; rounding is a share of the largest of a column, or `among`."""
+    whole = (np.append(column, others) for column, others in zip(columns, among or columns, strict=True))
+    slacks = [(KNOWN + EVEN) * float(np.nanmax(np.abs(column), initial=0.0)) for column in whole]
     for row, values in zip(rows, np.column_stack(columns).tolist(), strict=True):
         told = (None if math.isnan(value) else (value, slack) for value, slack in zip(values, slacks, strict=True))
         yield from cells(POSITIONS, row, told, digits=FINE, may_lack=True)
@@ -189,9 +191,10 @@ class _Machine:
             after, before = np.append(sides[:, 0], sides[-1, 1]), np.append(np.nan, sides[:, 1])
         values = [graphs[name] for name in (MOMENTS, WORKS, SURPLUS, INERTIA)]
         names = edge_names(cycle.turned, self.turn.task.divisions)
-        yield from _columns([angles, *values, omega, after], iter(names))
-        yield from _columns([angles, *values, omega, after], (f"{name}+0" for name in names))
-        yield from _columns([angles, self.turn.before, none, none, none, none, before], (f"{name}−0" for name in names))
+        behind, ahead = [angles, *values, omega, after], [angles, self.turn.before, none, none, none, none, before]
+        yield from _columns(behind, iter(names))
+        yield from _columns(behind, (f"{name}+0" for name in names))
+        yield from _columns(ahead, (f"{name}−0" for name in names), behind)
 
     def results(self) -> Iterator[Expected]:
         """Give what both roads find and by how much the strips are out; then the inertia by other methods."""

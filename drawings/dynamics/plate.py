@@ -6,7 +6,6 @@ scale, and under the inertia, turned by 90 degrees, in that one's.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -46,14 +45,18 @@ def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve 
 
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
+INERTIA, LOWEST = (
+    0.5,
+    0.62,
+)  # likewise, of the inertia over a loop and of the surplus energy, on the lower of two plates
 WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
 LEFT, MIDDLE, RIGHT = 8.8, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
-GRAPHED, LOOPED = ("reduced moments", "works", "surplus energy"), ("reduced inertia", "loop")  # titles
+GRAPHED = "reduced moments", "works", "surplus energy"  # titles
 TITLE = 4.5  # sizes of a letter from the axis of the loop to its title at least: the axis has a letter itself
-WHOLE, GRAPHS, ENERGY = "machine", "diagrams", "energy-mass"  # names of the plates
-UPPER, LOWER = "moments-works", "energy-speeds"  # of graphs that no paper has room for one under another
+WHOLE, UPPER, LOWER = "machine", "moments-works", "energy-speeds"  # names of the plates: of all, or of two
 OVER_TURN = (quantities.MOMENTS, quantities.WORKS, quantities.SURPLUS, quantities.SPEEDS)
+INTEGRATED, ROUND_LOOP = OVER_TURN[:2], (quantities.SPEEDS, quantities.SURPLUS)  # what two plates show
 
 
 class PlateRow(NamedTuple):
@@ -77,7 +80,7 @@ class SetTable(NamedTuple):
 
 @dataclass(frozen=True)
 class Plate:
-    """A plate to be drafted: graphs, the loop, or both of them in line; what is told under the loop."""
+    """A plate to be drafted: graphs, or graphs and the loop in line with the surplus energy; what is told under it."""
 
     name: str
     task: Task
@@ -116,12 +119,12 @@ class Plate:
     @property
     def rows(self) -> tuple[PlateRow, ...]:
         """The rows from the top."""
-        if not self.graphs:
-            return PlateRow(quantities.INERTIA, MOMENTS + WORKS), PlateRow(quantities.SURPLUS, SURPLUS)
-        heights = dict(zip(OVER_TURN, (MOMENTS, WORKS, SURPLUS if self.loop else WORKS, SPEEDS), strict=True))
-        return tuple(
-            PlateRow(name, heights[name]) for name in self.graphs if name != quantities.SPEEDS or self.account.speeds
-        )
+        heights = dict(zip(OVER_TURN, (MOMENTS, WORKS, SURPLUS, SPEEDS), strict=True))
+        shown = [name for name in self.graphs if name != quantities.SPEEDS or self.account.speeds]
+        if self.graphs != ROUND_LOOP:
+            return tuple(PlateRow(name, heights[name]) for name in shown)
+        over = shown[0] if len(shown) > 1 else quantities.INERTIA
+        return PlateRow(over, INERTIA), PlateRow(quantities.SURPLUS, LOWEST)
 
     @property
     def over(self) -> float:
@@ -136,7 +139,7 @@ class Plate:
     @property
     def below(self) -> float:
         """Paper under the last row, mm: for what is told under the loop, where it does not stand beside a row."""
-        return 0.0 if quantities.SPEEDS in self.graphs and self.account.speeds else self.telling
+        return 0.0 if self.rows[-1].name == quantities.SPEEDS else self.telling
 
     @property
     def telling(self) -> float:
@@ -148,13 +151,13 @@ class Plate:
     def beside(self) -> tuple[float, float, float]:
         """Paper on the left of the graphs, between them and the loop, on its right, mm."""
         size = self.hand.letter
-        middle = (BEYOND + 2 * size if self.graphs else 0.0) + (MIDDLE * size if self.loop else 0.0)
-        return LEFT * size if self.graphs else 0.0, middle, RIGHT * size + BEYOND if self.loop else 0.0
+        middle = BEYOND + (2 + MIDDLE if self.loop else 2) * size
+        return LEFT * size, middle, RIGHT * size + BEYOND if self.loop else 0.0
 
     @property
     def wide(self) -> float:
         """Width without the paper beside, in lengths of the axis of angles."""
-        return (1.0 if self.graphs else 0.0) + (WIDE if self.loop else 0.0)
+        return 1.0 + (WIDE if self.loop else 0.0)
 
     @property
     def high(self) -> float:
@@ -178,23 +181,12 @@ def measure(plate: Plate) -> Picture:
     between = len(plate.rows) * (plate.over + plate.under)
     margins = Margins(sum(plate.beside) / 2, plate.below, between)
     least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
-    middle, heading = complex(wide, high) / 2, _heading(plate)
-    return Picture(plate.name, wide, high, middle, "φ", "rad", margins, heading, least, open=False)
+    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least, open=False)
 
 
 def _longest(plate: Plate) -> float:
     """Give the length of the axis of angles beside whose end the captions of the graphs have room, mm."""
-    return _captions(plate, GRAPHED) - BEYOND - 2 * plate.hand.letter
-
-
-def _heading(plate: Plate) -> float:
-    """Give the width that the captions of a loop that stands alone need, mm; beside graphs they have more."""
-    before = plate.beside[1] + TITLE * plate.hand.letter
-    return 0.0 if plate.graphs else before + _captions(plate, LOOPED)
-
-
-def _captions(plate: Plate, titles: Iterable[str]) -> float:
-    """Give the length of the longest caption, mm."""
     drafting = plate.drafting
     scales = drafting.scale(Scale(0.0025, "J", "kg*m2"), Scale(0.025, "φ", "rad"))
-    return max(wide(drafting.word(title), scales, plate.hand) for title in titles)
+    longest = max(wide(drafting.word(title), scales, plate.hand) for title in GRAPHED)
+    return longest - (plate.beside[1] if plate.loop else BEYOND + 2 * plate.hand.letter)

@@ -12,7 +12,7 @@ from drawings.dynamics import graphs
 from drawings.dynamics.graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, StripGraph, graph_part
 from drawings.dynamics.loop import NAME, TAIL, height, loop_part, write
 from drawings.dynamics.plate import TITLE, WIDE, Plate
-from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption
+from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption, wide
 from drawings.kinds.row_frame import coarser, level, stacked
 from drawings.kinds.working import TANGENTS, Working, told
 from drawings.layout.picture import Spot
@@ -67,7 +67,9 @@ class PlateFrame:
         """The heights of the rows, mm: what one leaves at its scale goes to the loop first, then to the others."""
         rooms = {row.name: row.high * self.length for row in self.plate.rows}
         found = {name: self._filled(name, room) for name, room in rooms.items()}
-        if SPEEDS in found:
+        if (over := self.plate.rows[0].name) in (SPEEDS, INERTIA):  # the inertia stands beside it, over the loop
+            found[over] = rooms[over]
+        if self.plate.rows[-1].name == SPEEDS:
             found[SPEEDS] = max(found[SPEEDS], self._beside)
         for name in FIRST:
             if name in found:
@@ -135,8 +137,7 @@ class PlateFrame:
     def loop_axes(self) -> Axes:
         """The axes of the loop: in line with those of the surplus energy."""
         plate, field, (low, _) = self.plate, self.fields[SURPLUS], self.plate.shown.across
-        start = (field.right if plate.graphs else self.spot.box.left) + plate.beside[1]
-        left = field._replace(left=start - low / self.inertia_scale.mu)
+        left = field._replace(left=field.right + plate.beside[1] - low / self.inertia_scale.mu)
         return level(left, plate.shown.up, self.inertia_scale, self.energy_scale)
 
     @property
@@ -177,7 +178,7 @@ class PlateFrame:
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle with their titles, and the pole by which the works are drawn."""
         plate, drafting = self.plate, self.plate.drafting
-        for name in (row.name for row in plate.rows if plate.graphs):
+        for name in (row.name for row in plate.rows if row.name in TITLES):
             shown, axes = self.graphs[name], self.axes(name)
             part = graph_part(shown, plate.strips, axes, drafting)
             scales = joined(";  ", (drafting.scale(axes.up), self._more(name) or drafting.scale(axes.across)))
@@ -209,9 +210,10 @@ class PlateFrame:
 
     def _headed(self, part: Part, row: str, title: str, *scales: Scale) -> Part:
         """Write the title of what stands beside the graphs, level with that of a row, and its scales."""
-        drafting, left = self.plate.drafting, self.loop_left + TITLE * self.plate.hand.letter
-        field = self._over(row)._replace(left=left, right=self.spot.box.right)
-        head = caption(drafting.word(title), drafting.scale(*scales), field, self.plate.hand)
+        drafting, hand, right = self.plate.drafting, self.plate.hand, self.spot.box.right
+        words = drafting.word(title), drafting.scale(*scales)
+        left = min(self.loop_left + TITLE * hand.letter, right - wide(*words, hand))
+        head = caption(*words, self._over(row)._replace(left=left, right=right), hand)
         return part._replace(lines=(head, *part.lines))
 
     def _over(self, row: str) -> Field:
@@ -221,8 +223,7 @@ class PlateFrame:
 
     def _joining(self) -> Iterator[Stroke]:
         """Draw the strip edges of jumps through the graphs, and the transfer of points into the loop."""
-        if self.plate.graphs:
-            yield from self._jumps()
+        yield from self._jumps()
         if self.plate.loop:
             wheel = self.plate.account.flywheel
             for touch in wheel.touches if wheel else ():
@@ -238,10 +239,8 @@ class PlateFrame:
     def _transfer(self, touch: Touch) -> Iterator[Stroke]:
         """Carry inertia and energy of a point that a tangent touches into the loop, marked on their graphs."""
         spot, hand = self.loop_axes.on(touch.varying, touch.surplus), self.plate.hand
-        sources = [self.inertia_axes.on(touch.turned, touch.varying)]
-        if self.plate.graphs:
-            sources.append(self.axes(SURPLUS).on(touch.turned, touch.surplus))
-        for source in sources:
+        inertia = self.inertia_axes.on(touch.turned, touch.varying)
+        for source in (inertia, self.axes(SURPLUS).on(touch.turned, touch.surplus)):
             yield from (Line(source, spot, hand.drafted), Circle(source, graphs.DOT * hand.symbol, INK))
 
 

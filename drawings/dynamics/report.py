@@ -54,15 +54,15 @@ class DynamicsNotes(NamedTuple):
 
     @property
     def all(self) -> tuple[str, ...]:
-        """What is asked, what the loads take, why the flywheel is so big, what else it could be, what it achieves."""
+        """What a sheet says: what is asked, what the loads take, why the flywheel is so big, of what errors are."""
         return (
             *self.asked(),
             *self.works(),
             *self.stopping(),
             *self.reasons(),
-            *self.other(),
-            *self.achieved(),
+            *self.bare(),
             *self.sizes(),
+            *([self.drafting.word("error base")] if self.account.flywheel is not None else ()),
         )
 
     def asked(self) -> Iterator[str]:
@@ -116,7 +116,6 @@ class DynamicsNotes(NamedTuple):
             key = "why loads" if share > wheel.whole / 2 else "why masses"
             links = self._signed("J_0 of links", wheel.whole - share)
             yield self.drafting.phrase(key, **said, share=self._slot("J_0 of loads", share), links=links)
-        yield from self.missing()
 
     def missing(self) -> Iterator[str]:
         """Say what of J0 is there, and what the flywheel must add."""
@@ -145,12 +144,15 @@ class DynamicsNotes(NamedTuple):
 
     def achieved(self) -> Iterator[str]:
         """Say how evenly the machine runs with the flywheel, and how it would run without."""
-        speeds, before, wheel = self.account.speeds, self.account.before, self.account.flywheel
-        if speeds is None:
-            return
-        low, high = map(self._slot, ("ω_min", "ω_max"), speeds.extremes)
-        yield self.drafting.phrase("achieved motion", delta=self._slot("δ", speeds.delta), low=low, high=high)
-        if wheel is not None and wheel.needed > 0:
+        if (speeds := self.account.speeds) is not None:
+            low, high = map(self._slot, ("ω_min", "ω_max"), speeds.extremes)
+            yield self.drafting.phrase("achieved motion", delta=self._slot("δ", speeds.delta), low=low, high=high)
+        yield from self.bare()
+
+    def bare(self) -> Iterator[str]:
+        """Say how the machine would run without the flywheel."""
+        before, wheel = self.account.before, self.account.flywheel
+        if self.account.speeds is not None and wheel is not None and wheel.needed > 0:
             stops = before is None or not all(map(math.isfinite, before.extremes))
             if stops or before is None:
                 yield self.drafting.phrase("without flywheel", own=self.drafting.word("would stop"))
@@ -286,7 +288,9 @@ def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     if wheel is None:
         return
     exact = study.of(DynamicsComparison).exact.flywheel
-    yield from listed(chapter(language, "flywheel"), [*notes.reasons(), *notes.other(), *notes.sizes()])
+    yield from listed(
+        chapter(language, "flywheel"), [*notes.reasons(), *notes.missing(), *notes.other(), *notes.sizes()]
+    )
     yield ""
     yield from tables.tangents(wheel, exact, drafting)
     yield ""

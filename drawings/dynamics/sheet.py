@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -30,7 +31,7 @@ from drawings.page.page import Page, page_of
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import SheetKind
-from drawings.sheets.leaves import lay_out
+from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
@@ -74,7 +75,9 @@ def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
     """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
     rows = zip(
-        np.degrees(reduced.phi), *map(without_rounding, (reduced.moment, reduced.inertia, reduced.slope)), strict=True
+        np.degrees(reduced.phi),
+        *(_even(without_rounding(row)) for row in (reduced.moment, reduced.inertia, reduced.slope)),
+        strict=True,
     )
     lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
@@ -97,7 +100,15 @@ def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
     angles = np.degrees(cycle.turned)
     rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
     sides = [angles, -before, nothing, nothing, nothing, nothing, last]
-    return _Columns(*(np.array([without_rounding(row) for row in table]) for table in (rows, sides)))
+    both = np.concatenate([rows, sides], axis=1)
+    told = np.array([_even(without_rounding(row)) for row in both])
+    return _Columns(*np.split(told, 2, axis=1))
+
+
+def _even(row: Floats) -> Floats:
+    """Round a column to the digits of its largest value: no cell is told finer than another, nor is wider."""
+    largest = float(np.nanmax(np.abs(row), initial=0.0))
+    return np.round(row, DIGITS - 1 - math.floor(math.log10(largest))) if largest else row
 
 
 def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
@@ -178,18 +189,10 @@ def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
 
 
 class PlateChoice(NamedTuple):
-    """A way to show it: graphs and loop in line or not, how many positions the table tells at most, how many plates."""
+    """A way to show it: graphs and loop on one plate or on two, how many positions the table tells at most."""
 
     whole: bool
     most: int
-    apart: bool = False  # whether the graphs stand on two plates
-
-    @property
-    def plates(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """The plates of the graphs, each with what it shows."""
-        if self.apart:
-            return (plate.UPPER, plate.OVER_TURN[:2]), (plate.LOWER, plate.OVER_TURN[2:])
-        return ((plate.GRAPHS, plate.OVER_TURN),)
 
 
 @dataclass(frozen=True)
@@ -216,12 +219,19 @@ class _DynamicsSheet:
     def _ways(self) -> tuple[PlateChoice, ...]:
         """List the ways: in line wherever the paper takes that."""
         whole = self.machine.drawn.cycle is not None and self._least is not None
-        ways = tuple(PlateChoice(whole, most) for most in TOLD)
-        return ways if whole else (*ways, PlateChoice(False, TOLD[-1], True))
+        return tuple(PlateChoice(whole, most) for most in TOLD)
 
     def _drafted(self, way: PlateChoice) -> Draft:
         title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
-        return Draft("dynamics", title, shows, (), self.machine.notes, partial(figures_facts, positions=way.most))
+        return Draft(
+            "dynamics",
+            title,
+            shows,
+            (),
+            self.machine.notes,
+            partial(figures_facts, positions=way.most),
+            narrow=EQUATION,
+        )
 
     def _shows(self, way: PlateChoice) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""
@@ -244,9 +254,9 @@ class _DynamicsSheet:
             return
         if way.whole:
             yield self._whole
-            return
-        yield from (self._plate(name, graphs) for name, graphs in way.plates)
-        yield self._plate(plate.ENERGY, (), loop=True)
+        else:
+            yield self._plate(plate.UPPER, plate.INTEGRATED)
+            yield self._plate(plate.LOWER, plate.ROUND_LOOP, loop=True)
 
     @cached_property
     def _whole(self) -> Plate:
@@ -257,14 +267,15 @@ class _DynamicsSheet:
 
     @cached_property
     def _least(self) -> float | None:
-        """The size mm of graphs and loop in line as large as they stand beside the title block; None: not legible."""
+        """The size mm of graphs and loop in line as large as they stand clear of the title block; None: not legible."""
         return self._largest(self._whole)
 
     def _largest(self, shown: Plate) -> float | None:
-        room, picture = room_of(self.page), plate.measure(shown)
-        width = room.width - self.page.block.width - GAP
-        extents = [rung.extent for rung in picture.ladder(width, room.height, self.page.standard).rungs]
-        return extents[0] if extents and extents[0] >= picture.least else None
+        room, picture, block = room_of(self.page), plate.measure(shown), self.page.block
+        beside, above = (room.width - block.width - GAP, room.height), (room.width, room.height - block.height - GAP)
+        ladders = [picture.ladder(*free, self.page.standard).rungs for free in (beside, above)]
+        largest = max((rungs[0].extent for rungs in ladders if rungs), default=0.0)
+        return largest if largest >= picture.least else None
 
     def _loads(self) -> Iterator[Exhibit]:
         """Show each load that changes over a stroke."""

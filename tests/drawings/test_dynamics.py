@@ -11,10 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.checks.readers import frames
 from drawings.dynamics import graphs
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
-from drawings.dynamics.sheet import Machine, results, sheets
+from drawings.dynamics.sheet import Machine, leaves, results, sheets
 from drawings.grading.curves.run_figures import Bare
 from drawings.page.scale import drafting_of
 from drawings.paper.hand import hand_of
@@ -129,3 +130,15 @@ def test_tangents_touch_the_loop_that_is_drawn(asked: int) -> None:
     mean, delta = 90 * math.pi / 30, 1 / asked
     assert (speeds.min(), speeds.max()) == pytest.approx((mean * (1 - delta / 2), mean * (1 + delta / 2)), rel=1e-4)
     assert speeds.max() <= own.speeds.extremes[1] * (1 + 1e-12) and speeds.min() >= own.speeds.extremes[0] * (1 - 1e-12)
+
+
+@pytest.mark.parametrize("paper", ["A1", "A2", "A3"])
+def test_the_loop_stands_in_projection_on_every_format(paper: str) -> None:
+    """The loop is level with the surplus energy, and right under the inertia; no set has more sheets than it needs."""
+    study = Study(parse_scene(PRESS.read_text(encoding="utf-8").replace('"A1"', f'"{paper}"')))
+    drawn = leaves(study)
+    assert len(drawn) == {"A1": 1, "A2": 2, "A3": 3}[paper]
+    (own,) = [found for leaf in drawn if "loop" in (found := {place[0]: row for place, row in frames(leaf).items()})]
+    assert own["loop"].zero.imag == pytest.approx(own["surplus"].zero.imag, abs=1e-6)
+    assert own["loop"].zero.real == pytest.approx(own["inertia"].zero.real, abs=1e-6)
+    assert own["loop"].zero.real > own["surplus"].zero.real and own["loop"].zero.imag < own["inertia"].zero.imag
