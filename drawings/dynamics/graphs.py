@@ -14,7 +14,8 @@ from drawings.kinds.smooth import cubics, inner_slopes
 from drawings.lettering.extent import every, spaced
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Stroke
+from drawings.paper.strokes import Line, Stroke
+from drawings.symbols.dashes import fit_dashes
 from geometry.strips import middles
 from plans.model.dynamics import TURN, Cycle, Speeds, edge_names
 from plans.model.motion import Floats
@@ -184,14 +185,17 @@ def graph_part(shown: StripGraph, strips: Strips, axes: Axes, drafting: Drafting
     numbered = strips.spaced(abs(axes.on(TURN) - axes.on(0.0)), APART * hand.number)
     sides = [*zip(values, (shown.before - shown.base).tolist(), strict=True)]
     turned, names = strips.turned.tolist(), strips.names
+    ordinates = {
+        k for k in numbered if k not in strips.jumps or sides[k][0] == sides[k][1]
+    }  # a jump stands for its own
     lines = (
         *axes.lines((0.0, TURN), shown.span, hand, shown.name),
         *(
             stroke
             for k in strips.marked(numbered)
-            for stroke in graph.station(turned[k], sides[k], names[k], k, k in numbered, DOT)
+            for stroke in graph.station(turned[k], sides[k], names[k], k, k in ordinates, DOT)
         ),
-        *(_curve(trace, shown, graph) for trace in shown.traces),
+        *(stroke for trace in shown.traces for stroke in _curve(trace, shown, graph)),
     )
     up = f"{drafting.letter(shown.axis or shown.letter)}, {drafting.word(shown.unit)}"
     ends = graph.ends((TURN, "φ"), (shown.span[1], up))
@@ -199,9 +203,14 @@ def graph_part(shown: StripGraph, strips: Strips, axes: Axes, drafting: Drafting
     return Part(shown.name, lines, (*ends, *_letters(shown, axes, drafting), *numbers))
 
 
-def _curve(trace: Trace, shown: StripGraph, graph: Graph) -> Stroke:
-    lines = graph.curve(trace.x, trace.y - shown.base, getattr(graph.hand, trace.style))
-    return graph.stated(trace.letter or shown.letter, lines)
+def _curve(trace: Trace, shown: StripGraph, graph: Graph) -> Iterator[Stroke]:
+    """Draw a curve, dashed where it jumps so far that it is seen."""
+    x, y = trace.x, trace.y - shown.base
+    jumps = np.flatnonzero((np.diff(x) == 0) & (np.abs(np.diff(y)) > SEEN * np.abs(y).max()))
+    apart, broken = (np.insert(row, jumps + 1, np.nan) for row in (x, y))
+    yield graph.stated(trace.letter or shown.letter, graph.curve(apart, broken, getattr(graph.hand, trace.style)))
+    axes = graph.axes
+    yield from fit_dashes(Line(axes.on(x[k], y[k]), axes.on(x[k], y[k + 1]), graph.hand.path) for k in jumps.tolist())
 
 
 def _letters(shown: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Letter]:

@@ -182,7 +182,10 @@ class PlateFrame:
             shown, axes = self.graphs[name], self.axes(name)
             part = graph_part(shown, plate.strips, axes, drafting)
             scales = joined(";  ", (drafting.scale(axes.up), self._more(name) or drafting.scale(axes.across)))
-            head = caption(drafting.word(TITLES[name]), scales, self._over(name), plate.hand)
+            over = self._over(name)
+            if name != SURPLUS:  # its caption is level with that of the loop
+                over = over._replace(top=axes.on(0.0, shown.span[1]).imag + plate.over)
+            head = caption(drafting.word(TITLES[name]), scales, over, plate.hand)
             yield part._replace(lines=(telling(name, head), *part.lines))
             if name == MOMENTS:
                 yield graphs.pole_part(plate.cycle, axes, self.integration[2], plate.hand)

@@ -6,6 +6,7 @@ import cmath
 import math
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,8 @@ from drawings.dynamics.sheet import Machine, leaves, results, sheets
 from drawings.grading.curves.run_figures import Bare
 from drawings.page.scale import drafting_of
 from drawings.paper.hand import hand_of
-from drawings.paper.walk import groups, texts
+from drawings.paper.strokes import Line, Polyline
+from drawings.paper.walk import groups, texts, walk
 from drawings.symbols.dashes import hatching
 from plans.model.dynamics import ANALYSIS, Rim, Speeds, Wheel
 from plans.model.motion import Floats
@@ -142,3 +144,18 @@ def test_the_loop_stands_in_projection_on_every_format(paper: str) -> None:
     assert own["loop"].zero.imag == pytest.approx(own["surplus"].zero.imag, abs=1e-6)
     assert own["loop"].zero.real == pytest.approx(own["inertia"].zero.real, abs=1e-6)
     assert own["loop"].zero.real > own["surplus"].zero.real and own["loop"].zero.imag < own["inertia"].zero.imag
+
+
+def test_a_jump_is_dashed_and_no_part_of_the_curve() -> None:
+    """The curve of a moment that jumps ends on either side; between is a dashed line, with no ordinate over it."""
+    cycle, scene = study()["dynamics"].cycle, study()
+    jumps = {cycle.turned[k] for k in graphs.strips(cycle, 24).jumps}
+    assert len(jumps) == 2
+    (own,) = [found for leaf in leaves(scene) for found in groups(leaf.groups) if found.name == "moments"]
+    lines = [line for line in walk(own.strokes) if isinstance(line, Line) and line.start.real == line.end.real]
+    dashed = [line.start.real for line in lines if line.style.dash]
+    assert len(dashed) == len(jumps)
+    # The solid lines there are the ticks of the axis.
+    assert max(abs(line.end - line.start) for line in lines if line.start.real in dashed and not line.style.dash) < 3.0
+    for curve in (line for line in walk(own.strokes) if isinstance(line, Polyline)):
+        assert all(abs(other - one) < 0.1 for one, other in pairwise(curve.points) if one.real == other.real)
