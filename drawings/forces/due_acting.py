@@ -229,7 +229,10 @@ DOUBT = 4.0  # times more or less: rounding of a table decides whether it is one
 
 
 class Branch(NamedTuple):
-    """A load on the way there or back: its bounds and corners by shares of the stroke, rising, and what it is there."""
+    """A load on the way there or back: its bounds and corners by shares of the stroke, rising, and what it is there.
+
+    What is told of a pressure on a piston is that pressure, MPa.
+    """
 
     back: bool
     shares: Floats
@@ -254,7 +257,9 @@ def branches(load: Force | Moment) -> Iterator[Branch]:
             back = IDLE in during
             sizes = (law.back or law.sizes if back else law.sizes) if law else ()
             found = np.interp(shares, law.travel, sizes) if law else np.ones(len(shares))
-            yield Branch(back, shares, sense * load.size * found)
+            told = sense * load.size * found
+            card = load.card if isinstance(load, Force) else None
+            yield Branch(back, shares, told if card is None else (told + card.behind) / (1e6 * card.area))
 
 
 def diagrams(loads: Iterable[Force | Moment], strokes: Mapping[Track, OutputStroke]) -> Iterator[Expected]:

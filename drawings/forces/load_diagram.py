@@ -40,7 +40,7 @@ class LoadCourse(NamedTuple):
     """A load over its stroke: how long that is, m or degrees, and the load on the working and on the idle stroke.
 
     A load against the motion is positive on the working stroke and negative on the idle one, any other one positive
-    in its own direction. A stroke on which it rests has no branch.
+    in its own direction. A stroke on which it rests has no branch. Of an indicator card the load is the pressure, MPa.
     """
 
     name: str
@@ -53,6 +53,7 @@ class LoadCourse(NamedTuple):
     places: tuple[complex, ...] = ()  # way + load * i in each position of a scene, NaN at gaps; those of `back` below
     returning: tuple[int, ...] = ()  # the positions of the idle stroke
     shown: tuple[int, ...] = ()  # those that always bear their numbers
+    card: bool = False
 
     @property
     def span(self) -> tuple[float, float]:
@@ -95,7 +96,8 @@ def _placed(
     stroke = strokes[load.stroke]
     back = ~working_of(load, stroke, motion)
     sense = np.where(back & _opposing(load), -1.0, 1.0)
-    places = bare.length * stroke.share(motion) + 1j * (sense * size_of(load, motion, strokes) + 0.0)
+    sizes = np.array([_told(load, size) for size in (sense * size_of(load, motion, strokes) + 0.0).tolist()])
+    places = bare.length * stroke.share(motion) + 1j * sizes
     return bare._replace(places=tuple(places.tolist()), returning=tuple(np.flatnonzero(back).tolist()))
 
 
@@ -105,7 +107,14 @@ def course_of(load: Force | Moment, stroke: OutputStroke) -> LoadCourse:
     length = abs(high - low) if stroke.sliding else math.degrees(abs(high - low))
     out = tuple(_corners(load, length, False)) if load.during in (ALWAYS, WORKING, FORWARD) else ()
     back = tuple(reversed([*_corners(load, length, True)])) if load.during in (ALWAYS, IDLE, BACKWARD) else ()
-    return LoadCourse(load.name, not stroke.sliding, isinstance(load, Moment), length, load.overrun, out, back)
+    kinds = isinstance(load, Moment), length, load.overrun, out, back
+    return LoadCourse(load.name, not stroke.sliding, *kinds, card=isinstance(load, Force) and load.card is not None)
+
+
+def _told(load: Force | Moment, size: float) -> float:
+    """Give a load as its diagram tells it: one by a pressure on a piston as that pressure, MPa."""
+    card = load.card if isinstance(load, Force) else None
+    return size if card is None else card.pressure(size)
 
 
 def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[complex]:
@@ -116,7 +125,7 @@ def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[comple
         yield from (0j, complex(length * begin))
     travel = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
     for share in sorted({begin, end, *(place for place in travel if begin < place < end)}):
-        yield complex(length * share, sense * _size(load, share, idle) + 0.0)
+        yield complex(length * share, _told(load, sense * _size(load, share, idle) + 0.0))
     if end < 1:
         yield from (complex(length * end), complex(length))
 
@@ -131,7 +140,7 @@ def _opposing(load: Force | Moment) -> bool:
 def _size(load: Force | Moment, share: float, idle: bool) -> float:
     if isinstance(load, Moment) or load.diagram is None:
         return load.size
-    travel, there, back, _ = load.diagram
+    travel, there, back, *_ = load.diagram
     return load.size * float(np.interp(share, travel, back or there if idle else there))
 
 
@@ -144,6 +153,7 @@ APART = 2.6  # sizes of a number from one numbered corner to the next
 SPARE = 0.5  # sizes of a number that stay free between those of two positions
 ABOVE = 1.2  # mm from a dimension line to its letters
 DIGITS = 4
+CARD = "p", "MPa"  # letter and unit of the ordinates of an indicator card
 SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "ψ")  # letters of the way and of the whole stroke, unit of the way
 
 
@@ -180,7 +190,7 @@ def measure(course: LoadCourse, drafting: Drafting) -> Picture:
 def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the diagram in its spot: axes, both branches with their arrows, corners, the stroke and its overruns."""
     hand, span = drafting.hand, course.span
-    axes = standing(room, spot, span, ("M", "N*m") if course.couple else ("F", "N"), drafting)
+    axes = standing(room, spot, span, CARD if course.card else ("M", "N*m") if course.couple else ("F", "N"), drafting)
     graph = Graph(room.name, axes, hand)
     sizes, shown = tuple(_sizes(course, axes, drafting)), marks(course, axes, hand)
     numbers, dots = _positions(course, axes, hand)
@@ -220,7 +230,8 @@ def _way(course: LoadCourse) -> tuple[str, str, str]:
 
 
 def _title(course: LoadCourse, drafting: Drafting) -> str:
-    return drafting.word("load diagram of", name=lettered(drafting.language, _marked_up(course.name)))
+    key = "indicator card of" if course.card else "load diagram of"
+    return drafting.word(key, name=lettered(drafting.language, _marked_up(course.name)))
 
 
 def _marked_up(name: str) -> str:

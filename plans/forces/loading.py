@@ -246,7 +246,7 @@ def size_of(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Output
     share, working = stroke.share(motion), working_of(load, stroke, motion)
     size = np.full(share.shape, load.size)
     if isinstance(load, Force) and load.diagram is not None:
-        travel, there, back, _ = load.diagram
+        travel, there, back, *_ = load.diagram
         size *= np.where(working, np.interp(share, travel, there), np.interp(share, travel, back or there))
     acts = (share >= load.overrun[0]) & (share <= 1 - load.overrun[1])
     if load.during != ALWAYS:

@@ -8,7 +8,7 @@ from drawings.forces import load_diagram
 from drawings.forces.load_diagram import course_of, courses
 from drawings.paper.walk import texts
 from plans.forces.loading import OutputStroke
-from plans.model.machine import ALWAYS, IDLE, OUTPUT, WORKING, Diagram, Force, Machine, Moment, Transmission
+from plans.model.machine import ALWAYS, IDLE, OUTPUT, WORKING, Diagram, Force, Machine, Moment, Piston, Transmission
 from plans.model.mechanism import Way
 from tests.drawings.exhibits import exhibited
 
@@ -50,3 +50,23 @@ def test_loads_that_never_change_have_no_diagram() -> None:
     steady = Force("F_0", 3, "B", 0j, 10.0, 1j)
     machine = Machine({}, 0j, (steady, GAS, PLANER), (Moment("M_0", 1, 1.0), SAW), (), Transmission(), {})
     assert [one.name for one in courses(machine, {OUTPUT: SLIDES})] == ["F_g", "F_us", "M_us"]
+
+
+PISTON = Piston(0.005, 500.0)  # 50 cm2, the air's 1 bar behind it
+CARD = GAS._replace(diagram=Diagram((0, 0.2, 1), (2500, 1500, 0), (2500, 300, 0), 0.0, PISTON))
+
+
+def test_a_pressure_is_told_as_an_indicator_card() -> None:
+    """MPa over the stroke, the air's pressure where the force is none; its area times the piston's is the work."""
+    found = course_of(CARD, SLIDES)
+    assert found.out == pytest.approx((0.6j, 0.04 + 0.4j, 0.2 + 0.1j))
+    loop = (*found.out, *found.back)
+    area = sum((b.imag + a.imag) / 2 * (b.real - a.real) for a, b in zip(loop, loop[1:], strict=False))
+    assert area * 1e6 * PISTON.area == pytest.approx((1500 - 300) / 2 * 0.2)
+    written = {text.plain for text in texts(exhibited([(load_diagram, found)]).groups)}
+    assert "p, MPa" in written and any("Indicator card" in one for one in written)
+
+
+def test_what_rests_at_the_ends_or_turns_over_is_a_load() -> None:
+    for other in (CARD._replace(overrun=(0.1, 0.0)), CARD._replace(direction=None)):
+        assert not course_of(other, SLIDES).card and max(one.imag for one in course_of(other, SLIDES).out) > 1000

@@ -24,7 +24,20 @@ from plans.forces.reading.form import (
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.guides import direction
 from plans.model.dyad import decompose, pairs
-from plans.model.machine import GEAR, Body, Diagram, End, Force, Machine, Moment, Rubbing, Spring, Track, Transmission
+from plans.model.machine import (
+    GEAR,
+    Body,
+    Diagram,
+    End,
+    Force,
+    Machine,
+    Moment,
+    Piston,
+    Rubbing,
+    Spring,
+    Track,
+    Transmission,
+)
 from plans.model.mechanism import FRAME, Mechanism, Parting
 from plans.scene.faults import Path, SceneError
 from plans.scene.scene import Scene
@@ -107,7 +120,8 @@ def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
 def _diagram(force: ForceTable, table: DiagramTable) -> Diagram:
     """Give a diagram of forces, those of pressures on the piston."""
     there, back = (tuple(map(force.forced, sizes)) for sizes in (table.there, table.back))
-    return Diagram(tuple(map(float, table.shares)), there, back, float(table.length or 0))
+    piston = Piston(float(force.area), -force.forced(Decimal(0))) if force.pressed else None
+    return Diagram(tuple(map(float, table.shares)), there, back, float(table.length or 0), piston)
 
 
 def _where(force: ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:
