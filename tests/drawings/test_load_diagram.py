@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from drawings.forces import load_diagram
@@ -61,7 +63,7 @@ def test_a_pressure_is_told_as_an_indicator_card() -> None:
     found = course_of(CARD, SLIDES)
     assert found.out == pytest.approx((0.6j, 0.04 + 0.4j, 0.2 + 0.1j))
     loop = (*found.out, *found.back)
-    area = sum((b.imag + a.imag) / 2 * (b.real - a.real) for a, b in zip(loop, loop[1:], strict=False))
+    area = sum((b.imag + a.imag) / 2 * (b.real - a.real) for a, b in pairwise(loop))
     assert area * 1e6 * PISTON.area == pytest.approx((1500 - 300) / 2 * 0.2)
     written = {text.plain for text in texts(exhibited([(load_diagram, found)]).groups)}
     assert "p, MPa" in written and any("Indicator card" in one for one in written)
