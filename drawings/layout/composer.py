@@ -209,7 +209,7 @@ class _Composer:
         return self.sheets[key]
 
     def _ends(self, last: bool) -> bool:
-        """Tell whether no sheet follows the last one of these."""
+        """Tell whether no sheet follows one that ends these: a sheet of its own alone is no last one."""
         return last and not self.asked.followed
 
     def _growth(self, trees: Sequence[Tree]) -> Growth:
@@ -219,7 +219,7 @@ class _Composer:
         grown = self._growth(trees).grown(state)
         rungs, steps = rungs_of(self.asked.steps, grown), self.asked.steps
         last = len(trees) - 1
-        sheets = tuple(self._stood(tree, rungs, self._ends(k == last)) for k, tree in enumerate(trees))
+        sheets = tuple(self._stood(tree, rungs, self._ends(0 < k == last)) for k, tree in enumerate(trees))
         size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
         return _Set(sheets, tied(math.log(size) - late))

@@ -78,6 +78,24 @@ class Stood:
             return self.boxes
         return Arrangement(self.page, room_of(self.page), most, self._inked, self._sizes).arranged(self.boxes)
 
+    @cached_property
+    def stands(self) -> Mapping[int, Field]:
+        """The boxes at last: lettering is set wider where paper beside it is free, and the sheet is no barer for it."""
+        boxes = dict(self.arranged)
+        most = max(bareness(self.ink(boxes), self.page.field), self.most)
+        for k in (k for k in boxes if isinstance(self.stock.shown[k], TextBlock | Notes)):
+            taken = [*(own for n, own in boxes.items() if n != k), *self.page.taken]
+            free = (own for own in self._wider(k, boxes[k]) if _free(own, taken, room_of(self.page)))
+            fair = (own for own in free if bareness(self.ink({**boxes, k: own}), self.page.field) <= most)
+            boxes[k] = next(fair, boxes[k])
+        return boxes
+
+    def _wider(self, k: int, box: Field) -> Iterator[Field]:
+        """Give the wider boxes that lettering may have under the top of its own, the widest first."""
+        for wide, high in (size for size in self._sizes(k)[::-1] if size[0] > box.width + SAME):
+            low = box._replace(bottom=box.top - high)
+            yield from (low._replace(right=box.left + wide), low._replace(left=box.right - wide))
+
     def _sizes(self, k: int) -> Sequence[Size]:
         """Give the sizes that lettering may be broken to where it stands, and tables set."""
         return () if isinstance(self.stock.shown[k], Picture) else self.stock.sizes(k, self.rungs)
@@ -127,7 +145,7 @@ class Stood:
 
     def composition(self) -> Composition:
         """Give where everything stands, in the order of the contents."""
-        boxes = sorted(self.arranged.items())
+        boxes = sorted(self.stands.items())
         shown = [(self.stock.shown[k], box) for k, box in boxes]
         tables = []
         for one, box in shown:
@@ -140,6 +158,14 @@ class Stood:
             tuple(tables),
             next((box for one, box in shown if isinstance(one, Notes)), None),
         )
+
+
+def _free(box: Field, others: Sequence[Field], room: Field) -> bool:
+    """Tell whether a box is in a room and as far from all others as things on a sheet are."""
+    if box.left < room.left - SAME or box.right > room.right + SAME or box.bottom < room.bottom - SAME:
+        return False
+    left, bottom, right, top = box.inset(SAME - GAP)
+    return not any(one.left < right and left < one.right and one.bottom < top and bottom < one.top for one in others)
 
 
 def _written(notes: Notes, box: Field) -> Iterator[Field]:
@@ -156,7 +182,7 @@ def size_of(extents: list[float]) -> float:
     return len(sizes) / sum(1 / one for one in sizes) if sizes else 1.0
 
 
-BARE, LAST = 0.13, 0.26  # shares of a sheet that may stay bare, of the last one of a set more
+BARE, LAST = 0.13, 0.22  # shares of a sheet that may stay bare, of the last one of a set more
 APART = 2.0  # mm between workings in a column: they read on
 
 

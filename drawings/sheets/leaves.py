@@ -274,7 +274,7 @@ class _Leaves:
     def _stood(self, composed: Composition, number: int, count: int) -> _Inked:
         """Draw the lines of a sheet in that of its ways to stand which leaves the least bare, where much would be."""
         own = self._inked(composed, number, count)
-        if own.bare <= most_bare(self.page, number == count):
+        if own.bare <= most_bare(self.page, 1 < number == count):
             return own
         others = (self._inked(self._told(other), number, count) for other in composed.others())
         return min((own, *others), key=lambda one: one.bare)
@@ -285,7 +285,7 @@ class _Leaves:
         ink = Ink(*self.page.size)
         ink.bar(self.page.field.inset(KEPT))
         ink.draw([*still, *(stroke for figure in figures for stroke in figure.lines)])
-        still += fill(ink, self.page, number == count, list(self._loose(composed)))
+        still += fill(ink, self.page, 1 < number == count, list(self._loose(composed)))
         bare = ink.bare(self.page.field)
         return _Inked(still, figures, ink, bare.width * bare.height)
 
