@@ -25,7 +25,7 @@ LARGEST, LAST, SMALLEST = 0.15, 0.25, 0.30  # shares that an empty rectangle may
 # spring its diagrams and its main sizes (0.174, 0.216). A load diagram, no longer than twenty letters, stands alone
 # between a pump's lever and its graph (0.231). Of a linkage at a scale that was asked for the plan alone is shown, of a
 # machine that does not turn a table alone.
-NARROW, ALONE, SMALL, FEW = 0.17, 0.22, 0.24, 0.30
+NARROW, ALONE, SMALL, FEW = 0.17, 0.22, 0.24, 0.31
 STRIPS = {
     ("automaton", "A3"): NARROW,
     ("automaton", "A4"): NARROW,
