@@ -43,7 +43,7 @@ def test_nothing_is_told_of_what_stays(folder: Path) -> None:
     [
         ("M330.455 118.825", "M330.455 122.825", "letter φ = 0 on along: moved by 4 mm"),  # where it begins
         ('cx="311.986"', 'cx="312.986"', "point m_1 on along: moved by 1 mm"),
-        ('data-text="φ = 0"', 'data-text="φ = 1"', "data-text of element 281: φ = 0 -> φ = 1; nothing that is seen"),
+        ('data-text="φ = 0"', 'data-text="φ = 1"', "data-text of element 302: φ = 0 -> φ = 1; nothing that is seen"),
         ("M255.6044 122.2L259.8117 146.3", "M255.6044 122.2L259.8117 149.3", "strokes of along: 1 end by up to 3 mm"),
     ],
 )
