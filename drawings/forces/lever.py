@@ -34,6 +34,7 @@ from plans.forces.force_template import ForcePlans
 from plans.forces.lever import Lever
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
+from plans.model.motion import NOTHING
 from plans.study import Study
 
 PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
@@ -178,7 +179,8 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
 
 def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:
     """Name an image that is not drawn yet: with a prime where another has its letter; None where it is drawn."""
-    while name in images and images[name][1] != place:
+    near = NOTHING * max((abs(there) for _, there in images.values()), default=0.0)
+    while name in images and not abs(images[name][1] - place) <= near:
         name += "'"
     return None if name in images else name
 
