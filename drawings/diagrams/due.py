@@ -23,6 +23,9 @@ TABLE, DIGITS = "output", 4
 KEYS = ("travel", "velocity", "acceleration")
 TALLEST = 2.0  # times the largest at a position that a course may go
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale
+FINE = 7201  # places of a turn at which a greatest value is sought
+TIED = 1e-4  # of the largest: values that are as high
+NEAR = math.radians(2.0)  # how far off the angle of a greatest value may be told where it is flat
 AFTER = 2  # values beyond either end of a turn that a smooth curve looks at
 
 
@@ -53,12 +56,25 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             ends = float(row.runs[0][0]), float(row.runs[-1][1])
             loose = math.inf if name == "exact" and _cut_off(row) else slack
             yield Expected(Kind.CURVE, figure, name, course, loose, may_lack=name == "exact" or row.flat, ends=ends)
+        yield from _peaks(row, figure)
     axis, omega = comparison.analysis.axis, abs(study.of(LinkageStudy).mechanism.drive.omega)
     for column, (values, allowed) in enumerate(columns(comparison, omega)):
         slack = allowed + KNOWN * float(np.nanmax(np.abs(values), initial=0.0)) * (omega if column else 0.0)
         for k, number in reversed(list(enumerate(axis.numbers))):
             cell = cell_name(str(number), column)
             yield Expected(Kind.NUMBER, TABLE, cell, float(values[k]), slack, digits=DIGITS, may_lack=True)
+
+
+def _peaks(row: ExpectedRow, figure: str) -> Iterator[Expected]:
+    """Give where the thick curve is greatest and least, degrees; where two places are as high, either may be told."""
+    turned = np.linspace(row.runs[0][0], row.runs[-1][1], FINE)
+    heights = row.result(turned)
+    for name, sense in (("φ greatest", 1.0), ("φ least", -1.0)):
+        high = np.nan_to_num(sense * heights, nan=-math.inf)
+        top = int(np.argmax(high))
+        ties = np.abs(turned - turned[top])[high > high[top] - TIED * np.nanmax(np.abs(heights), initial=0.0)]
+        slack = math.inf if row.flat or ties.max() > NEAR else math.degrees(NEAR)
+        yield Expected(Kind.PHRASE, figure, name, math.degrees(turned[top]), slack, digits=DIGITS, may_lack=True)
 
 
 def _cut_off(row: ExpectedRow) -> bool:

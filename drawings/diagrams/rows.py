@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.kinds.axes import Curve, Letter, Part, Parts
+from drawings.kinds.axes import OVER, UNDER, Curve, Letter, Part, Parts
 from drawings.kinds.graph import Graph
 from drawings.kinds.row_frame import Proportions, RowFrame, RowPlate
 from drawings.kinds.smooth import smooth
@@ -19,6 +19,7 @@ from drawings.kinds.working import SCALES, Working, told
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.extent import every, spaced
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, joined
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.strokes import INK, Group, LineStyle, Stroke, Text
 from drawings.paper.walk import PLACES, flat
@@ -31,6 +32,7 @@ TRAVEL, VELOCITY, ACCELERATION = KEYS = ("travel", "velocity", "acceleration")  
 SLIDING, TURNING = ("S", "v", "a"), ("ψ", "ω", "ε")
 AHEAD = ("Δψ", "Δω", "ε")  # of an output that turns fully: what it is ahead of an even turn
 STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
+GREATEST, LEAST = "φ greatest", "φ least"
 NOUGHT = 1e-9  # of what the row above would make it: a rounding, which no scale is told of
 
 
@@ -59,6 +61,29 @@ class DiagramRow(NamedTuple):
             return 0.0, 0.0
         values = np.concatenate([self.at, *(curve.y for curve in (*self.results, *self.thin, self.chords))])
         return float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))
+
+
+class Peak(NamedTuple):
+    """Where between two positions the drawn curve is greatest or least: which of them, angle rad, value."""
+
+    name: str
+    turned: float
+    value: float
+
+
+def peaks(row: DiagramRow, axis: Axis) -> Iterator[Peak]:
+    """Give where the thick curve of a row is greatest and least, but for what a position shows, or an end."""
+    if row.flat or len(row.results) != 1:
+        return
+    x, first = np.unique(row.results[0].x.round(PLACES), return_index=True)
+    y, near = row.results[0].y[first], TURN / STEPS / 2
+    middles, steep = (x[1:] + x[:-1]) / 2, np.diff(y) / np.diff(x)
+    for name, sense in ((GREATEST, 1.0), (LEAST, -1.0)):
+        k = int(np.argmax(sense * y))
+        if 0 < k < len(y) - 1:
+            turned = float(np.interp(0.0, -sense * steep[k - 1 : k + 1], middles[k - 1 : k + 1]))  # it rises no more
+            if np.abs(axis.turned - turned).min() > near and x[0] + 4 * near < turned < x[-1] - 4 * near:
+                yield Peak(name, turned, float(y[k]))
 
 
 def letters_of(diagrams: DiagramsStudy) -> tuple[str, str, str]:
@@ -202,6 +227,7 @@ class DiagramsPlate(RowPlate[DiagramRow]):
             yield self.drafting.word("chords off", off=self.drafting.number(100 * row.off.share, PER_CENT))
 
 
+PEAK = 1.6  # mm from a greatest or least value to its angle
 DOT, RING = 0.6, 1.0  # mm, radii: of a point by chords, of one by the plans
 APART = 0.8  # sizes of a number between two numbers
 MARKED = 72  # positions: of more only the numbered ones have a point and a tick
@@ -250,10 +276,19 @@ class DiagramsFrame(RowFrame[DiagramRow]):
             *_course(row, row.thin, "exact", graph, hand.other),
             *_course(row, row.results, "result", graph, hand.result),
             *self._points(row, graph),
+            *(graph.dot(peak.turned, peak.value, RING) for peak in peaks(row, plate.axis)),
         )
         up = f"{row.letter}, {plate.drafting.word(row.unit)}"
         ends = graph.ends((plate.length, "φ"), (row.span[1], up))
-        return Part(graph.name, lines, (*ends, *self._numbers(row, graph)))
+        return Part(graph.name, lines, (*ends, *self._turned(row, graph), *self._numbers(row, graph)))
+
+    def _turned(self, row: DiagramRow, graph: Graph) -> Iterator[Letter]:
+        """Letter where a curve is greatest or least between two positions with the angle turned."""
+        hand = self.plate.hand
+        for name, turned, value in peaks(row, self.plate.axis):
+            angle = self.plate.drafting.slot(Slot(name, math.degrees(turned)))
+            side = OVER if name == GREATEST else UNDER
+            yield Letter(graph.axes.on(turned, value), joined("", (angle, "°")), hand.number, side, PEAK)
 
     def _edges(self, row: DiagramRow, graph: Graph) -> Iterator[Stroke]:
         """Draw the tick of each position, and the ordinate of one that is numbered; position 0 is told once."""
