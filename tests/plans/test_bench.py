@@ -198,7 +198,8 @@ def test_the_flywheel_by_chords_is_of_order_two_and_a_mean_bears_no_jump(loads: 
     chords = found[series.CHORDS]
     power = order(chords[1:], series.STRIPS[1:4])
     assert power > 1.8 and (loads == PUSHED or power < 2.2)
-    assert found[series.EDGES] == sorted(found[series.EDGES], reverse=True)
+    first, *edges = found[series.EDGES]  # of the fewest strips the curve between the edges is out either way
+    assert edges == sorted(edges, reverse=True) and edges[-1] < first / 10
     assert (found[series.MEAN][-1] < 1e-13) == (loads == PUSHED)
 
 
