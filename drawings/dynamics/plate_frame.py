@@ -150,7 +150,9 @@ class PlateFrame:
         """The axes of the inertia turned by 90 degrees: its angle runs down towards the loop."""
         top = max(field.top for field in self.fields.values())
         bottom = self.fields[SURPLUS].top + self.plate.over + self.plate.under
-        down = self._fitting((0.0, TURN), top - bottom - 2 * BEYOND, "φ", "rad")
+        high = top - bottom
+        room = max(high - 2 * BEYOND, high / 2)  # on an A4 it is hardly higher than the ends of its axis
+        down = self._fitting((0.0, TURN), room, "φ", "rad")
         return Axes(complex(self.loop_axes.zero.real, top - BEYOND), down, self.inertia_scale, -1j, 1 + 0j)
 
     @property
