@@ -73,6 +73,7 @@ def _load(load: Force | Moment, language: str) -> str:
     else:
         said = word(language, "load always", name=name, size=size)
     during = list(_place(load, language)) if isinstance(load, Force) else []
+    during += list(_sides(load, language)) if isinstance(load, Force) else []
     during += [] if load.during == ALWAYS else [word(language, load.during)]
     if load.overrun != (0.0, 0.0):
         shares = dict.fromkeys(number(share, language) for share in load.overrun)
@@ -88,6 +89,14 @@ def _place(force: Force, language: str) -> Iterator[str]:
         yield word(language, "load along", line="".join(force.line))
     if force.resists:
         yield word(language, "load resisting")
+
+
+def _sides(force: Force, language: str) -> Iterator[str]:
+    """Tell the areas of a piston whose sides differ by its rod."""
+    piston = force.piston
+    if piston is not None and piston.area != piston.other:
+        there, other = (number(1e4 * area, language) for area in (piston.area, piston.other))
+        yield word(language, "piston sides", there=there, other=other)
 
 
 def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:

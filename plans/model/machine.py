@@ -41,9 +41,10 @@ OUTPUT = Track()
 
 
 class Piston(NamedTuple):
-    """What a pressure acts on: the area m2 on its side, and the force N of what presses on the other side."""
+    """What a pressure acts on: the area m2 on its side and on the other, and the force N of what presses against it."""
 
     area: float
+    other: float
     behind: float
 
     def pressure(self, force: float) -> float:
@@ -61,7 +62,6 @@ class Diagram(NamedTuple):
     sizes: tuple[float, ...]
     back: tuple[float, ...] = ()
     length: float = 0.0  # m, of the stroke that the shares were told of as lengths; 0: as shares
-    piston: Piston | None = None  # of a diagram that was told in pressures
 
 
 class End(NamedTuple):
@@ -92,12 +92,13 @@ class Force(NamedTuple):
     line: tuple[str, str] | None = None  # the points from the first of which to the second it acts
     other: End | None = None  # where it acts back: on its line too
     resists: bool = False  # whether it acts against the motion of its point from the other
+    piston: Piston | None = None  # of one that was told in pressures
 
     @property
     def card(self) -> Piston | None:
         """The piston of an indicator card; none where the load rests at the ends, or turns over with the motion."""
         fixed = (self.direction is not None or self.line is not None) and not self.resists and not any(self.overrun)
-        return self.diagram.piston if self.diagram is not None and fixed else None
+        return self.piston if self.diagram is not None and fixed else None
 
 
 class Moment(NamedTuple):

@@ -54,8 +54,8 @@ def test_loads_that_never_change_have_no_diagram() -> None:
     assert [one.name for one in courses(machine, {OUTPUT: SLIDES})] == ["F_g", "F_us", "M_us"]
 
 
-PISTON = Piston(0.005, 500.0)  # 50 cm2, the air's 1 bar behind it
-CARD = GAS._replace(diagram=Diagram((0, 0.2, 1), (2500, 1500, 0), (2500, 300, 0), 0.0, PISTON))
+PISTON = Piston(0.005, 0.005, 500.0)  # 50 cm2, the air's 1 bar behind it
+CARD = GAS._replace(diagram=Diagram((0, 0.2, 1), (2500, 1500, 0), (2500, 300, 0)), piston=PISTON)
 
 
 def test_a_pressure_is_told_as_an_indicator_card() -> None:

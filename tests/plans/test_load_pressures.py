@@ -19,6 +19,30 @@ AREA = math.pi * 0.08**2 / 4  # m2, of a bore of 80 mm
 CARD = 'diagram = { travel = [0, 0.5, 1], pressure = ["0.1 MPa", "0.6 MPa", "0.1 MPa"] }\nbore = "80 mm"\n'
 
 
+WITH_ROD = 'pressure = "8 bar"\nbore = "100 mm"\nrod = "60 mm"\nbehind = "3 bar"\n'
+FACE, SECTION = math.pi * 0.1**2 / 4, math.pi * 0.06**2 / 4  # m2, of the piston and of its rod
+
+
+@pytest.mark.parametrize(
+    ("written", "force"),
+    [
+        ("", 8e5 * (FACE - SECTION) - 3e5 * FACE),
+        ('rod_on = "behind"\n', 8e5 * FACE - 3e5 * (FACE - SECTION)),
+        ('rod_on = "both"\n', 5e5 * (FACE - SECTION)),
+        ('ambient = "1 bar"\n', 8e5 * (FACE - SECTION) + 1e5 * SECTION - 3e5 * FACE),
+        ('rod_on = "behind"\nambient = "1 bar"\n', 8e5 * FACE - 3e5 * (FACE - SECTION) - 1e5 * SECTION),
+    ],
+)
+def test_each_pressure_acts_on_its_own_side_of_the_piston(written: str, force: float) -> None:
+    assert loaded(ENGINE + PUSHED + WITH_ROD + written).force().real == pytest.approx(-force, rel=1e-13)
+
+
+@pytest.mark.parametrize("side", ["pressure", "behind", "both"])
+def test_a_piston_with_one_pressure_all_round_is_not_pushed(side: str) -> None:
+    written = WITH_ROD.replace("8 bar", "3 bar") + f'rod_on = "{side}"\nambient = "3 bar"\n'
+    assert abs(loaded(ENGINE + PUSHED + written).force()) == pytest.approx(0, abs=1e-12)
+
+
 @pytest.mark.parametrize("by", ROADS)
 @pytest.mark.parametrize(
     ("last", "said"),
@@ -51,6 +75,7 @@ def test_a_diagram_of_a_pump_over_lengths_counts_how_far_piston_and_cylinder_are
         ("diagram = { travel = [0, 1], pressure = [1, 1] }\n", "loads.forces[0].bore", 'add it: bore = "80 mm"'),
         ('value = 3\nbore = "80 mm"\n', "loads.forces[0].bore", "a pressure, which bore belongs to"),
         ('value = 3\nbehind = "1 bar"\n', "loads.forces[0].behind", "a pressure, which behind belongs to"),
+        ('pressure = 1\nbore = "80 mm"\nambient = 3\n', "loads.forces[0].rod", 'add it: rod = "30 mm"'),
         ('pressure = 1\nbore = "80 mm"\nrod = "80 mm"\n', "loads.forces[0].rod", "a rod thinner than the bore"),
         ('pressure = "1 N"\nbore = "80 mm"\n', "loads.forces[0].pressure", "a unit of pressure (Pa, kPa, MPa, bar)"),
         ('value = 1\npressure = 1\nbore = "80 mm"\n', "loads.forces[0]", "either value or pressure, not both"),

@@ -21,7 +21,7 @@ from plans.forces.reading.form import (
     PairTable,
     SpringTable,
 )
-from plans.forces.reading.pressed import DiagramTable
+from plans.forces.reading.pressed import BEHIND, PRESSED, DiagramTable
 from plans.linkage.reading.guides import direction
 from plans.model.dyad import decompose, pairs
 from plans.model.machine import (
@@ -114,14 +114,15 @@ def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
     if other is not None and line is not None and force.stroke is None and force.changes:
         track = track._replace(point=end.point, parting=Parting(other.point, line))
     when = force.phase, diagram, _overrun(force.rests), track, force.useful
-    return Force(name, end.link, end.point, end.at, size, course, *when, line, other, resists)
+    there, behind = float(force.area(PRESSED)), float(force.area(BEHIND))
+    piston = Piston(there, behind, -force.forced(Decimal(0))) if force.pressed else None
+    return Force(name, end.link, end.point, end.at, size, course, *when, line, other, resists, piston)
 
 
 def _diagram(force: ForceTable, table: DiagramTable) -> Diagram:
     """Give a diagram of forces, those of pressures on the piston."""
     there, back = (tuple(map(force.forced, sizes)) for sizes in (table.there, table.back))
-    piston = Piston(float(force.area), -force.forced(Decimal(0))) if force.pressed else None
-    return Diagram(tuple(map(float, table.shares)), there, back, float(table.length or 0), piston)
+    return Diagram(tuple(map(float, table.shares)), there, back, float(table.length or 0))
 
 
 def _where(force: ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:

@@ -106,11 +106,13 @@ def _first(holds: Iterable[bool]) -> int | None:
     return next((k for k, true in enumerate(holds) if true), None)
 
 
-_BESIDE = ("bore", "rod", "behind")
+PRESSED, BEHIND, BOTH = "pressure", "behind", "both"  # the sides of a piston that its rod passes through
+_OF_ROD = ("rod_on", "ambient")
+_BESIDE = ("bore", "rod", "rod_on", "behind", "ambient")
 
 
 class PressedTable(LinkLoadTable):
-    """A load that a pressure Pa may give: on a piston of a bore m, on the side of its rod less the rod."""
+    """A load that a pressure Pa may give on a piston of a bore m, less its rod on the side that it passes through."""
 
     diagram: DiagramTable | None = key(
         table(DiagramTable), None, meaning="The size of the force over the stroke, instead of value."
@@ -125,7 +127,15 @@ class PressedTable(LinkLoadTable):
         missing=Missing("bore", 'bore = "80 mm"'),
     )
     rod: Decimal | None = key(
-        f.LENGTH, None, meaning="Diameter of the rod, where the pressure is on its side of the piston."
+        f.LENGTH,
+        None,
+        meaning="Diameter of the rod: the side of the piston that it passes through is smaller by its section.",
+        missing=Missing("rod", 'rod = "30 mm"'),
+    )
+    rod_on: str = key(
+        f.words(PRESSED, BEHIND, BOTH),
+        PRESSED,
+        meaning="The side that the rod passes through: that of the pressure, that behind the piston, or both.",
     )
     behind: Decimal = key(
         h.PRESSURE,
@@ -135,23 +145,30 @@ class PressedTable(LinkLoadTable):
             "the excess over it."
         ),
     )
+    ambient: Decimal = key(
+        h.PRESSURE,
+        Decimal(0),
+        meaning="Pressure of the air on the rod's section outside the cylinder, where pressures are absolute.",
+    )
 
     @property
     def pressed(self) -> bool:
         """Whether a pressure gives the load."""
         return self.pressure is not None or (self.diagram is not None and bool(self.diagram.pressure))
 
-    @property
-    def area(self) -> Decimal:
-        """The area m2 that a pressure acts on; 1 where the load is no pressure."""
-        if not self.pressed:
-            return Decimal(1)
+    def area(self, side: str) -> Decimal:
+        """Give the area m2 of a side of the piston."""
         bore, rod = self.bore or Decimal(0), self.rod or Decimal(0)
-        return WORKING.multiply(PI / 4, WORKING.subtract(bore * bore, rod * rod))
+        through = rod if self.rod_on in (side, BOTH) else Decimal(0)
+        return WORKING.multiply(PI / 4, WORKING.subtract(bore * bore, through * through))
 
     def forced(self, size: Decimal) -> float:
-        """Give the force N of a pressure Pa; a force as it is."""
-        return float(WORKING.multiply(size - self.behind, self.area)) if self.pressed else float(size)
+        """Give the force N of a pressure Pa against what presses behind and on the rod outside; a force as it is."""
+        if not self.pressed:
+            return float(size)
+        there, behind = self.area(PRESSED), self.area(BEHIND)
+        terms = (size, there), (-self.behind, behind), (self.ambient, behind - there)
+        return float(sum((WORKING.multiply(*term) for term in terms), Decimal(0)))
 
     def check(self) -> None:
         """See that a pressure has a piston to act on, thicker than its rod, and nothing else has one."""
@@ -160,6 +177,8 @@ class PressedTable(LinkLoadTable):
             raise wrong("no_pressure", name=given[0], at=(given[0],))
         if self.pressed and self.bore is None:
             raise wrong("missing", at=("bore",))
+        if self.rod is None and not self.given.isdisjoint(_OF_ROD):
+            raise wrong("missing", at=("rod",))
         if self.rod is not None and self.bore is not None and self.rod >= self.bore:
             raise wrong("thick_rod", at=("rod",))
         super().check()
@@ -170,4 +189,5 @@ def with_piston() -> Form:
     inner: Form = {"required": ["diagram"], "properties": {"diagram": {"required": ["pressure"]}}}
     piston: list[Form] = [{"required": [name]} for name in _BESIDE]
     pressed: Form = {"anyOf": [{"required": ["pressure"]}, inner]}
-    return {"if": pressed, "then": {"required": ["bore"]}, "else": {"not": {"anyOf": piston}}}
+    rod = {name: ["rod"] for name in _OF_ROD}
+    return {"if": pressed, "then": {"required": ["bore"]}, "else": {"not": {"anyOf": piston}}, "dependentRequired": rod}
