@@ -69,7 +69,7 @@ class Equations(NamedTuple):
         return max((abs(value - row[0]) for row in rows for value in row), default=0.0)
 
     def main_points(self, vectors: Mapping[int, complex]) -> Iterator[str]:
-        """Write the vector of each link's main point, m, by its masses (8.7); of a link that has no masses none."""
+        """Write the vector of each link's main point, m, by its masses; of a link that has no masses none."""
         for stem in self.tree.stems:
             moments = list(self._moments(stem))
             if moments:
@@ -130,7 +130,7 @@ class Equations(NamedTuple):
                 yield LinkVector(stem.link, stem.begin + point, place - stem.origin)
 
     def similar(self, vectors: Mapping[int, complex]) -> str | None:
-        """Write that the contour of main points is similar to that of the links (8.8), (8.9), if it is so."""
+        """Write that the contour of main points is similar to that of the links, if it is so."""
         loops = self.contour
         ratios = [vectors[loop.link] / loop.length for loop in loops]
         most = max(map(abs, ratios), default=0.0)
@@ -138,9 +138,8 @@ class Equations(NamedTuple):
             return None
         letters = [f"{lowered(f'h_{loop.link}')}/l_{{{loop.letter}}}" for loop in loops]
         numbers = [f"{self._share(vectors[loop.link], loop.length)}/{self._number(abs(loop.length))}" for loop in loops]
-        number = "(8.8)" if len(loops) == len(self.tree.stems) else "(8.9)"
         told = EQUALS.join([*letters, *numbers, "κ", self.vector(ratios[0], abs(ratios[0]))])
-        return self.drafting.word("alike", number=number, told=told)
+        return self.drafting.word("alike", told=told)
 
     def _share(self, vector: complex, length: complex) -> str:
         return self.vector(vector * abs(length) / length, abs(vector))
@@ -200,7 +199,7 @@ class BalanceNotes(NamedTuple):
         return Equations(self.mechanism, self.tree, self.machine.bodies, self.drafting, self.digits)
 
     def main_points(self) -> Iterator[str]:
-        """Write the vectors of main points (8.7), and say of which links vectors are variable."""
+        """Write the vectors of main points, and say of which links vectors are variable."""
         for number, line in enumerate(self.equations.main_points(self.vectors[0])):
             yield line if number else self.drafting.word("main points", told=line)
         constant = sum((self._share(stem) * stem.at for stem in self.tree.rooted), 0j)

@@ -80,7 +80,7 @@ class Bank:
 
     task: BankTask
     comparison: Comparison
-    crank: float | None = None
+    crank: float = 0.0
 
     @property
     def analysis(self) -> BankBalance:
@@ -285,13 +285,14 @@ class _BankSheet(Bank):
     def views(self) -> Iterator[Expected]:
         """Give the crank pins of the star, the places along the shaft, the arms of the compensators."""
         for member in self.members:
-            pin, place = (self.crank or 0.0) * self.crank_at(member), complex(float(member.place))
-            lacks = self.crank is None
-            yield Expected(Kind.POINT, STAR, member.name, pin, FAR * abs(pin), may_lack=lacks)
+            pin, place = self.crank * self.crank_at(member), complex(float(member.place))
+            side = abs((pin / self.turn).real)  # along the reference guide
+            yield Expected(Kind.POINT, STAR, member.name, pin, FAR * abs(pin))
             yield Expected(Kind.POINT, SHAFT, member.name, place, FAR * abs(place), may_lack=True)
+            yield Expected(Kind.LENGTH, SHAFT, f"r {member.name}", side, FAR * abs(pin), may_lack=True)
         for where in {float(member.place) for member in self.members}:
             row = Expected(Kind.LENGTH, SHAFT, f"h at {1000 * where:g}", abs(where), FAR * abs(where), may_lack=True)
-            yield from measured(row, 1000 * where, digits=4)
+            yield from measured(row, 1000 * abs(where), digits=4)
         for found in self.analysis.compensators:
             plan = f"compensator-{found.asked.order}"
             for body in self.bodies(found):

@@ -1,6 +1,6 @@
 """The view across the shaft of a bank: its mechanisms at their places, their cranks at phi = 0 (вид поперёк вала).
 
-Places are to scale; cranks are drawn of one size, as they are seen: one that points to the eye is a circle alone.
+Places and cranks are to the scale of the view, cranks as they are seen: one that points to the eye is a circle alone.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import partial
+from itertools import pairwise
 
 from drawings.bank.star import NEAR, BankView
 from drawings.kinds import view
@@ -19,7 +20,8 @@ from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import ARROW_LENGTH, pole
@@ -30,10 +32,10 @@ QUANTITY = "h"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
 LETTERS, LONGEST = 20.0, 80.0  # it is drawn at least so many letters long, and at most
 RANGE = 2.6  # standard scales are up to 2.5 times apart: one of them fits between the least length and the most
-THROW = 12.0  # mm, a crank as it is drawn
 WEB = 2.2  # mm, half the breadth of a crank
 PIN = 1.0  # mm, radius of a pin that points to the eye
 GUIDE = 6.0  # mm that the axis of a guide goes past the cranks
+VIEWS = "views"  # the star and this view have one scale
 
 
 def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
@@ -62,10 +64,10 @@ def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the shaft, its ends, the cranks, the dimensions under it."""
     hand, levels = drafting.hand, len(_dimensioned(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
-    high = (THROW + GUIDE) * hand.symbol
+    high, (up, down) = GUIDE * hand.symbol, tall(shown)
     under = high + FIRST * hand.symbol + levels * view.step(hand)
     margins = around(MARGINS, hand, view.END * hand.symbol, under, high)
-    spots = [0j, *(complex(place) for place in named(shown))]
+    spots = [complex(place, side) for place in (0.0, *named(shown)) for side in (up, -down)]
     least = max(LETTERS * hand.letter, min(_roomy(shown, drafting), LONGEST * hand.letter / RANGE))
     return picture(NAME, spots, (view.SYMBOL, view.UNIT), margins, title, least)._replace(most=LONGEST * hand.letter)
 
@@ -74,7 +76,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     """Draw the view in its spot: the shaft, the axes of the guides, the cranks, the places dimensioned."""
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
-    lines = [title, *_shaft(shown, place, hand), *_datum(place, hand)]
+    lines = [title, *_shaft(shown, place, hand), *_datum(shown, place, hand)]
     for member in shown.members:
         lines += [_guide(shown, member, place, hand), *_throw(shown, member, place, hand)]
     lines += _dimensions(shown, place, drafting)
@@ -101,10 +103,22 @@ def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
             yield Line(complex(left, start.imag), complex(right, start.imag), hand.result)
 
 
-def _datum(place: Place, hand: Hand) -> Iterator[Stroke]:
+def tall(shown: BankView) -> tuple[float, float]:
+    """Give how far cranks, and guides that go past them, reach over the shaft and under it, m."""
+    down = any(seen(shown, shown.crank_at(one)) < 0 or _under(shown, one) for one in shown.members)
+    return shown.crank, shown.crank if down else 0.0
+
+
+def _under(shown: BankView, member: Member) -> bool:
+    """Tell whether the axis of a guide goes down from the shaft."""
+    return seen(shown, shown.guide_at(member)) < -NEAR
+
+
+def _datum(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the plane of place 0."""
-    half = 1j * (THROW + GUIDE) * hand.symbol
-    yield Line(place.on(0j) - half, place.on(0j) + half, fit(hand.extreme, 2 * abs(half)))
+    up, down = (place.on(1j * end) for end in (tall(shown)[0], -tall(shown)[1]))
+    past = 1j * GUIDE * hand.symbol
+    yield Line(down - past, up + past, fit(hand.extreme, abs(up - down) + 2 * abs(past)))
 
 
 def seen(shown: BankView, way: complex) -> float:
@@ -113,19 +127,20 @@ def seen(shown: BankView, way: complex) -> float:
 
 
 def _throw(shown: BankView, member: Member, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw a crank between its webs, or its pin alone where it points to the eye."""
+    """Draw a crank between its webs, to scale, or its pin alone where it points to the eye."""
     middle, half = place.on(complex(float(member.place))), WEB * hand.symbol
-    high = THROW * hand.symbol * seen(shown, shown.crank_at(member))
-    if abs(high) <= NEAR * THROW:
+    high = 1j * place.length(shown.crank) * seen(shown, shown.crank_at(member))
+    if abs(high) <= NEAR:
         yield Circle(middle, PIN * hand.symbol, hand.body)
         return
-    corners = (middle - half, middle - half + 1j * high, middle + half + 1j * high, middle + half)
-    yield Polyline(corners, False, hand.result)
+    corners = (middle - half, middle - half + high, middle + half + high, middle + half)
+    states = Statement(Kind.LENGTH, NAME, f"r {member.name}", scale=place.scale.mu)
+    yield stating(states, *(Line(one, other, hand.result) for one, other in pairwise(corners)))
 
 
 def _guide(shown: BankView, member: Member, place: Place, hand: Hand) -> Line:
     """Draw the axis of a guide from the shaft outward: up where the reference guide goes, down on the other side."""
-    far = (THROW + GUIDE) * hand.symbol * (-1 if seen(shown, shown.guide_at(member)) < -NEAR else 1)
+    far = (place.length(shown.crank) + GUIDE * hand.symbol) * (-1 if _under(shown, member) else 1)
     middle = place.on(complex(float(member.place)))
     return Line(middle, middle + 1j * far, fit(hand.axis, abs(far)))
 
@@ -138,7 +153,7 @@ def _dimensioned(shown: BankView) -> dict[float, str]:
 
 def _texts(shown: BankView, drafting: Drafting) -> dict[float, Phrase]:
     """Write the dimensions of the places, the nearest to the plane of place 0 first."""
-    sizes = {where: drafting.slot(Slot(_quantity(where), 1000 * where)) for where in _dimensioned(shown)}
+    sizes = {where: drafting.slot(Slot(_quantity(where), abs(1000 * where))) for where in _dimensioned(shown)}
     return {where: joined("", (f"h_{{{names}}} = ", sizes[where])) for where, names in _dimensioned(shown).items()}
 
 
@@ -171,4 +186,6 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
     for where, text in told.items():
         states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
         sizes.append((complex(place.on(complex(where)).real, base.imag), text, states))
-    yield from view.dimensions(base, base.imag - (THROW + GUIDE + FIRST) * hand.symbol, sizes, hand)
+    yield from view.dimensions(
+        base, base.imag - place.length(tall(shown)[1]) - (GUIDE + FIRST) * hand.symbol, sizes, hand
+    )

@@ -151,9 +151,9 @@ def _polygon(shown: Polygon, drafting: Drafting) -> Exhibit:
 
 def _views(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the bank along its shaft; across it too, unless all mechanisms stand in one plane."""
-    yield exhibit(star, shown, drafting)
+    yield exhibit(star, shown, drafting, scale=shaft.VIEWS)
     if not shaft.is_thin(shown):
-        yield exhibit(shaft, shown, drafting)
+        yield exhibit(shaft, shown, drafting, scale=shaft.VIEWS)
 
 
 def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:

@@ -59,11 +59,11 @@ def fanned(sides: Sequence[tuple[str, complex]]) -> list[tuple[str, complex]]:
 
 
 class BankView(NamedTuple):
-    """A bank and what the construction found of it; `crank` m is the crank's length, if it is known."""
+    """A bank and what the construction found of it; `crank` m is the crank's length."""
 
     balance: BankBalance
     polygons: Mapping[str, Mapping[int, Total]]  # of forces and of moments, by signed order
-    crank: float | None = None
+    crank: float
 
     @property
     def task(self) -> BankTask:
@@ -160,9 +160,9 @@ def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) 
     """Number the cranks outward, letter the guides where they differ, the shaft and its sense."""
     hand, centre = drafting.hand, place.on(0j)
     for way, names in together((shown.crank_at(member), member) for member in shown.members).items():
-        spot, gap = place.on(way * reach(shown)), PIN * hand.symbol + BESIDE
+        spot, gap = place.on(way * shown.crank), PIN * hand.symbol + BESIDE
         yield labels.beside(spot, names, hand.letter, gap, cmath.phase(way))
-    far = place.length(reach(shown)) + AXIS * hand.symbol
+    far = place.length(shown.crank) + AXIS * hand.symbol
     guides = together((shown.guide_at(member), member) for member in shown.members)
     for way, names in guides.items() if len(guides) > 1 else ():
         text = drafting.word("guide of", names=names)
@@ -184,28 +184,22 @@ def together(pairs: Iterator[tuple[complex, Member]]) -> dict[complex, str]:
 NEAR = 1e-9  # of a unit direction: an angle that was rounded once is still the same
 
 
-def reach(shown: BankView) -> float:
-    """Give the length of a crank as it is drawn, m; 1 where it is not known."""
-    return shown.crank or 1.0
-
-
 def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the star needs: a circle about the shaft."""
     hand = drafting.hand
     title = text_width(Text(0j, drafting.word("star of cranks"), hand.title))
     margins = around(MARGINS, hand, *(AXIS * hand.symbol,) * 3)
-    found = picture(NAME, square(reach(shown)), (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    found = picture(NAME, square(shown.crank), (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
     return found._replace(most=MOST * hand.letter)
 
 
 def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the star in its spot: the circle of the pins, the guides' axes, the cranks at phi = 0."""
     place, hand = room.place(*spot), drafting.hand
-    under = drafting.scale(spot.scale) if shown.crank else drafting.word("angles alone")
-    title = heading(spot.box, drafting.word("star of cranks"), under, hand)
+    title = heading(spot.box, drafting.word("star of cranks"), drafting.scale(spot.scale), hand)
     lines = (title, *_axes(shown, place, hand), *rotation(place.on(0j), shown.task.speed, TURN, hand).draw(hand))
     cranks = [
-        Line(place.on(0j), place.on(shown.crank_at(member) * reach(shown)), hand.result) for member in shown.members
+        Line(place.on(0j), place.on(shown.crank_at(member) * shown.crank), hand.result) for member in shown.members
     ]
     pins = (_pin(shown, member, place, hand) for member in shown.members)
     (circle,) = hinge(place.on(0j), hand)
@@ -215,7 +209,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
 
 def _axes(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the circle of the pins, and the axis of every guide from beyond the shaft outward."""
-    radius = place.length(reach(shown))
+    radius = place.length(shown.crank)
     yield Circle(place.on(0j), radius, fit(hand.axis, math.tau * radius, True))
     far, centre = radius + AXIS * hand.symbol, place.on(0j)
     for way in together((shown.guide_at(member), member) for member in shown.members):
@@ -223,9 +217,7 @@ def _axes(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
 
 
 def _pin(shown: BankView, member: Member, place: Place, hand: Hand) -> Group:
-    """Draw a crank pin; it can be measured where the crank's length is known."""
-    centre = shown.crank_at(member) * reach(shown)
+    """Draw a crank pin, which can be measured."""
+    centre = shown.crank_at(member) * shown.crank
     circle = Circle(place.on(centre), PIN * hand.symbol, hand.body)
-    if not shown.crank:
-        return Group((circle,), "", {}, member.name)
     return point(Subject(NAME, QUANTITY, None), member.name, centre, place, circle)

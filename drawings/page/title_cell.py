@@ -12,12 +12,12 @@ from typing import NamedTuple
 from drawings.lettering.lettering import SIZES, outline
 from drawings.paper.strokes import Anchor, Run, Text
 
-CLEAR = 0.35  # mm from the middle of a line to the lettering: half of the widest line
+CLEAR = 0.55  # mm from the middle of a line to the lettering: half of the widest line, and paper between
 STEP = 1.7  # from line to line in sizes, the least of GOST 2.304-81
 ELLIPSIS = "…"
 NUMBERS = "sheet-numbers"  # the name of what a title block says of the sheet among those of its document
-# Room in mm at the foot of a title for its subtitle: a line of 2.5, two of them, two of 3.5.
-FEET = (5.0, 8.9, 12.0)
+SUBTITLE = 3.5  # mm, its least letters: nothing on a sheet that is read at a wall is less
+FEET = (6.2, 11.95)  # mm at the foot of a title for its subtitle: a line, and two, of its least letters
 
 
 class TitleCell(NamedTuple):
@@ -87,7 +87,7 @@ def write_title(area: TitleCell, corner: complex, title: str, subtitle: str) -> 
     for foot in FEET if subtitle else (0.0,):
         above = area._replace(bottom=area.bottom + foot, height=area.height - foot)
         size, lines = above.fit(title)
-        below = area._replace(height=foot, size=max(s for s in SIZES if s < max(size, 3.5)))
+        below = area._replace(height=foot, size=max(s for s in SIZES if s < max(size, 5.0)), least=SUBTITLE)
         small, more = below.fit(subtitle) if subtitle else (0.0, [])
         whole = not any(ELLIPSIS in line for line in (*lines, *more))
         splits.append((whole, size, small, foot, above, below))

@@ -12,7 +12,7 @@ SIZES = {"A1": (594.0, 841.0), "A2": (420.0, 594.0), "A3": (297.0, 420.0), "A4":
 # The border on the left, which is for filing, and on the other three sides.
 BORDERS = {"GOST": (20.0, 5.0), "ISO": (20.0, 10.0)}
 # Title blocks: form 1 of GOST 2.104-2006; ISO 7200:2004 sets the width only.
-BLOCKS = {"GOST": (185.0, 55.0), "ISO": (180.0, 48.0)}
+BLOCKS = {"GOST": (185.0, 55.0), "ISO": (180.0, 52.0)}
 # Which way a format may lie, the customary way first. The block of ISO 5457 is at the lower right of a sheet that lies
 # along its long side, and along the short side of an A4 only.
 LANDSCAPE, PORTRAIT = "landscape", "portrait"

@@ -28,13 +28,14 @@ NAME = "across"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
 LETTERS = 24.0  # it is drawn at least so many letters large
 SHELL = (9.0, 0.9)  # mm, length of a bearing's shell, and from the shaft to it
+LETTERED = 3.0  # mm under a bearing's shell, where its ground ends
 ABOVE = 5.0  # mm that a plane of correction goes past the outermost mass
 NEAR = 1e-9  # of the rotor's length: places that are one
 
 
 def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the rotor, its ends, and the dimensions under it."""
-    hand, levels = drafting.hand, len(_arms(shown))
+    hand, levels = drafting.hand, len(_arms(shown)) + len(_bearings(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
     under = FIRST * hand.symbol + levels * view.step(hand)
     margins = around(MARGINS, hand, view.END * hand.symbol, under, ABOVE * hand.symbol)
@@ -69,7 +70,7 @@ def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels)
             top = place.on(complex(where)) + 1j * _half(shown, place, hand)
             yield labels.beside(top, name, hand.letter, BESIDE, 1.5)
     for name, where in zip(BEARINGS, shown.bearings, strict=False):
-        low = place.on(complex(where)) - 1j * (SHAFT + SHELL[1] + 3.0) * hand.symbol
+        low = place.on(complex(where)) - 1j * (SHAFT + SHELL[1] + LETTERED) * hand.symbol
         yield labels.beside(low, name, hand.letter, BESIDE, -1.5)
 
 
@@ -123,8 +124,15 @@ def _arms(shown: RotorView) -> dict[float, list[ShownBody]]:
     return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= view.MOST else {}
 
 
+def _bearings(shown: RotorView) -> dict[str, float]:
+    """Give the places of the bearings that do not stand in the last plane, the nearest first, m."""
+    base = shown.planes[-1][1]
+    found = [pair for pair in zip(BEARINGS, shown.bearings, strict=False) if pair[1] != base]
+    return dict(sorted(found, key=lambda pair: abs(pair[1] - base)))
+
+
 def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
-    """Dimension the arms from the last plane, each on its level, the longest lowest; millimetres of the machine."""
+    """Dimension arms and bearings from the last plane, each on its level; millimetres of the machine."""
     hand, sizes = drafting.hand, list[Sized]()
     base = place.on(complex(shown.planes[-1][1]))
     for arm, own in _arms(shown).items():
@@ -132,5 +140,10 @@ def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[
         size = Slot(f"h_{own[0].name}", 1000 * abs(arm))
         said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
         sizes.append((place.on(_side(own[0])), joined(" = ", (names, drafting.slot(size))), said))
+    for name, where in _bearings(shown).items():
+        size = Slot(f"bearing {name}", 1000 * abs(where - shown.planes[-1][1]))
+        said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
+        foot = place.on(complex(where)) - 1j * (SHAFT + SHELL[1] + LETTERED) * hand.symbol
+        sizes.append((foot, joined(" = ", (f"h_{name}", drafting.slot(size))), said))
     bottom = base.imag - place.length(shown.reach) - FIRST * hand.symbol
     return view.dimensions(base - 1j * _half(shown, place, hand), bottom, sizes, hand)

@@ -18,7 +18,7 @@ from plans.by_hand import by_hand as slipping
 from plans.model.rotor import Balance, Rotor, permissible
 from plans.quantity import EQUILIBRIUM, Comparison, Quantity
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
-from plans.rotor.study import RotorStudy
+from plans.rotor.study import BEARINGS, RotorStudy
 from plans.study import Study
 
 ALONG, ACROSS, MASSES, RESULTS = "along", "across", "masses", "results"
@@ -130,6 +130,12 @@ class _Rotor:
             doubtful = any(not one.moment.size > one.moment.slack for one in self.balance.corrections)
             row = Expected(Kind.LENGTH, ACROSS, f"h_{name}", abs(arm), may_lack=doubtful)
             yield from measured(row, 1000 * abs(arm), digits=4)
+
+        for name, place in zip(BEARINGS, self.rotor.bearings, strict=False):
+            far = abs(self.rotor.arm(place))
+            yield from measured(
+                Expected(Kind.LENGTH, ACROSS, f"bearing {name}", far, may_lack=not far), 1000 * far, digits=4
+            )
 
     def masses(self) -> Iterator[Expected]:
         """Give the cells of the table of masses: mass, radius, angle, arm, static moment, its moment."""

@@ -21,6 +21,7 @@ from plans.scene.scene import parse_scene
 from tests.drawings.pages import (
     ENTRIES,
     apart,
+    around,
     bare,
     every_page,
     flat,
@@ -70,10 +71,33 @@ words = st.text(alphabet="АЁЙЩруфцщghjpyQÅ1,.;:()/ ", min_size=1, max_
 def test_whatever_is_filled_in_keeps_to_its_graph(standard: str, entries: dict[str, str], sheets: int) -> None:
     page = Page("A1", standard=standard, language="ru")
     block = page.title_block(entries | {"sheet": str(sheets), "sheets": str(sheets)}, "ru")
-    walls = [line for line, _ in lines(block)]
+    held_to_its_graphs(block)
+
+
+FREE = 0.15  # mm of paper between letters and any line, so that no pen joins them
+
+
+def held_to_its_graphs(block: Group) -> None:
+    walls = [around((complex(*wall[:2]), complex(*wall[2:])), FREE) for wall, _ in lines(block)]
     boxes = [inked(text) for text in texts(block)]
     assert all(apart(box, wall) for box, wall in itertools.product(boxes, walls))
     assert all(apart(a, b) for a, b in itertools.combinations(boxes, 2))
+
+
+@every_page
+@pytest.mark.parametrize(
+    "title", ["Пресс", "Поперечно-строгальный станок", "Механизм долбёжного станка с качающейся кулисой"]
+)
+@pytest.mark.parametrize(
+    "subtitle", ["Циклограмма", "Кинематическое исследование механизма", "Силовой расчёт механизма"]
+)
+def test_a_title_and_its_subtitle_stand_whole_and_large_enough(page: Page, title: str, subtitle: str) -> None:
+    block = page.title_block(ENTRIES["ru"] | {"title": title, "subtitle": subtitle}, "ru")
+    held_to_its_graphs(block)
+    said = " ".join(text.plain for text in texts(block))
+    assert title in said and subtitle in said
+    sizes = {text.size for text in texts(block) if text.plain in subtitle and len(text.plain) > 4}
+    assert len(sizes) == 1 and min(sizes) >= 3.5
 
 
 # ---- formats, frames and folds

@@ -11,14 +11,14 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Polyline, Run, Stroke, Text
 
 # The data fields: place from the block's lower left corner, mm, and the largest letters of what is filled in. Rows are
-# 12 high, where the example has 9 with captions of 1.8. Beside the standard's own fields stand the one who checked, as
-# courses want it, and the scale, which ISO 7200 leaves to the sheet.
+# 12 high, where the example has 9 with captions of 1.8; the title takes two lines, its subtitle two. Beside the
+# standard's fields stand the one who checked, as courses want it, and the scale, which ISO 7200 leaves to the sheet.
 CELLS = {
-    "department": TitleCell(0, 36, 26, 12), "checked by": TitleCell(26, 36, 43, 12),
-    "creator": TitleCell(69, 36, 44, 12),
-    "approval": TitleCell(113, 36, 43, 12), "scale": TitleCell(156, 36, 24, 12), "owner": TitleCell(0, 0, 69, 36),
-    "type": TitleCell(69, 24, 58, 12), "status": TitleCell(127, 24, 53, 12), "title": TitleCell(69, 0, 58, 24, 5.0),
-    "number": TitleCell(127, 12, 53, 12, 5.0), "revision": TitleCell(127, 0, 8, 12),
+    "department": TitleCell(0, 40, 26, 12), "checked by": TitleCell(26, 40, 43, 12),
+    "creator": TitleCell(69, 40, 44, 12),
+    "approval": TitleCell(113, 40, 43, 12), "scale": TitleCell(156, 40, 24, 12), "owner": TitleCell(0, 0, 57, 40),
+    "type": TitleCell(57, 28, 70, 12), "status": TitleCell(127, 28, 53, 12), "title": TitleCell(57, 0, 70, 28, 5.0),
+    "number": TitleCell(127, 12, 53, 16, 5.0), "revision": TitleCell(127, 0, 8, 12),
     "issued": TitleCell(135, 0, 24, 12),
     "code": TitleCell(159, 0, 9.5, 12), "sheet": TitleCell(168.5, 0, 11.5, 12),
 }  # fmt: skip
