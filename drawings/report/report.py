@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -75,6 +76,18 @@ def positions(numbers: Sequence[int]) -> dict[str, object]:
     return {"count": len(numbers), "positions": runs(numbers, "-")}
 
 
+_MARKS = re.compile(r"[\\`*_\[\]<>#|$&~]")  # that begin a mark of Markdown, HTML or TeX
+
+
+def literal(text: str) -> str:
+    r"""Write a text of the scene so that Markdown, and what is made of it, has it as it stands and nothing more.
+
+    >>> print(literal(r"<b> $x$ \input{a}"))
+    \<b\> \$x\$ \\input{a}
+    """
+    return _MARKS.sub(r"\\\g<0>", " ".join(text.split()))
+
+
 PLAN_WIDTH = 14  # letters of the longest plan's English word
 
 
@@ -94,7 +107,7 @@ def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
     language = study.scene.sheet.language
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
     return [
-        word(language, "report.title", title=study.scene.heading(language), sheets=kinds),
+        word(language, "report.title", title=literal(study.scene.heading(language)), sheets=kinds),
         *(line for one in told for line in one.subject),
         *(line for one in told for line in one.values),
         *_comparison(study.comparisons, language),
