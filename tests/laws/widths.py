@@ -44,6 +44,7 @@ STATED: Mapping[Kind, Role] = {
     Kind.LENGTH: Role((FINE, THIN)),
     Kind.ANGLE: Role((FINE, THIN)),
 }
+CRANK = ("shaft", "r ")  # whose own outline states how long it is on the view across a bank
 # Vectors by the plan that they are on: results of a plan of velocities, sides of a polygon of forces or of moments.
 PLANS: Mapping[str, Role] = {
     "velocities": Role((MAIN, MEDIUM, THIN)),
@@ -71,7 +72,8 @@ def _roles(figure: Group) -> Iterator[tuple[Group, Role]]:
         if figure.name == "positions" and group.name in LAYERS:
             yield group, LAYERS[group.name]
         if group.states is not None and group.states.kind in STATED:
-            yield group, STATED[group.states.kind]
+            crank = figure.name == CRANK[0] and group.states.name.startswith(CRANK[1])
+            yield group, Role((MAIN,)) if crank else STATED[group.states.kind]
         if group.data.get("kind") == "vector" and group.data["plan"].partition("-")[0] in PLANS:
             yield group, PLANS[group.data["plan"].partition("-")[0]]
 
