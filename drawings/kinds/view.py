@@ -52,14 +52,14 @@ def shaft(places: Collection[float], place: Place, hand: Hand) -> tuple[complex,
 Sized: TypeAlias = tuple[complex, str, Statement]
 
 
-def dimensions(base: complex, bottom: float, sizes: Sequence[Sized], hand: Hand) -> Iterator[Stroke]:
-    """Dimension places from a base, each on its level from the `bottom` mm down, the last one lowest."""
+def dimensions(base: complex, first: float, sizes: Sequence[Sized], hand: Hand, side: int = -1) -> Iterator[Stroke]:
+    """Dimension places from a base, each on its level from the `first` mm down or, with a `side` of 1, up."""
     for number, (spot, text, states) in enumerate(sizes):
-        level = bottom - number * step(hand)
+        level = first + side * number * step(hand)
         yield _dimension(base.real, spot.real, level, text, hand, states)
-        yield Line(spot, complex(spot.real, level - PAST), hand.drafted)
+        yield Line(spot, complex(spot.real, level + side * PAST), hand.drafted)
     if sizes:
-        yield Line(base, complex(base.real, level - PAST), hand.drafted)
+        yield Line(base, complex(base.real, level + side * PAST), hand.drafted)
 
 
 def _dimension(base: float, last: float, level: float, text: str, hand: Hand, states: Statement) -> Group:

@@ -28,17 +28,17 @@ NAME = "across"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
 LETTERS = 24.0  # it is drawn at least so many letters large
 SHELL = (9.0, 0.9)  # mm, length of a bearing's shell, and from the shaft to it
-LETTERED = 3.0  # mm under a bearing's shell, where its ground ends
 ABOVE = 5.0  # mm that a plane of correction goes past the outermost mass
 NEAR = 1e-9  # of the rotor's length: places that are one
 
 
 def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the rotor, its ends, and the dimensions under it."""
-    hand, levels = drafting.hand, len(_arms(shown)) + len(_bearings(shown))
+    hand, levels = drafting.hand, len(_arms(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
     under = FIRST * hand.symbol + levels * view.step(hand)
-    margins = around(MARGINS, hand, view.END * hand.symbol, under, ABOVE * hand.symbol)
+    over = ABOVE * hand.symbol + len(_bearings(shown)) * view.step(hand)
+    margins = around(MARGINS, hand, view.END * hand.symbol, under, over)
     corners = [complex(x, y) for x in (min(shown.places), max(shown.places)) for y in (-shown.reach, shown.reach)]
     return picture(NAME, corners, (view.SYMBOL, view.UNIT), margins, title, LETTERS * hand.letter)
 
@@ -70,7 +70,7 @@ def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels)
             top = place.on(complex(where)) + 1j * _half(shown, place, hand)
             yield labels.beside(top, name, hand.letter, BESIDE, 1.5)
     for name, where in zip(BEARINGS, shown.bearings, strict=False):
-        low = place.on(complex(where)) - 1j * (SHAFT + SHELL[1] + LETTERED) * hand.symbol
+        low = place.on(complex(where)) - 1j * (SHAFT + SHELL[1] + 3.0) * hand.symbol
         yield labels.beside(low, name, hand.letter, BESIDE, -1.5)
 
 
@@ -132,18 +132,23 @@ def _bearings(shown: RotorView) -> dict[str, float]:
 
 
 def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
-    """Dimension arms and bearings from the last plane, each on its level; millimetres of the machine."""
-    hand, sizes = drafting.hand, list[Sized]()
-    base = place.on(complex(shown.planes[-1][1]))
+    """Dimension arms under the view and bearings over it, from the last plane; millimetres of the machine."""
+    hand, arms, bearings = drafting.hand, list[Sized](), list[Sized]()
+    zero, half = shown.planes[-1][1], 1j * _half(shown, place, hand)
+    base = place.on(complex(zero))
     for arm, own in _arms(shown).items():
         names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
-        size = Slot(f"h_{own[0].name}", 1000 * abs(arm))
-        said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
-        sizes.append((place.on(_side(own[0])), joined(" = ", (names, drafting.slot(size))), said))
+        arms.append(_sized(place.on(_side(own[0])), names, Slot(f"h_{own[0].name}", 1000 * abs(arm)), place, drafting))
     for name, where in _bearings(shown).items():
-        size = Slot(f"bearing {name}", 1000 * abs(where - shown.planes[-1][1]))
-        said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
-        foot = place.on(complex(where)) - 1j * (SHAFT + SHELL[1] + LETTERED) * hand.symbol
-        sizes.append((foot, joined(" = ", (f"h_{name}", drafting.slot(size))), said))
-    bottom = base.imag - place.length(shown.reach) - FIRST * hand.symbol
-    return view.dimensions(base - 1j * _half(shown, place, hand), bottom, sizes, hand)
+        foot = place.on(complex(where)) + 1j * (SHAFT + SHELL[1]) * hand.symbol
+        size = Slot(f"bearing {name}", 1000 * abs(where - zero))
+        bearings.append(_sized(foot, f"h_{name}", size, place, drafting))
+    past = place.length(shown.reach) + FIRST * hand.symbol
+    yield from view.dimensions(base - half, base.imag - past, arms, hand)
+    yield from view.dimensions(base + half, base.imag + past, bearings, hand, side=1)
+
+
+def _sized(spot: complex, names: str, size: Slot, place: Place, drafting: Drafting) -> Sized:
+    """Give a place with what its dimension says and states."""
+    states = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
+    return spot, joined(" = ", (names, drafting.slot(size))), states
