@@ -25,7 +25,7 @@ from drawings.symbols.symbols import pole
 from plans.model.dynamics import TURN, Cycle, Flywheel, Touch
 
 NAME = "loop-equations"
-LINES = 5
+LINES = 6
 STEP = 1.8  # sizes of a letter from line to line
 DIGITS = 5
 
@@ -62,8 +62,7 @@ def _origin(wheel: Flywheel, axes: Axes, drafting: Drafting) -> Iterator[str]:
     """Write where the origin of the whole diagram lies, mm from that of the loop."""
     x, y = -wheel.whole / axes.across.mu, -wheel.energy / axes.up.mu
     slope, cut = "(o_1l − o_1k)/(tg ψ_{max} − tg ψ_{min})", "o_1k + x_O·tg ψ_{max}"
-    parts = (_size("x_O", x, "mm", drafting, slope), _size("y_O", y, "mm", drafting, cut))
-    yield joined(";  ", parts)
+    yield from (_size("x_O", x, "mm", drafting, slope), _size("y_O", y, "mm", drafting, cut))
     across, up = (drafting.true(segment, axis.letter) for segment, axis in (("x_O", axes.across), ("y_O", axes.up)))
     inertia = _size("J_0", wheel.whole, "kg*m2", drafting, f"−{across}")
     yield joined(";  ", (inertia, _size("T_0", wheel.energy, "J", drafting, f"−{up}")))
