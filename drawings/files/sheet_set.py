@@ -17,7 +17,7 @@ from drawings.files.atomic_files import check_replaceable, create, discard, forc
 from drawings.files.atomic_files import temporary_name as new_name
 from drawings.files.file_error import told
 from drawings.files.manifest import Manifest, digest_of, existing_digest, existing_manifest, read_manifest
-from drawings.files.standing import locked, unstopped
+from drawings.files.standing import BUSY, locked, unstopped
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
@@ -46,17 +46,18 @@ class Left(NamedTuple):
 def output_folder(folder: Path) -> Iterator[Left]:
     """Make a folder, keep other runs out of it while the block lasts, and tidy up what an interrupted run left there.
 
-    Folders that were made for a block that fails are taken away again.
+    Folders that were made for a block that fails are taken away again, but not from under another run.
     """
     made = [level for level in (folder, *folder.parents) if not os.path.lexists(level)]
     try:
         make_folder(folder)
         with locked(folder) as alone:
             yield recover(folder, alone)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            for level in made:
-                level.rmdir()
+    except BaseException as error:
+        if getattr(error, "reason", None) != BUSY:
+            with contextlib.suppress(OSError):
+                for level in made:
+                    level.rmdir()
         raise
 
 

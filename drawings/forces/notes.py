@@ -116,8 +116,7 @@ def _masses(statics: Statics, language: str) -> Iterator[str]:
             masses.append(f"m_{{{link}}} = {number(body.mass, language)}{NBSP}{word(language, 'kg')}")
         if body.inertia:
             masses.append(f"J_{{S{link}}} = {number(body.inertia, language)}{NBSP}{word(language, 'kg*m2')}")
-    if masses:
-        yield ",  ".join(masses)
+    yield ",  ".join(masses) or word(language, "no masses")
 
 
 def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:

@@ -23,7 +23,8 @@ from plans.forces.loading import asks
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
-from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
+from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram
+from plans.model.mechanism import FRAME
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study
 from plans.words.words import Message, message, term, word
@@ -99,7 +100,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     comparison, statics = study.of(ForceComparison), study.of(Statics)
     told = equations(statics, comparison, drafting_of_forces(statics), drawn_scales(leaves))
     return Chapters(
-        subject=[*_bodies(statics.machine, language), *counted_strokes(statics, language)],
+        subject=[*_bodies(statics, language), *counted_strokes(statics, language)],
         values=[*told, *forces(comparison, statics, language)],
         left_out=[word(language, "report.forces_drawn", positions=shown_in)],
     )
@@ -108,12 +109,10 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 def headline(study: Study) -> str:
     """Give the greatest balancing moment; say of loads of one stroke alone that their output reverses within it."""
     language = study.scene.sheet.language
-    return "\n".join(
-        [
-            *_greatest(study.of(Statics), study.of(ForceComparison).construction, language),
-            *_reversals(study.of(Statics), language),
-        ]
-    )
+    statics = study.of(Statics)
+    told = _greatest(statics, study.of(ForceComparison).construction, language)
+    massless = () if statics.machine.bodies else (lettering.word(language, "no masses"),)
+    return "\n".join([*told, *_reversals(statics, language), *massless])
 
 
 def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
@@ -162,12 +161,18 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
         yield from friction_lines(comparison, statics.friction, language)
 
 
-def _bodies(machine: Machine, language: str) -> Iterator[str]:
+def _bodies(statics: Statics, language: str) -> Iterator[str]:
+    machine = statics.machine
     say, write = partial(word, language), partial(number, language=language)
     yield chapter(language, "bodies")
     for link, body in sorted(machine.bodies.items()):
         centre = {"x": write(body.centre.real), "y": write(body.centre.imag)}
         yield say("report.body", link=link, mass=write(body.mass), inertia=write(body.inertia), **centre)
+    bare = [str(link) for link in sorted(statics.study.mechanism.links) if link not in (FRAME, *machine.bodies)]
+    if not machine.bodies:
+        yield f"- {lettering.word(language, 'no masses')}"
+    elif bare:
+        yield say("report.massless", links=", ".join(bare))
     gravity = {"x": write(machine.gravity.real), "y": write(machine.gravity.imag)}
     yield say("report.gravity", **gravity) if machine.gravity else say("report.no_gravity")
     for force in machine.forces:

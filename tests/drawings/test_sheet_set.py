@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from unittest import mock
 
 import pytest
 
@@ -236,6 +237,15 @@ def test_a_second_run_in_a_folder_ends_at_once_with_7(run: Run, tmp_path: Path) 
     assert (code, out) == (7, "")
     assert err == f"{tmp_path}: {standing.BUSY}\n"
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_that_comes_second_leaves_the_folder_that_the_first_has_made(tmp_path: Path) -> None:
+    """Both find no folder: the first makes and locks it, and the second, refused, must not take it away again."""
+    folder = tmp_path / "out"
+    with mock.patch.object(os.path, "lexists", return_value=False), output_folder(folder):
+        with pytest.raises(FileError, match="another run"), output_folder(folder):
+            pass
+        assert folder.is_dir()
 
 
 def test_the_lock_of_a_killed_run_is_no_lock(tmp_path: Path) -> None:
