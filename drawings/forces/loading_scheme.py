@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
@@ -32,7 +32,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, Gear
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Arm, Dimension, to_scale
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import LINE, Subject, heading
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
 from drawings.symbols.symbols import BLOCK, MASS
 
@@ -275,14 +275,20 @@ def measure(shown: Scheme, drafting: Drafting) -> Picture:
     place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
     left, bottom, right, top = bounds(Group(tuple(SchemeLayout(shown, place, drafting, None).strokes())))
     wide, high = bare.wide / place.scale.mu / 2, bare.high / place.scale.mu / 2
-    around = LETTERS * hand.letter
+    around, further = LETTERS * hand.letter, _further(shown, drafting)
     side = max(-left - wide, right - wide, 0.0) + BESIDE * hand.letter
-    margins = Margins(side, max(-bottom - high, 0.0) + around, max(top - high, 0.0) + around + _head(hand))
-    return bare._replace(margins=margins, heading=text_width(Text(0j, _title(shown, drafting), hand.title)))
+    margins = Margins(side, max(-bottom - high, 0.0) + around, max(top - high, 0.0) + around + _head(hand, further))
+    heads = [Text(0j, _title(shown, drafting), hand.title), *(Text(0j, line, hand.text) for line in further)]
+    return bare._replace(margins=margins, heading=max(map(text_width, heads)))
 
 
-def _head(hand: Hand) -> float:
-    return 1.6 * hand.title + 2 * hand.text
+def _head(hand: Hand, further: Sequence[str]) -> float:
+    return 1.6 * hand.title + (2 + LINE * len(further)) * hand.text
+
+
+def _further(shown: Scheme, drafting: Drafting) -> list[str]:
+    """Say under the title which flank of the teeth bears that drive the wheel."""
+    return [] if shown.wheel is None else [drafting.word(shown.wheel.flank)]
 
 
 def _title(shown: Scheme, drafting: Drafting) -> str:
@@ -292,11 +298,11 @@ def _title(shown: Scheme, drafting: Drafting) -> str:
 
 def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
-    place, hand = room.place(*spot), drafting.hand
-    box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
+    place, hand, further = room.place(*spot), drafting.hand, _further(shown, drafting)
+    box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand, further))
     layout = SchemeLayout(shown, place, drafting, box)
     under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
-    title = heading(spot.box, _title(shown, drafting), under, hand)
+    title = heading(spot.box, _title(shown, drafting), under, hand, *further)
     name = f"scheme-{shown.cut.label}-{shown.column}"
     return LetteredFigure(name, (title, *layout.strokes()), partial(_letters, layout, hand))
 

@@ -23,7 +23,7 @@ from plans.forces.loading import asks
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
-from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram
+from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram
 from plans.model.mechanism import FRAME
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study
@@ -152,6 +152,7 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     balancing = balancing_quantity(statics.study.mechanism.drive)
     yield from _reactions(found, balancing, statics)
     yield from balancing_table(comparison, balancing, language)
+    yield from _flanks(found, statics)
     yield from (
         gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
         for gap in found.gaps
@@ -235,6 +236,17 @@ def _reactions(found: Kinetostatics, balancing: BalancingQuantity, statics: Stat
     yield from header([word(language, "table.position"), *columns])
     for k in range(len(found.phi)):
         yield row([str(k), *(_cell(column[k], language) for column in columns.values())])
+
+
+def _flanks(found: Kinetostatics, statics: Statics) -> Iterator[str]:
+    """Tell in which positions the other flank of a gear's teeth bears, because the moment is against the rotation."""
+    if statics.machine.transmission.kind != GEAR:
+        return
+    turning = np.sign(statics.study.mechanism.drive.omega) * found.balancing.moment
+    against = np.flatnonzero(turning < -found.nothing_over[1]).tolist()
+    moment = f"${Formula(drafting_of_forces(statics)).letter('M_bal')}$"
+    said = "report.coast_flank" if against else "report.drive_flank"
+    yield f"{word(statics.study.language, said, moment=moment, positions=runs(against))}\n"
 
 
 def _sized(column: Any, nothing: Any) -> Any:

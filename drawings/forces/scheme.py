@@ -25,8 +25,7 @@ from drawings.symbols.force_arrow import ForceArrow
 from drawings.symbols.symbols import HINGE, fixed_hinge
 from geometry.board import at
 from plans.forces.cut import INERTIA, WEIGHT, CutGroup, ForcePlan
-from plans.forces.drive import action
-from plans.model.machine import COUPLING, GEAR, Spring
+from plans.model.machine import COUPLING, Spring
 from plans.model.mechanism import FRAME
 
 FAR = 2.5  # sizes of a cut's links: of a longer spring only so much is drawn, else it would hide the links
@@ -88,13 +87,17 @@ WHOLE = 2.0  # cranks: of a larger wheel only a part of the pitch circle is draw
 
 
 class DrivingWheel(NamedTuple):
-    """The wheel that drives the crank: shaft, pitch radius m, direction of the pitch point rad and of the force."""
+    """The wheel that drives the crank: shaft, pitch radius m, direction of the pitch point rad and of the force.
+
+    `flank` tells in a word which flank of the teeth bears.
+    """
 
     centre: complex
     radius: float
     at: float
     action: complex
     whole: bool
+    flank: str
 
 
 @dataclass(frozen=True)
@@ -157,20 +160,21 @@ class Scheme:
 def scheme(plan: ForcePlan, cut: CutGroup, column: int) -> Scheme:
     """Gather what the loading scheme of a cut shows in one position."""
     links = cut_links(plan, cut, column)
-    wheel = _wheel(plan, links) if cut.group is None else None
+    wheel = _wheel(plan, links, column) if cut.group is None else None
     loads, arms = acting(plan, cut, links, column), leverages(plan, cut, column)
     hung = tuple(shown_springs(plan, cut, links, column))
     return Scheme(plan, cut, column, links, loads, arms, wheel, hung, tuple(friction_circles_of(plan, cut)))
 
 
-def _wheel(plan: ForcePlan, links: CutLinks) -> DrivingWheel | None:
+def _wheel(plan: ForcePlan, links: CutLinks, column: int) -> DrivingWheel | None:
     how, drive = plan.machine.transmission, plan.mechanism.drive
-    if how.kind != GEAR:
+    if plan.push is None:
         return None
     shaft = links.spot(drive.pivot, links.shown)
     crank = abs(links.spot(drive.end, links.shown) - shaft)
-    along = action(how, drive.omega)
-    return DrivingWheel(shaft, how.radius, how.at, along / abs(along), how.radius <= WHOLE * crank)
+    along, moment = at(plan.push.point, column), at(plan.balancing.point, column).real
+    flank = "coast flank" if moment * drive.omega < 0 else "drive flank"
+    return DrivingWheel(shaft, how.radius, how.at, along / abs(along), how.radius <= WHOLE * crank, flank)
 
 
 WIDER = 0.4  # mm that a friction circle must be wider than the hinge's own circle

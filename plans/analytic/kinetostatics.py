@@ -40,8 +40,13 @@ class Action(NamedTuple):
     shaft: Complexes
 
 
-def action(transmission: Transmission, mechanism: Mechanism, constraints: Constraints, poses: Floats) -> Action | None:
-    """Give the line of action of a crank driven by force; None where a moment drives it, and of a slide."""
+def action(
+    transmission: Transmission, mechanism: Mechanism, constraints: Constraints, poses: Floats, sense: Floats
+) -> Action | None:
+    """Give the line of action of a crank driven by force; None where a moment drives it, and of a slide.
+
+    Teeth press in a sense (+1 to the left), turned from the pitch tangent by the pressure angle towards the shaft.
+    """
     drive, points = mechanism.drive, mechanism.links[mechanism.drive.link].points
     if drive.guide is not None:
         return None
@@ -50,19 +55,10 @@ def action(transmission: Transmission, mechanism: Mechanism, constraints: Constr
         end = place(constraints, poses, drive.link, points[drive.end])
         return Action(end, 1j * (end - shaft) / np.abs(end - shaft), shaft)
     if transmission.kind == GEAR:
-        towards, along = _mesh(transmission, drive)
-        return Action(shaft + transmission.radius * towards, np.full(len(poses), along), shaft)
+        towards = np.exp(1j * transmission.at)
+        along = 1j * towards * sense * np.exp(1j * sense * transmission.pressure)
+        return Action(shaft + transmission.radius * towards, along, shaft)
     return None
-
-
-def _mesh(gear: Transmission, drive: Drive) -> tuple[complex, complex]:
-    """Give the directions from the shaft to the pitch point, and of the teeth's push there (figure 6.17).
-
-    The push turns the wheel on, and is turned from the pitch tangent by the pressure angle towards the shaft.
-    """
-    sense = -1.0 if drive.omega < 0.0 else 1.0
-    towards = np.exp(1j * gear.at)
-    return complex(towards), complex(1j * towards * sense * np.exp(1j * sense * gear.pressure))
 
 
 def unit_force(constraints: Constraints, poses: Floats, line: Action) -> Floats:
@@ -105,9 +101,17 @@ def kinetostatics(
     mechanism, constraints, poses = road.mechanism, road.constraints, road.poses(motion)
     masses = borne(mechanism, machine, motion)
     loads = Loading(loading.forces + masses.forces, loading.moments + masses.moments)
-    line = action(machine.transmission, mechanism, constraints, poses)
-    drive = None if line is None else unit_force(constraints, poses, line)
-    multipliers, singular = _balance(constraints, poses, _generalised(constraints, poses, loads), drive)
+    reduced = _generalised(constraints, poses, loads)
+
+    def balanced(sense: Floats) -> tuple[Action | None, Floats, dict[int, str]]:
+        line = action(machine.transmission, mechanism, constraints, poses, sense)
+        return line, *_balance(constraints, poses, reduced, line and unit_force(constraints, poses, line))
+
+    sense = np.full(len(poses), -1.0 if mechanism.drive.omega < 0.0 else 1.0)
+    line, multipliers, singular = balanced(sense)
+    pulled = multipliers[:, -1] < 0.0
+    if machine.transmission.kind == GEAR and pulled.any():  # a tooth cannot: the other flank bears, and pushes
+        line, multipliers, singular = balanced(np.where(pulled, -sense, sense))
     multipliers[[gap.position for gap in motion.gaps]] = np.nan  # where velocities are not borne, neither are forces
     forces = _Forces(mechanism, constraints, motion, poses, multipliers, constraints.place(poses))
     return Kinetostatics(

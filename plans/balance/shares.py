@@ -1,11 +1,14 @@
 """The share of the reciprocating mass that the crank balances, as a choice: by superposed force plans (выбор доли).
 
 With the share the static moment of the crank's counterweight changes evenly; a mass that follows from its radius, and
-its inertia, follow with it. Forces are superposed: those of one machine, and what each of the three adds.
+its inertia, follow with it. Forces are superposed: those of one machine, and what each of the three adds. What a gear's
+teeth press the shafts apart with is not, for either flank may bear: it follows from the moment, which is superposed.
 """
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -154,14 +157,24 @@ class Superposition:
 
     def _machine(self, burden: Burden) -> Machine:
         machine = self.machines(0.0)
-        return replace(machine, bodies={**machine.bodies, self.link: burden.body(self.link, self.shaft)})
+        level = machine.transmission._replace(pressure=0.0)  # its teeth press along the pitch tangent
+        bodies = {**machine.bodies, self.link: burden.body(self.link, self.shaft)}
+        return replace(machine, bodies=bodies, transmission=level)
 
     def _shaking(self, burden: Burden) -> Complexes:
         points = MainPoints(self.tree, self._machine(burden).bodies)
         return mass_centre(points, self.statics.study, positions_around(self.statics.study)).force
 
     def _reaction(self, burden: Burden) -> Complexes:
-        return forces_around(self.statics.bearing(self._machine(burden))).reactions[self.key].force
+        """Give the shaft's reaction N, and the balancing moment N*m in a row below, (2, N)."""
+        forces = forces_around(self.statics.bearing(self._machine(burden)))
+        return np.stack([forces.reactions[self.key].force, forces.balancing.moment])
+
+    @cached_property
+    def _apart(self) -> complex:
+        """What the teeth press the shafts apart with, N for each N*m of the moment."""
+        how = self.statics.machine.transmission
+        return cmath.rect(math.tan(how.pressure) / how.radius, how.at) if how.kind == GEAR else 0j
 
     def _more(self, share: float) -> tuple[float, float]:
         """Give by how much mass and inertia of the crank at a share differ from those of the first machine."""
@@ -194,18 +207,24 @@ class Superposition:
         first, step = self._shakes
         return np.asarray(first + share * step)
 
-    def reaction(self, share: float) -> Complexes:
-        """Give the reaction of the shaft on the crank at a share, N."""
+    def _borne(self, share: float) -> Complexes:
+        """Superpose reaction and moment at a share."""
         (first, step, mass, turning), here = self._bears, self.burden(share)
         more, slower = here.mass - self.first.mass, here.inertia - self.first.inertia
         return np.asarray(first + share * step + more * mass + slower * turning)
 
+    def reaction(self, share: float) -> Complexes:
+        """Give the reaction of the shaft on the crank at a share, N."""
+        force, moment = self._borne(share)
+        return np.asarray(force + self._apart * np.abs(moment))
+
     def _rate(self, share: float) -> Complexes:
-        """Give how the reaction of the shaft grows with the share, N: evenly but for a mass that follows."""
+        """Give how the shaft's reaction grows with the share, N: evenly but for a mass that follows, and a flank."""
         _, step, mass, turning = self._bears
         last, first = self.burden(share + SPAN), self.burden(share - SPAN)
         more, slower = (last.mass - first.mass) / (2 * SPAN), (last.inertia - first.inertia) / (2 * SPAN)
-        return np.asarray(step + more * mass + slower * turning)
+        force, moment = step + more * mass + slower * turning
+        return np.asarray(force + self._apart * np.sign(self._borne(share)[1].real) * moment)
 
     def choice(self, share: float) -> Choice:
         """Tell what is largest at a share."""

@@ -31,6 +31,7 @@ class ForcePlan:
         self.couples: dict[int, list[Couple]] = {link: [] for link in self.mechanism.links}
         self.given: list[Mark] = []  # the loads, in the order of the loading: they change with the position
         self.cuts: list[CutGroup] = []
+        self.push: Mark | None = None  # of a gear the direction in which its teeth press: by the moment asked of them
         self.drive: Mark | None = None  # force by which the crank is driven; None: a moment drives it
         self.driven: Mark | None = None  # where it acts
         self.balancing = self.pole  # moment about the shaft, once it is found

@@ -94,7 +94,8 @@ def _turned(plan: ForcePlan) -> CutGroup:
     drive, board = plan.mechanism.drive, plan.board
     shaft, (loads, couples) = plan.positions.point(drive.pivot), plan.acting(drive.link)
     plan.shaft = shaft
-    terms, line = statics.moments(plan, shaft, loads, couples), _line(plan)
+    terms = statics.moments(plan, shaft, loads, couples)
+    line = _line(plan, terms)
     why, driving = because("moments", point=shaft.name, link=drive.link), list[tuple[str, Mark, str]]()
     if line is None:
         plan.balancing = board.close(BALANCING, *terms, why=why) if terms else board.given(BALANCING, 0.0, NOTHING)
@@ -115,26 +116,28 @@ def _turned(plan: ForcePlan) -> CutGroup:
     return CutGroup(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (equation,), sides)
 
 
-def _line(plan: ForcePlan) -> Mark | None:
-    """Draw the line along which the crank is driven; None where a moment drives it."""
+def _line(plan: ForcePlan, terms: Sequence[Mark]) -> Mark | None:
+    """Draw the line along which the crank is driven against some moments; None where a moment drives it."""
     base, drive, how = plan.positions, plan.mechanism.drive, plan.machine.transmission
     if how.kind == FORCE:
         arm = base.arm(drive.link)
         return base.board.square(f"⊥{arm.name}", base.point(drive.end), arm, because("driving_square"))
     if how.kind == GEAR:
         pitch = base.board.given("W", cmath.rect(how.radius, how.at), because("pitch_point"))
-        along = plan.board.given("line of action", action(how, drive.omega), because("pressure_angle"))
-        return base.board.parallel("line of action", pitch, along, because("line_of_action"))
+        asked = np.asarray(-sum(term.point.real for term in terms))
+        plan.push = plan.board.given("line of action", pushing(how, drive, asked), because("pressure_angle"))
+        return base.board.parallel("line of action", pitch, plan.push, because("line_of_action"))
     return None
 
 
-def action(gear: Transmission, omega: float) -> complex:
-    """Give the direction in which the pinion's tooth presses: with the rotation, turned towards the wheel's centre.
+def pushing(gear: Transmission, drive: Drive, moment: Floats) -> Complexes:
+    """Give the direction in which the pinion's tooth presses: it pushes, and never pulls, by whichever flank bears.
 
-    The pitch tangent in the sense of rotation, turned by the pressure angle (book figure 6.17, M5.7).
+    The pitch tangent in the sense of the moment that is asked of it, turned by the pressure angle towards the wheel's
+    centre; with the rotation in book figure 6.17 (M5.7), where it drives.
     """
-    sense = -1.0 if omega < 0 else 1.0
-    return sense * 1j * cmath.exp(1j * (gear.at + sense * gear.pressure))
+    sense = np.where(moment == 0, -1.0 if drive.omega < 0 else 1.0, np.sign(moment))
+    return np.asarray(sense * 1j * np.exp(1j * (gear.at + sense * gear.pressure)))
 
 
 def joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:

@@ -14,7 +14,7 @@ from geometry.meet import UNBORNE
 from geometry.steps import behind
 from geometry.tracing import Tracing, remade
 from plans.forces.cut import ForcePlan, Support
-from plans.forces.drive import primary
+from plans.forces.drive import primary, pushing
 from plans.forces.dyads import GROUP_FORCES
 from plans.forces.lever import Lever, lever
 from plans.linkage import leads
@@ -109,7 +109,8 @@ class ForcePattern:
         self.pattern = pattern
         self.plan = forces(pattern.plans[2], groups, machine, loading)
         self._below = [plan.board for plan in pattern.plans]
-        self.tracing = pattern.tracing.over(behind(*chain(*self._below, self.plan.board)), self.plan.given)
+        free = [*self.plan.given, *([self.plan.push] if self.plan.push is not None else [])]
+        self.tracing = pattern.tracing.over(behind(*chain(*self._below, self.plan.board)), free)
 
     @cached_property
     def lever(self) -> Lever | None:
@@ -126,7 +127,14 @@ class ForcePattern:
     def follow(self, numbers: list[Any], loading: Loading) -> list[Any]:
         """Work out all numbers of the force plan over those of the plans below."""
         values = (*(load.force for load in loading.forces), *(twist.moment for twist in loading.moments))
-        return self.tracing.follow_on(numbers, dict(zip(self.plan.given, values, strict=True)))
+        given, plan = dict(zip(self.plan.given, values, strict=True)), self.plan
+        if plan.push is None:
+            return self.tracing.follow_on(numbers, given)
+        # Either flank asks the same moment of the teeth, and that tells which of them bears.
+        found = self.tracing.follow_on(numbers, given | {plan.push: plan.push.point})
+        moment = found[self.tracing.place(plan.balancing)].real
+        along = pushing(plan.machine.transmission, plan.mechanism.drive, moment)
+        return self.tracing.follow_on(numbers, given | {plan.push: along})
 
     def singular(self, numbers: list[Any], count: int) -> Any:
         """Tell at which positions a polygon or an equation of moments has no answer that the condition bears."""

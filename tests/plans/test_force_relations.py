@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from math import radians
+from math import cos, radians, sin
 
 import numpy as np
 from hypothesis import given
@@ -18,7 +18,7 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.quantities import compare
 from plans.linkage.sweep import at_angles
 from plans.model.kinetostatics import Kinetostatics
-from plans.model.machine import FORCE, MOMENT
+from plans.model.machine import FORCE, GEAR, MOMENT
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion
 from plans.quantity import EQUILIBRIUM
@@ -68,9 +68,21 @@ def test_a_crank_driven_faster_with_its_loads_multiplies_all_forces_by_the_squar
 
 
 @push
-@given(loaded())
+@given(loaded(kinds=(GEAR,)))
+def test_teeth_push_and_press_the_shafts_apart_whichever_way_the_moment_is(one):
+    """By the base circle's arm, and into the tooth: towards the wheel's centre, of either flank and on both roads."""
+    how, both = one.machine.transmission, compare_forces(one.statics, compare(one.study))
+    for found in (both.construction, both.analysis):
+        moment, (force,) = found.balancing.moment[0], found.balancing.force
+        inward = -(force * cmath.rect(1.0, -how.at)).real
+        assert abs(inward - abs(force) * sin(how.pressure)) <= one.told.slack
+        assert abs(abs(moment) - abs(force) * how.radius * cos(how.pressure)) <= one.told.turning
+
+
+@push
+@given(loaded(kinds=(MOMENT, FORCE)))
 def test_the_forces_of_two_load_cases_add_up(one):
-    """Masses with one force, and all else alone: inertia counts once."""
+    """Masses with one force, and all else alone: inertia counts once. Of a gear two cases may bear on two flanks."""
     some = replace(one.machine, forces=one.machine.forces[:1], moments=(), springs=())
     rest = replace(altered.massless(one.machine), forces=one.machine.forces[1:])
     parts = [replace(one, machine=its).told for its in (some, rest)]

@@ -25,6 +25,7 @@ from plans.model.balance.linkage import (
     Task,
 )
 from plans.model.dyad import Group, pair
+from plans.model.machine import GEAR
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
 
@@ -92,11 +93,17 @@ def _shaking(course: Course, partial: Sequence[Counterweight], step: complex) ->
 
 
 def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
-    """Give the shaft's reaction on the crank of a share: without the crank's counterweight, and what that one adds."""
-    drive = course.mechanism.drive
+    """Give the shaft's reaction on the crank of a share: without the crank's counterweight, and what that one adds.
+
+    Forces add up but for what teeth press the shafts apart with: that has one sense, whichever flank bears.
+    """
+    drive, how = course.mechanism.drive, course.machine.transmission
+    apart = np.exp(1j * how.at) * math.tan(how.pressure) / how.radius if how.kind == GEAR else 0.0
+    course = replace(course, machine=replace(course.machine, transmission=how._replace(pressure=0.0)))
     key = pair(FRAME, drive.link, drive.pivot).key
     others = [weight for weight in partial if weight.link != drive.link]
-    without = course.forces(others).reactions[key].force
+    bare = course.forces(others)
+    without, asked = bare.reactions[key].force, bare.balancing.moment
     twisted = course.twisted().reactions[key].force
     turning, gravity = _turning(course), course.machine.gravity
     turn, epsilon = np.exp(1j * course.turn.links[drive.link].angle), course.turn.links[drive.link].epsilon
@@ -105,7 +112,8 @@ def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) ->
         (weight,) = (weight for weight in shifted(course, partial, step, share) if weight.link == drive.link)
         about = weight.inertia + weight.mass * weight.distance**2 if weight.needed else 0.0
         moment = (np.conj(weight.moment * turn) * gravity).imag - about * epsilon
-        return np.asarray(without - weight.mass * gravity + weight.moment * turning + moment * twisted)
+        added = weight.moment * turning - weight.mass * gravity + moment * twisted
+        return np.asarray(without + added + apart * np.abs(asked - moment))
 
     return reaction
 
