@@ -35,6 +35,7 @@ from drawings.symbols.dimension import Arm, Dimension, to_scale
 from drawings.symbols.figure import LINE, Subject, heading
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
 from drawings.symbols.symbols import BLOCK, MASS
+from plans.forces.drive import DRIVING
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider
 RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
@@ -287,8 +288,9 @@ def _head(hand: Hand, further: Sequence[str]) -> float:
 
 
 def _further(shown: Scheme, drafting: Drafting) -> list[str]:
-    """Say under the title which flank of the teeth bears that drive the wheel."""
-    return [] if shown.wheel is None else [drafting.word(shown.wheel.flank)]
+    """Say under the title which flank of the teeth bears that drive the wheel, where one does."""
+    pressed = any(force.name == DRIVING for force in shown.acting.forces)
+    return [drafting.word(shown.wheel.flank)] if shown.wheel is not None and pressed else []
 
 
 def _title(shown: Scheme, drafting: Drafting) -> str:

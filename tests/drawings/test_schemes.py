@@ -73,6 +73,18 @@ def test_the_arms_of_the_worked_example_are_lettered_through_its_groups() -> Non
     assert gear.length == pytest.approx(0.18 * math.cos(math.radians(20)), rel=1e-12)
 
 
+def test_the_line_of_action_is_that_of_the_flank_that_bears() -> None:
+    """It presses the wheel the way of the moment and towards its centre, and is named by the sense of the rotation."""
+    plan, flanks = plan_of(text_of("shaper", ("positions = [60]", "positions = 12"))), set()
+    for k in range(12):
+        wheel, driving = scheme(plan, plan.cuts[-1], k).wheel, at(plan.balancing.point, k).real > 0
+        pressed = wheel.action * cmath.rect(1.0, -wheel.at)
+        assert pressed == pytest.approx((1j if driving else -1j) * cmath.exp(math.radians(20 if driving else -20) * 1j))
+        assert wheel.flank == ("drive flank" if driving else "coast flank")
+        flanks.add(wheel.flank)
+    assert len(flanks) == 2
+
+
 def test_a_guide_presses_where_the_moments_about_the_pin_balance() -> None:
     plan = plan_of(text_of("shaper", ASIDE))
     cut = plan.cuts[0]
