@@ -28,7 +28,7 @@ from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.linkage.vector_plan import link_working
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.kind import SheetKind
+from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit, figures_facts
 from geometry.board import at
@@ -226,4 +226,6 @@ class _BalancingSheet:
 
 
 SCALES: Final = {"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"}
-SHEETS: Final = {"balancing": SheetKind(leaves, due, SCALES, of_forces)}
+FORM: Final = dict.fromkeys(SCALES, PLAN) | dict.fromkeys(("rocking", "moment", "share"), GRAPH)
+TABLES = ("costs", "counterweights")
+SHEETS: Final = {"balancing": SheetKind(leaves, due, SCALES, of_forces, figures=FORM, tables=TABLES)}

@@ -26,7 +26,7 @@ from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
-from drawings.sheets.kind import SheetKind
+from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
@@ -206,4 +206,7 @@ def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 
 
 SCALES: Final = {"star": "scheme", "shaft": "scheme", "order_forces-": "force", "order_moments-": "moment"}
-SHEETS: Final = {"bank": SheetKind(leaves, due, SCALES)}
+PLANS = (*SCALES, "force_hodograph", "moment_hodograph")
+FORM: Final = dict.fromkeys(PLANS, PLAN) | dict.fromkeys(("force_graph", "moment_graph"), GRAPH)
+TABLES = ("orders", "compensators", "results")
+SHEETS: Final = {"bank": SheetKind(leaves, due, SCALES, figures=FORM, tables=TABLES)}

@@ -28,7 +28,7 @@ from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.report import agreed
 from drawings.sheets.documents import letter
-from drawings.sheets.kind import SheetKind
+from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import compositions, lay_out, lay_out_each
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.cam.numbers import cam_by_hand, readings, results
@@ -219,7 +219,13 @@ def of_cams(scene: Scene) -> None:
     letter(scene, [(("cam", k, "name"), cam.name) for k, cam in enumerate(scene.of(CamForm).cam)])
 
 
+SCALES, WORKSHOP = {"sizes": "cam", "profile": "cam"}, {manufacturing.PLAN: "cam"}
+FORM: Final = {"law-": GRAPH, "pressure": GRAPH, **dict.fromkeys(SCALES, PLAN)}
+COORDINATES = ("radii", "coordinates")
 SHEETS: Final = {
-    "cam": SheetKind(leaves, due, {"sizes": "cam", "profile": "cam"}, of_cams),
-    "profile": SheetKind(workshop_leaves, workshop_due, {"manufacturing": "cam"}, of_cams, enclosures=enclosures),
-}
+    "cam": SheetKind(leaves, due, SCALES, of_cams, figures=FORM, tables=("sizes", "results")),
+    "profile": SheetKind(
+        workshop_leaves, workshop_due, WORKSHOP, of_cams, enclosures=enclosures,
+        figures=dict.fromkeys(WORKSHOP, PLAN), tables=COORDINATES,
+    ),
+}  # fmt: skip

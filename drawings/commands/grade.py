@@ -15,9 +15,7 @@ from drawings.commands.stderr import tell
 from drawings.files.atomic_files import write
 from drawings.files.file_error import print_json
 from drawings.grading.allowance import Allowances, allowance
-from drawings.grading.asked import RECORDS, ungraded
 from drawings.grading.class_list import grade_all, grade_own
-from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import HEAD, feedback, is_plain, lines, plain, plain_name, row
 from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import Hints, idle_keys, sheet_task
@@ -38,8 +36,6 @@ def run(options: argparse.Namespace) -> int:
     originals = Originals(options.scene)
     task = sheet_task(originals)
     language = options.language or originals.language
-    for kind in ungraded(originals, {**RECORDS, **FIGURES}):
-        tell(word(language, "grade.ungraded", kind=kind))
     if not task.sheets:
         tell(word(language, "accept.ungraded", scene=plain_name(options.scene)))
         return CODES[UNREAD]

@@ -18,7 +18,7 @@ from drawings.lettering.words import fixed
 from drawings.linkage.positions import of_linkage
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.sheets.kind import SheetKind
+from drawings.sheets.kind import FRAME, GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from plans.cyclogram.quantities import CyclogramComparison
@@ -103,4 +103,6 @@ def _table(comparison: CyclogramComparison, drafting: Drafting) -> Caption:
     return Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
 
 
-SHEETS: Final = {"cyclogram": SheetKind(leaves, due, {"characteristic": "length"}, of_linkage)}
+FORM: Final = {"characteristic": FRAME, "bars": GRAPH, "circle": PLAN}
+SCALES: Final = {"characteristic": "length"}
+SHEETS: Final = {"cyclogram": SheetKind(leaves, due, SCALES, of_linkage, figures=FORM, tables=(NAME,))}

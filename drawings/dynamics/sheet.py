@@ -30,7 +30,7 @@ from drawings.linkage.positions import of_linkage
 from drawings.page.page import Page, page_of
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.sheets.kind import SheetKind
+from drawings.sheets.kind import GRAPH, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.dynamics.numbers import SEGMENTS
@@ -325,4 +325,7 @@ class _DynamicsSheet:
 
 
 SCALES: Final = {"flywheel_sketch": "wheel", "load_diagram-": "way"}
-SHEETS: Final = {"dynamics": SheetKind(leaves, due, SCALES, of_linkage)}
+GRAPHS = ("moments", "works", "surplus", "speeds", "inertia", "loop", "before", "tachogram", "load_diagram-")
+FORM: Final = dict.fromkeys(GRAPHS, GRAPH)
+TABLES = ("positions", "reduction", "results")
+SHEETS: Final = {"dynamics": SheetKind(leaves, due, SCALES, of_linkage, figures=FORM, tables=TABLES)}

@@ -34,7 +34,7 @@ from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.documents import letter as lettered
 from drawings.sheets.documents import unknown
-from drawings.sheets.kind import SheetKind
+from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, see_ordinates
 from geometry.board import at
@@ -285,4 +285,12 @@ SCALES: Final = {
     "balancing": "moment",
     "load_diagram-": "way",
 }
-SHEETS: Final = {"forces": SheetKind(leaves, due, SCALES, of_forces, of_arm)}
+FORM: Final = {
+    "scheme-": PLAN,
+    "forces-": PLAN,
+    "lever": PLAN,
+    "hodograph-": PLAN,
+    "balancing": GRAPH,
+    "load_diagram-": GRAPH,
+}
+SHEETS: Final = {"forces": SheetKind(leaves, due, SCALES, of_forces, of_arm, figures=FORM, tables=("values",))}

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.form.laid import SCALE, Given, given
-from drawings.form.task import TABLES, table_of
 from drawings.page.page import BLOCK
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Curve, Fill, Leaf, Line, Polyline, Stroke, Text
@@ -15,6 +14,7 @@ from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
 from drawings.reading.measure import check
 from drawings.reading.sheet import SeenSheet, see
+from drawings.sheets.kind import table_of
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.study import Study
@@ -44,7 +44,7 @@ def see_blank(source: bytes, study: Study) -> None:
     told = [
         *_marks(seen, study),
         *_bent(seen.written),
-        *_astray(seen.written),
+        *_astray(seen.written, study.scene.sheets),
         *_numbers(seen.written, given(study.scene)),
     ]
     if told:
@@ -68,10 +68,10 @@ def _bent(leaf: Leaf) -> Iterator[str]:
             yield group.name or group.title or type(group.strokes[0]).__name__
 
 
-def _astray(leaf: Leaf) -> Iterator[str]:
-    """Name the groups with lines that are no place, no axes and no table, beside the page itself."""
+def _astray(leaf: Leaf, sheets: Iterable[str]) -> Iterator[str]:
+    """Name the groups with lines that are no place, no axes and no table of some sheets, beside the page itself."""
     for group in (group for group in leaf.groups if group.name not in PAGE):
-        known = group.data.get("kind") in LINED or any(table_of(kind, group.name) for kind in TABLES)
+        known = group.data.get("kind") in LINED or any(table_of(kind, group.name) for kind in sheets)
         if not known and any(isinstance(stroke, STRAIGHT) for stroke in flat(group.strokes)):
             yield group.name or group.title or Line.__name__
 

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 
 from drawings import VERSION
 from drawings.form.laid import PARTS, Given, LaidFigure, LaidTable, blank, data, figures, given, tables
-from drawings.form.task import FRAME, GRAPH
 from drawings.kinds.axes import arrow
 from drawings.layout.contents import EVEN, Panel
 from drawings.layout.labels import Labels
@@ -24,6 +23,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Leaf, Line, SheetError, Stroke, Text, numeral, stated
 from drawings.redrawn.originals import leaves_of
 from drawings.sheets.documents import bind
+from drawings.sheets.kind import FRAME, GRAPH
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, key_of
 from drawings.symbols import symbols

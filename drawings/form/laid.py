@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import Any, Final, NamedTuple
 
-from drawings.form.task import figure_of, table_of
 from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
 from drawings.lettering.extent import bounds
@@ -21,6 +20,7 @@ from drawings.lettering.words import word
 from drawings.page.scale import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
+from drawings.sheets.kind import figure_of, table_of
 from plans.scene.scene import Scene
 from plans.techniques import techniques
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple, TypeAlias
@@ -15,8 +15,10 @@ from drawings.paper.statement import Key, Kind
 from drawings.paper.walk import groups
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.redrawn.originals import Original, Originals
+from drawings.sheets.kind import PLAN, figure_of
 from geometry.board import Board
 from geometry.steps import Span
+from plans.study import Study
 from plans.techniques import technique_of
 from plans.words.words import Message, message
 
@@ -73,7 +75,7 @@ def named(text: str) -> Any:
     return getattr(import_module(module), name)
 
 
-# By technique: of a study and a leaf to the record of that sheet.
+# By technique: of a study and a leaf to the record of that sheet, where more is known of it than its quantities say.
 RECORDS: Final[Mapping[str, str]] = MappingProxyType(
     {
         "linkage": "drawings.grading.techniques.forces:record_of_linkage",
@@ -81,6 +83,17 @@ RECORDS: Final[Mapping[str, str]] = MappingProxyType(
         "balance": "drawings.grading.techniques.rotor:record_of_balance",
         "bank": "drawings.grading.techniques.rotor:record_of_bank",
         "rotor": "drawings.grading.techniques.rotor:record_of_rotor",
+    }
+)
+# By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
+CURVES: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        "dynamics": "drawings.grading.curves.dynamics_figures:figures_of_dynamics",
+        "bank": "drawings.grading.curves.diagram_figures:figures_of_arms",
+        "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
+        "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
+        "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
+        "cam": "drawings.grading.curves.cam_figures:figures_of_cam",
     }
 )
 # By what the scale of a plan is lettered, where not by the quantity of its marks.
@@ -153,20 +166,16 @@ def plans_asked(originals: Originals) -> tuple[PlanAsked, ...]:
     return tuple(plan for sheet in originals.sheets for plan in _of_sheet(originals, sheet))
 
 
-def ungraded(originals: Originals, kinds: Collection[str]) -> tuple[str, ...]:
-    """Give the kinds of sheets of a scene that are of other techniques than some."""
-    sheets = dict.fromkeys(sheet.kind for sheet in originals.sheets)
-    return tuple(kind for kind in sheets if technique_of(kind) not in kinds)
-
-
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
-    row = RECORDS.get(technique_of(sheet.kind))
-    if row is None:
+    technique = technique_of(sheet.kind)
+    row = RECORDS.get(technique)
+    if row is None and technique in CURVES:
         return
     figures, titles = dict[Place, list[MeasuredVector | MeasuredPoint]](), _titles(sheet)
     for mark in originals.seen(sheet).measured.marks:
         figures.setdefault((mark.plan, mark.position), []).append(mark)
-    record, expected = named(row)(originals.study, sheet.leaf), originals.due(sheet)
+    record = _record(originals.study, sheet.kind, figures) if row is None else named(row)(originals.study, sheet.leaf)
+    expected = originals.due(sheet)
     for (plan, position), marks in figures.items():
         if position in record.plans.get(plan, ()):
             vectors = tuple(_asked(mark, record, expected, titles) for mark in marks)
@@ -175,6 +184,17 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
             board, symbol = record.subjects.get(plan, plan), SYMBOLS.get(quantity, quantity)
             ways = dict(_ways(record.known.get(plan, ()), (plan, position), expected))
             yield PlanAsked(plan, position, sheet.name, unit, vectors, scales, board, symbol, ways)
+
+
+def _record(study: Study, kind: str, figures: Mapping[Place, Sequence[MeasuredVector | MeasuredPoint]]) -> Record:
+    """Give the record of a sheet of which nothing more is known: its plans, and what its quantities are read off."""
+    quantities = study.quantities(technique_of(kind))
+    found = ((one.plan, Found(one.name, one.shown)) for one in quantities if isinstance(one.shown, Span))
+    plans: dict[str, dict[int | None, float]] = {}
+    for (plan, position), marks in figures.items():
+        if figure_of(kind, plan) == PLAN:
+            plans.setdefault(plan, {})[position] = marks[0].scale
+    return Record({(plan, k, "", one.name): one for plan, one in found for k in plans.get(plan, ())}, plans)
 
 
 def _asked(

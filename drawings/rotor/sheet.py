@@ -21,7 +21,7 @@ from drawings.rotor.due import due
 from drawings.rotor.polygon import RotorView, rotor_view
 from drawings.rotor.polygon import polygon as rotor_polygon
 from drawings.rotor.report import RotorNotes
-from drawings.sheets.kind import SheetKind
+from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.by_hand import by_hand
@@ -154,4 +154,5 @@ def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[
 
 
 SCALES: Final = {"across": "rotor", "along": "rotor", "unbalances": "unbalance", "couples": "couple"}
-SHEETS: Final = {"rotor": SheetKind(leaves, due, SCALES)}
+FORM: Final = dict.fromkeys(SCALES, PLAN)
+SHEETS: Final = {"rotor": SheetKind(leaves, due, SCALES, figures=FORM, tables=(MASSES, RESULTS))}

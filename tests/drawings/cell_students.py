@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 from xml.sax.saxutils import escape
 
 from drawings.form.blank_file import SEAL
-from drawings.form.task import table_of
 from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.asked_table import TableAsked, tables_asked
 from drawings.grading.cells.seen_table import Key, SeenCell, ruling, tables_seen
@@ -18,6 +17,7 @@ from drawings.pens.svg import svg
 from drawings.reading.alphabet import folded
 from drawings.reading.transform import STAY
 from drawings.redrawn.originals import Original, Originals
+from drawings.sheets.kind import table_of
 from tests.drawings.students import drawn, task
 
 SIZE = 4.9  # of an editor's letters, user units

@@ -13,7 +13,7 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.files.file_error import json_text
-from drawings.form import laid, task
+from drawings.form import laid
 from drawings.form.blank_file import blank_file, see_blank
 from drawings.form.form import form_of
 from drawings.form.laid import given
@@ -25,6 +25,8 @@ from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
 from drawings.redrawn.originals import leaves_of
+from drawings.rotor.sheet import SHEETS as ROTOR
+from drawings.sheets.kind import PLAN, sheet_kind
 from drawings.symbols.figure import Subject, point, vector
 from plans.scene.forms import SHEETS
 from plans.scene.scene import parse_scene, read_scene
@@ -118,8 +120,8 @@ def test_scenes_that_differ_in_what_is_sought_have_one_form() -> None:
 
 
 def test_every_kind_of_sheet_says_what_of_it_is_the_task() -> None:
-    assert task.FIGURES.keys() == set(SHEETS)
-    assert task.TABLES.keys() | {"positions"} == set(SHEETS)
+    assert [sheet for sheet in SHEETS if not sheet_kind(sheet).figures] == []
+    assert [sheet for sheet in SHEETS if not sheet_kind(sheet).tables] == ["positions"]
 
 
 @pytest.mark.rest
@@ -127,7 +129,7 @@ def test_a_figure_that_nobody_knows_is_left_out(monkeypatch: pytest.MonkeyPatch)
     study, _ = form(GALLERY / "fan.toml")
     (leaf,) = leaves_of(study)["rotor"]
     whole = {one.name for one in laid.figures(leaf, "rotor", given(study.scene))}
-    monkeypatch.setattr(task, "FIGURES", {"rotor": {"across": task.PLAN}})
+    monkeypatch.setitem(ROTOR, "rotor", ROTOR["rotor"]._replace(figures={"across": PLAN}))
     assert {one.name for one in laid.figures(leaf, "rotor", given(study.scene))} == {"across"} < whole
 
 

@@ -18,16 +18,12 @@ import pytest
 from drawings.commands import cli
 from drawings.commands import grade as commanded
 from drawings.commands.grade import write_feedback
-from drawings.grading import class_list
+from drawings.grading import asked, class_list
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import RECORDS, ungraded
-from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback, gathered, row
 from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import SheetTask, idle_keys
 from drawings.grading.verdict import OF_QUANTITIES, Marking, MarkingError, Verdict, points_of, read_marking
-from plans.scene.forms import SHEETS
-from plans.techniques import technique_of
 from tests.drawings.students import TABLED, task
 from tests.drawings.test_grading import MISTAKES, made
 from tests.gallery import GALLERY
@@ -204,9 +200,14 @@ def test_a_row_holds_no_formula(folder: Path) -> None:
     assert text.getvalue().startswith("'=cmd()\N{REPLACEMENT CHARACTER}.svg,mistakes,")
 
 
-def test_every_technique_is_graded_and_one_that_is_not_would_be_told() -> None:
-    assert {technique_of(kind) for kind in SHEETS} <= {*RECORDS, *FIGURES}
-    assert ungraded(task("slider-crank").originals, {}) == ("kinematics", "forces")
+def test_plans_of_which_grading_knows_nothing_are_asked_for_as_others_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    known = {plan.plan: plan for plan in asked.plans_asked(task("fan").originals)}
+    monkeypatch.setattr(asked, "RECORDS", {})
+    plain = {plan.plan: plan for plan in asked.plans_asked(task("fan").originals)}
+    assert plain.keys() == known.keys() | {"across"}
+    for name, plan in known.items():
+        assert plain[name].scales[name] == plan.scales[name]
+        assert [one[:4] for one in plain[name].vectors] == [one[:4] for one in plan.vectors]
 
 
 @pytest.mark.rest

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from drawings.form.form import form_of
-from drawings.form.task import table_of
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.curves.form_figure import empty_axes
@@ -23,6 +22,7 @@ from drawings.pytest_plugin.assignment import Assignment
 from drawings.pytest_plugin.handed_sheet import HandedSheet
 from drawings.reading.alphabet import folded
 from drawings.reading.sheet import see
+from drawings.sheets.kind import table_of
 from tests.drawings.cell_students import key_of, table_task, tables_of, written
 from tests.drawings.curve_students import curve_task
 from tests.drawings.test_curve_grading import on_form

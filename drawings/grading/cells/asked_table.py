@@ -10,7 +10,6 @@ from typing import NamedTuple, TypeAlias
 from drawings.checks.expected import Expected
 from drawings.checks.plain import plain
 from drawings.form.laid import BESIDE
-from drawings.form.task import table_of
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
 from drawings.grading.curves.figure_records import PRICKED
@@ -21,6 +20,7 @@ from drawings.paper.walk import groups, stated, texts
 from drawings.reading.alphabet import folded
 from drawings.reading.transform import Affine
 from drawings.redrawn.originals import Original, Originals
+from drawings.sheets.kind import table_of
 from geometry.hand_error import POINT
 from geometry.steps import Reading
 from plans.by_hand import SLIP

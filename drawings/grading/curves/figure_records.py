@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from drawings.checks.expected import Expected
 from drawings.checks.written import written_scales
-from drawings.grading.asked import named
+from drawings.grading.asked import CURVES, named
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, group_named
@@ -269,25 +269,12 @@ def by_number(marks: Mapping[int, MeasuredVector], places: Mapping[int, int] | N
     return {(mark.name, k): k if places is None else places[k] for k, mark in sorted(marks.items())}
 
 
-# By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
-FIGURES: Final[Mapping[str, str]] = MappingProxyType(
-    {
-        "dynamics": "drawings.grading.curves.dynamics_figures:figures_of_dynamics",
-        "bank": "drawings.grading.curves.diagram_figures:figures_of_arms",
-        "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
-        "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
-        "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
-        "cam": "drawings.grading.curves.cam_figures:figures_of_cam",
-    }
-)
-
-
 def figures_asked(originals: Originals) -> tuple[FigureAsked, ...]:
     """Give the curves that the sheets of a scene ask for."""
     return tuple(figure for sheet in originals.sheets for figure in _of_sheet(originals, sheet))
 
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
-    if row := FIGURES.get(technique_of(sheet.kind)):
+    if row := CURVES.get(technique_of(sheet.kind)):
         seen = originals.seen(sheet)
         yield from named(row)(originals.study, SceneSheet(sheet.name, seen.leaf, seen.measured, originals.due(sheet)))
