@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,7 +10,9 @@ import numpy as np
 from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.meet import Meeting
-from plans.words.words import Message
+from geometry.steps import behind
+from plans.quantity import Quantity
+from plans.words.words import Message, message
 
 
 class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own word)
@@ -34,6 +36,18 @@ class NoMark(NamedTuple):
     names: tuple[str, ...]
     listed: Message | None
     examples: tuple[str, ...]
+
+
+def explained_by(found: Sequence[Quantity], position: int, name: str) -> Explanation | NoMark:
+    """Explain any mark behind what shows some quantities."""
+    marks = {mark.name: mark for mark in behind(*(mark for one in found for mark in one.marks))}
+    if name not in marks:
+        return NoMark(tuple(marks), message("mark.marks", marks=", ".join(marks)), tuple(marks)[-1:])
+    count = max(len(one.construction) for one in found)
+    if not 0 <= position < count:
+        raise UnknownMark(message("mark.position", position=position, last=count - 1))
+    title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
+    return Explanation(title, in_position(behind(marks[name]), position, count), {one.plan: one.unit for one in found})
 
 
 def in_position(marks: Iterable[Mark], position: int, count: int) -> tuple[Mark, ...]:

@@ -72,6 +72,11 @@ class Quantity(NamedTuple):
         return cls.of((EQUILIBRIUM, name, unit), (left, 0.0 * left), allowed, largest)
 
     @property
+    def marks(self) -> tuple[Mark, ...]:
+        """The marks that show it, if any."""
+        return (self.shown,) if isinstance(self.shown, Mark) else tuple(self.shown or ())
+
+    @property
     def excess(self) -> Floats:
         """The difference in units of the allowed one; an undetermined comparison counts as infinite."""
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -96,6 +101,13 @@ class Numbers(NamedTuple):
     def plain(self) -> dict[str, Any]:
         """Give the numbers as plain data."""
         return self.data
+
+
+def numbers_of(found: Iterable[Quantity], by: str) -> dict[str, Any]:
+    """Give quantities by a road as plain data, by their names: a value, or one for each position."""
+    roads = {one.name: one.analysis if by == "analysis" else one.construction for one in found}
+    rows = {name: pairs(values) if np.iscomplexobj(values) else plain(values) for name, values in roads.items()}
+    return {name: row if len(row) > 1 else row[0] for name, row in rows.items()}
 
 
 class Told(Protocol):

@@ -33,6 +33,7 @@ class Technique(ABC):
     shares: ClassVar[Mapping[str, tuple[str, ...]]] = MappingProxyType({})  # its keys of tables that are not its own
     plans: ClassVar[tuple[str, ...]]  # what it makes, in order: the names that --only and --trace know
     sheets: ClassVar[Mapping[str, tuple[str, ...]]] = MappingProxyType({})  # each with the plans that it needs
+    scales: ClassVar[Mapping[str, tuple[str, str]]] = MappingProxyType({})  # its keys of [sheet.scale]: unit, meaning
     needs: ClassVar[tuple[str, ...]] = ()  # techniques that it rests on
     borrows: ClassVar[tuple[str, ...]] = ()  # those whose tables it reads, though it makes none of their plans
     paces: ClassVar[bool] = False  # whether it may give the drive its rates
@@ -67,13 +68,18 @@ class Technique(ABC):
         """Give all that its tables tell, which may be more than is compared."""
         return study.comparison(name_of(self)).findings
 
-    @abstractmethod
     def numbers(self, study: Study, by: str) -> Told:
-        """Give what it finds by a road as plain data, for `solve`."""
+        """Give what it finds by a road as plain data, for `solve`: its quantities, where it has no more to say."""
+        from plans.quantity import Numbers, numbers_of
 
-    @abstractmethod
+        asked = (one for one in self.quantities(study) if one.plan in study.plans)
+        return Numbers({"scene": study.scene.heading(), "by": by, name_of(self): numbers_of(asked, by)})
+
     def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
-        """Give the drafting steps behind a name in a position, for `explain`."""
+        """Give the drafting steps behind a name in a position, for `explain`: any that show its quantities."""
+        from plans.explanation import explained_by
+
+        return explained_by(self.quantities(study), position, name)
 
     def idle(self, scene: Scene) -> Iterable[Message]:
         """Say what is left out of a scene whose sheets do not ask for it."""

@@ -64,7 +64,10 @@ def tabled(part: str) -> str:
 
 
 def renewed(text: str) -> str:
-    """Give the page with its tables of keys as they should be."""
+    """Give the page with its tables of keys as they should be; what has none yet is put at its end."""
+    known = {found["part"] for found in BLOCK.finditer(text)}
+    for part in parts().keys() - known:
+        text += f"\n## {part.capitalize()}\n\n<!-- keys of {part} -->\n<!-- end of keys -->\n"
     return BLOCK.sub(lambda found: f"keys of {found['part']} -->\n{tabled(found['part'])}", text)
 
 

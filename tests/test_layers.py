@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from plans.techniques import TECHNIQUES
 from tests.own_text import parsed
 from tests.rows import over
 
@@ -23,43 +24,24 @@ CONSTRUCTIONS = (
     *("plans.cam.profile", "plans.cam.centre", "plans.dynamics.loop", "plans.balance.sums", "plans.bank.polygons"),
 )
 # Where a technique is drawn.
-DRAWN = tuple(
-    f"drawings.{name}"
-    for name in ("linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam")
-)
+DRAWN = tuple(f"drawings.{name}" for name in TECHNIQUES)
 # Where both roads of a technique are put beside each other.
-BOTH = tuple(
-    f"plans.{name}"
-    for name in (
-        *(
-            "rotor.quantities",
-            "bank.quantities",
-            "balance.quantities",
-            "balance.centre",
-            "cam.quantities",
-            "cam.verdicts",
-        ),
-        *("cam.numbers", "cyclogram.quantities", "diagrams.quantities", "dynamics.quantities", "dynamics.numbers"),
-        *("forces.quantities", "forces.friction_quantities", "forces.equilibrium", "forces.bill"),
-        *("linkage.quantities", "linkage.parts"),
-    )
+BOTH = (
+    *(f"plans.{name}.quantities" for name in TECHNIQUES),
+    *("plans.balance.centre", "plans.cam.verdicts", "plans.cam.numbers", "plans.dynamics.numbers"),
+    *("plans.forces.friction_quantities", "plans.forces.equilibrium", "plans.forces.bill", "plans.linkage.parts"),
 )
 ROADS = "both roads"
 # What each technique is asked, which names the types of all rooms; at run time it knows none of them but for a default.
 CONTRACT = "plans/techniques.py"
 # Where a technique is an object: it knows all that its folder makes by either road.
-TECHNIQUES = tuple(f"plans/{name.rpartition('.')[2]}/__init__.py" for name in DRAWN)
+OBJECTS = tuple(f"plans/{name}/__init__.py" for name in TECHNIQUES)
 # Folder or file: what it must not import, anywhere in its text.
 FORBIDDEN = {
     "geometry/": ("plans", "drawings"),
     "plans/": ("drawings",),
     "plans/analytic/": ("geometry.meet", "geometry.board", "geometry.replay", "geometry.precision"),
-    "plans/rotor/": ("plans.analytic",),
-    "plans/balance/": ("plans.analytic",),
-    "plans/bank/": ("plans.analytic",),
-    "plans/cam/": ("plans.analytic",),
-    "plans/cyclogram/": ("plans.analytic",),
-    "plans/diagrams/": ("plans.analytic",),
+    **{f"plans/{name}/": ("plans.analytic",) for name in TECHNIQUES},
     # Who reads a sheet knows what stands on paper, the data of the alphabet, and words to refuse with.
     "drawings/reading/": (
         "drawings.layout",
@@ -224,10 +206,11 @@ ROOMS = (
     ("plans.model",),
     ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
-    ("plans.quantity", "plans.explanation"),
+    ("plans.quantity",),
+    ("plans.explanation",),
     ("plans.study",),
     ("plans.by_hand",),
-    ("plans.linkage", "plans.rotor", "plans.cam"),
+    ("plans.linkage",),
     ("plans.forces",),
     ("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams"),
     ("plans.bank",),
@@ -243,13 +226,16 @@ ROOMS = (
     ("drawings.linkage", "drawings.redrawn"),
     ("drawings.forces", "drawings.form"),
     ("drawings.dynamics",),
-    ("drawings.rotor", "drawings.cyclogram"),
+    ("drawings.cyclogram",),
     ("drawings.balance", "drawings.bank", "drawings.cam"),
     ("drawings.grading",),
     ("drawings.bench", "drawings.gallery", "drawings.pytest_plugin"),
     ("drawings.commands",),
 )
 ROWS = {room: row for row, rooms in enumerate(ROOMS) for room in rooms}
+# A technique that no row names rests on no other: it stands beside the linkage, and is drawn beside the cyclogram.
+ROWS = {f"plans.{name}": ROWS["plans.linkage"] for name in TECHNIQUES} | ROWS
+ROWS = {f"drawings.{name}": ROWS["drawings.cyclogram"] for name in TECHNIQUES} | ROWS
 # What still goes up: file and module, with the reason.
 UPWARD = {
     ("drawings/gallery/__main__.py", "drawings.commands.draw"): "the gallery is redrawn as a user would draw it",
@@ -268,7 +254,7 @@ def room_of(module: str) -> str | None:
 
 def upward(path: str, text: str) -> Iterator[tuple[str, str]]:
     """Give the imports of a file from a room that does not stand in a row below its own."""
-    own = ROADS if path in TECHNIQUES else room_of(module_of(path))
+    own = ROADS if path in OBJECTS else room_of(module_of(path))
     for module, _, late in parsed(text).imports:
         if path == CONTRACT and late:
             continue

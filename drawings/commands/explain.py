@@ -16,7 +16,7 @@ from drawings.lettering.words import letter
 from drawings.sheets.kind import sheet_kind
 from geometry.board import Arc, Line, Mark, at
 from geometry.precision import condition
-from geometry.steps import Reading, Span, behind
+from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.motion import ORDERS, POSITIONS
 from plans.quantity import Quantity
@@ -124,11 +124,10 @@ def _told(quantity: Quantity, name: str, position: int) -> Explanation:
     if not 0 <= position < count and count > 1:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     position = position if count > 1 else 0
-    shown = quantity.shown if isinstance(quantity.shown, Span | Reading) else filter(None, (quantity.shown,))
     ours, theirs = (f"{_size(row[position]):.10g}" for row in (quantity.construction, quantity.analysis))
     value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=quantity.unit)
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
-    steps = in_position(behind(*shown), position, count)
+    steps = in_position(behind(*quantity.marks), position, count)
     units = {order.plan: order.point.unit for order in ORDERS} | {quantity.plan: quantity.unit}
     return Explanation(title, steps, units, (value,), POSITIONS.plan)
 

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, NamedTuple
 
-from plans.quantity import Quantity
+from drawings.lettering.words import span
+from drawings.report.formula import Chapters
+from plans.model.motion import Complexes, Floats
+from plans.quantity import EQUILIBRIUM, Quantity
 from plans.words.words import ENGLISH, Message, term, word, written
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
-    from drawings.report.formula import Chapters
     from plans.study import Study
 
 
@@ -72,11 +77,31 @@ class Report(NamedTuple):
     subject: Callable[[Study], Subject] = titled  # what is studied, for the gallery's page: by its first technique
 
 
+def _quantities(technique: str, study: Study, _: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the quantities of a technique by both roads."""
+    language = study.scene.sheet.language
+    heads = [word(language, key) for key in ("table.quantity", "sheet.by plan", "sheet.by analysis")]
+    found = (one for one in study.quantities(technique) if one.plan != EQUILIBRIUM)
+    rows = (
+        row([heading(one, language), *(_size(one, road, language) for road in (one.construction, one.analysis))])
+        for one in found
+    )
+    return Chapters(values=[chapter(language, technique), *header(heads), *rows])
+
+
+def _size(one: Quantity, road: Complexes | Floats, language: str) -> str:
+    """Write how large a quantity is by a road, at the least and at the most over all positions; rounding is 0."""
+    sizes = zip(abs(road).tolist(), one.allowed.tolist(), strict=True)
+    return span([size * (size > allowed) for size, allowed in sizes if math.isfinite(size)] or [0.0], language)
+
+
 def report_of(technique: str) -> Report:
-    """Give what tells a technique.
+    """Give what tells a technique: where its folder has no report.py, its quantities in a table.
 
     >>> report_of("rotor").subject.__module__
     'drawings.rotor.report'
     """
+    if find_spec(f"drawings.{technique}.report") is None:
+        return Report(partial(_quantities, technique))
     report: Report = import_module(f"drawings.{technique}.report").REPORT
     return report

@@ -23,6 +23,7 @@ class Balance(Technique):
     sheets = {"balancing": (*MOTION, "centre", "counterweights", "costs")}
     needs = ("linkage",)
     borrows = ("forces",)
+    scales = {"unbalance": ("kg*m", "Of polygons of static moments.")}
 
     def form(self) -> type[TechniqueForm]:
         from plans.balance.form import BalanceForm

@@ -21,6 +21,7 @@ class Cam(Technique):
     tables = ("cam",)
     plans = ("laws", "sizes", "profile")
     sheets = {"cam": ("laws", "sizes", "profile"), "profile": ("profile",)}
+    scales = {"cam": ("", "Of a cam's profile and of the figure of its sizes.")}
 
     def form(self) -> type[TechniqueForm]:
         from plans.cam.reading.form import CamForm

@@ -19,6 +19,7 @@ class Diagrams(Technique):
     shares = {"sheet": ("diagrams",)}
     plans = ("diagrams",)
     needs = ("linkage",)
+    scales = {"angle": ("rad", "Of the crank angle of kinematic diagrams; the larger it is, the smaller these are.")}
 
     def form(self) -> type[TechniqueForm]:
         from plans.diagrams.study import DiagramsForm

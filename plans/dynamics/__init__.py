@@ -27,6 +27,7 @@ class Dynamics(Technique):
     needs = ("linkage",)
     borrows = ("forces",)
     paces = True
+    scales = {"wheel": ("", "Of the sketch of the flywheel.")}
 
     def form(self) -> type[TechniqueForm]:
         from plans.dynamics.form import DynamicsForm

@@ -24,6 +24,13 @@ class Forces(Technique):
     plans = ("forces", "friction")
     sheets = {"forces": (*MOTION, "forces", "friction")}
     needs = ("linkage",)
+    scales = {
+        "scheme": ("", "Of loading schemes, and of schemes of a balanced machine."),
+        "force": ("N", "Of force plans, and of the hodograph of shaking forces."),
+        "lever": ("m/s", "Of Zhukovsky's lever."),
+        "moment": ("N*m", "Of the graph of the balancing moment, and of the moments of a bank of cylinders."),
+        "way": ("m", "Of the way of load diagrams; of a link that swings, degrees a mm."),
+    }
 
     def form(self) -> type[TechniqueForm]:
         from plans.forces.reading.form import ForceForm

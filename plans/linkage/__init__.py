@@ -22,6 +22,11 @@ class Linkage(Technique):
     shares = {"sheet": ("plans", "position")}
     plans = MOTION
     sheets = {"kinematics": (*MOTION, "diagrams"), "positions": ("positions",)}
+    scales = {
+        "length": ("", "Of the plan of positions."),
+        "velocity": ("m/s", "Of all velocity plans."),
+        "acceleration": ("m/s2", "Of all acceleration plans."),
+    }
 
     def form(self) -> type[TechniqueForm]:
         from plans.linkage.reading.form import LinkageForm

@@ -21,6 +21,10 @@ class Rotor(Technique):
     tables = ("rotor",)
     plans = ("couples", "unbalances", "reactions")
     sheets = {"rotor": ("couples", "unbalances", "reactions")}
+    scales = {
+        "couple": ("kg*m2", "Of the polygon of a rotor's moments of unbalance."),
+        "rotor": ("", "Of the views of a rotor."),
+    }
 
     def form(self) -> type[TechniqueForm]:
         from plans.rotor.reading import RotorForm

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from functools import partial
 from typing import Any, ClassVar
@@ -11,8 +11,9 @@ from typing import Any, ClassVar
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
-from plans.scene.readers import Field, one
-from plans.scene.tables import Table, key, table
+from plans.scene.readers import one
+from plans.scene.tables import Key, Table, key, table
+from plans.techniques import techniques
 from plans.words.words import languages
 
 FACTOR = units.Kind("scale factor", "", {}, Decimal("1e-12"), Decimal("1e12"))
@@ -44,37 +45,19 @@ _number = partial(forms.quantity, FACTOR, exclusiveMinimum=0)
 LENGTH = one(length, _form, 'm a mm, or "1:2"')
 
 
-def _factor(unit: str) -> Field:
-    return one(units.positive, _number, f"{unit} a mm", kind=FACTOR)
-
-
-def _stated(field: Field, meaning: str) -> Any:
-    return key(field, None, meaning=meaning)
+def _scale(unit: str, meaning: str) -> Any:
+    """Declare the key of a scale: of lengths, which have no unit here, it may be a ratio."""
+    factor = one(units.positive, _number, f"{unit} a mm", kind=FACTOR)
+    return key(factor if unit else LENGTH, None, meaning=meaning)
 
 
 class ScaleTable(Table):
     """Scales that figures must have, whatever their room; each key governs the figures that its meaning names."""
 
     bare: ClassVar[str] = "bare_scale"
-
-    length: Decimal | None = _stated(LENGTH, "Of the plan of positions.")
-    velocity: Decimal | None = _stated(_factor("m/s"), "Of all velocity plans.")
-    acceleration: Decimal | None = _stated(_factor("m/s2"), "Of all acceleration plans.")
-    angle: Decimal | None = _stated(
-        _factor("rad"), "Of the crank angle of the kinematic diagrams; the larger it is, the smaller these are."
-    )
-    scheme: Decimal | None = _stated(LENGTH, "Of loading schemes, and of schemes of a balanced machine.")
-    force: Decimal | None = _stated(_factor("N"), "Of force plans, and of the hodograph of shaking forces.")
-    lever: Decimal | None = _stated(_factor("m/s"), "Of Zhukovsky's lever.")
-    moment: Decimal | None = _stated(
-        _factor("N*m"), "Of the graph of the balancing moment, and of the moments of a bank of cylinders."
-    )
-    way: Decimal | None = _stated(_factor("m"), "Of the way of load diagrams; of a link that swings, degrees a mm.")
-    unbalance: Decimal | None = _stated(_factor("kg*m"), "Of polygons of static moments.")
-    couple: Decimal | None = _stated(_factor("kg*m2"), "Of the polygon of a rotor's moments of unbalance.")
-    rotor: Decimal | None = _stated(LENGTH, "Of the views of a rotor.")
-    cam: Decimal | None = _stated(LENGTH, "Of a cam's profile and of the figure of its sizes.")
-    wheel: Decimal | None = _stated(LENGTH, "Of the sketch of the flywheel.")
+    keys: ClassVar[Mapping[str, Key]] = {
+        name: _scale(*told) for technique in techniques().values() for name, told in technique.scales.items()
+    }
 
     @property
     def stated(self) -> Iterator[tuple[str, float]]:
@@ -88,16 +71,9 @@ LANGUAGES = languages()
 class DesignationTable(Table):
     """Designations of kinds of sheets that are documents of their own, where they are."""
 
-    kinematics: str = key(f.TEXT, "", meaning="Of the kinematics sheets.")
-    positions: str = key(f.TEXT, "", meaning="Of the sheet of positions.")
-    forces: str = key(f.TEXT, "", meaning="Of the force sheets.")
-    dynamics: str = key(f.TEXT, "", meaning="Of the sheets of the machine's motion.")
-    balancing: str = key(f.TEXT, "", meaning="Of the sheets of a balanced mechanism.")
-    bank: str = key(f.TEXT, "", meaning="Of the sheets of a bank of cylinders.")
-    rotor: str = key(f.TEXT, "", meaning="Of the sheets of a rotor.")
-    cam: str = key(f.TEXT, "", meaning="Of the sheets of cams.")
-    profile: str = key(f.TEXT, "", meaning="Of the drawings of cams' profiles.")
-    cyclogram: str = key(f.TEXT, "", meaning="Of the cyclogram.")
+    keys: ClassVar[Mapping[str, Key]] = {
+        sheet: key(f.TEXT, "", meaning=f"Of the {sheet} sheets.") for sheet in forms.SHEETS
+    }
 
 
 class SheetTable(Table):

@@ -1,5 +1,7 @@
 """Words (слова): every phrase of plandraft by its key, in a file for each language: `en.json`, `ru.json`.
 
+What one technique alone says may stand in the `words.json` of its folder, by languages.
+
 All languages have the same keys with the same parts. In a phrase {name} stands for a part as it is; {name:term} for the
 word that the group "term" has for it; {size:number} for a number's text with the decimal mark of the language;
 {names:or} for a list, joined as "join.or" says. A phrase in several forms is a plural: by the language's patterns of
@@ -105,14 +107,22 @@ def written(name: str, language: str) -> str:
 
 @cache
 def words(language: str) -> Mapping[str, Phrase]:
-    """Read the phrases of a language, by keys such as "fault.missing.advice"."""
-    return dict(_flat(json.loads((FOLDER / f"{language}.json").read_text("utf-8")), ""))
+    """Read the phrases of a language, by keys such as "fault.missing.advice": those of all, and those of techniques."""
+    groups = [json.loads((FOLDER / f"{language}.json").read_text("utf-8"))]
+    groups += (json.loads(path.read_text("utf-8")).get(language, {}) for path in own_words())
+    return {key: phrase for group in groups for key, phrase in flat(group)}
 
 
-def _flat(group: Mapping[str, object], path: str) -> Iterator[tuple[str, Phrase]]:
+def own_words() -> list[Path]:
+    """List the files of words that techniques have in their folders."""
+    return sorted(Path(__file__).parents[1].glob("*/words.json"))
+
+
+def flat(group: Mapping[str, object], path: str = "") -> Iterator[tuple[str, Phrase]]:
+    """Give the phrases of a group and of those within it by their whole keys."""
     for key, entry in group.items():
         if isinstance(entry, dict):
-            yield from _flat(entry, f"{path}{key}.")
+            yield from flat(entry, f"{path}{key}.")
         elif isinstance(entry, str | list):
             yield path + key, entry
 

@@ -15,7 +15,7 @@ import pytest
 
 from drawings.commands import cli
 from drawings.commands.trace import LIBRARIES as KNOWN
-from plans.words.words import FOLDER
+from plans.words.words import FOLDER, words
 from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
@@ -49,7 +49,7 @@ def marked(phrase: str) -> str:
 
 def translated(entry: object, group: str = "") -> object:
     if isinstance(entry, dict):
-        return {key: translated(value, group or key) for key, value in entry.items()}
+        return {key: translated(value, group or key.partition(".")[0]) for key, value in entry.items()}
     if group in GRAMMAR:
         return entry
     return [marked(form) for form in entry] if isinstance(entry, list) else marked(str(entry))
@@ -61,8 +61,7 @@ def tongue(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., subprocess
     home = tmp_path_factory.mktemp("third")
     for path in FOLDER.glob("*.json"):
         shutil.copy(path, home)
-    words = translated(json.loads((FOLDER / "en.json").read_text("utf-8")))
-    (home / "xx.json").write_text(json.dumps(words, ensure_ascii=False), "utf-8")
+    (home / "xx.json").write_text(json.dumps(translated(dict(words("en"))), ensure_ascii=False), "utf-8")
 
     def run(*commands: Sequence[object]) -> subprocess.CompletedProcess[str]:
         ordered = json.dumps([[str(word) for word in command] for command in commands])

@@ -10,15 +10,17 @@ from typing import NamedTuple
 import pytest
 
 from drawings.commands.explain import explained
+from drawings.lettering.words import number
 from drawings.paper.strokes import Leaf
+from drawings.report import table
 from drawings.report.table import report_of
 from drawings.sheets.kind import sheet_kind
 from plans.bench.quantities import roads
-from plans.explanation import NoMark
+from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.quantity import Comparison, Quantity
 from plans.scene.scene import read_scene
 from plans.study import Study
-from plans.techniques import TECHNIQUES, sheet_of, techniques
+from plans.techniques import TECHNIQUES, Technique, sheet_of, techniques
 from plans.words.words import ENGLISH, languages, words
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
@@ -77,3 +79,20 @@ def test_its_sheet_its_report_its_form_and_its_bench_are_there(shown: Shown) -> 
     assert any(report_of(shown.technique).chapters(shown.study, leaves))
     assert sheet_kind(shown.sheet).figures and sheet_kind(shown.sheet).tables
     assert len([*roads(shown.study, shown.technique, None)]) == 2
+
+
+def test_one_that_says_no_more_is_told_by_its_quantities(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(table, "find_spec", lambda name: None)
+    study, rotor = Study(read_scene(GALLERY / "four-masses.toml")), techniques()["rotor"]
+    first = next(one for one in study.quantities("rotor") if one.name == "m_ID_I")
+    for by, values in (("construction", first.construction), ("analysis", first.analysis)):
+        told = Technique.numbers(rotor, study, by).plain()["rotor"]["m_ID_I"]
+        assert complex(*told) == values[0]
+    found, none = (Technique.marks(rotor, study, 0, name) for name in ("m_1D_1", "m_0D_0"))
+    assert isinstance(found, Explanation) and found.steps[-1].name == "m_1D_1"
+    assert isinstance(none, NoMark) and "m_ID_I" in none.names
+    with pytest.raises(UnknownMark):
+        Technique.marks(rotor, study, 1, "m_1D_1")
+    size = number(abs(first.analysis[0]))
+    told = [*report_of("rotor").chapters(study, {}).values]
+    assert {f"| m_ID_I, kg*m | {size} | {size} |", "| R_A', N | 0 | 0 |"} <= {*told}
