@@ -39,10 +39,11 @@ class NoMark(NamedTuple):
 
 
 def explained_by(found: Sequence[Quantity], position: int, name: str) -> Explanation | NoMark:
-    """Explain any mark behind what shows some quantities."""
+    """Explain any mark behind what shows some quantities; named are those that are no corners of polygons."""
     marks = {mark.name: mark for mark in behind(*(mark for one in found for mark in one.marks))}
     if name not in marks:
-        return NoMark(tuple(marks), message("mark.marks", marks=", ".join(marks)), tuple(marks)[-1:])
+        names = dict.fromkeys((*(one.name for one in found), *(known for known in marks if ":" not in known)))
+        return NoMark(tuple(names), message("mark.marks", marks=", ".join(names)), ())
     count = max(len(one.construction) for one in found)
     if not 0 <= position < count:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))

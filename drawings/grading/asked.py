@@ -16,8 +16,8 @@ from drawings.paper.walk import groups
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.redrawn.originals import Original, Originals
 from drawings.sheets.kind import PLAN, figure_of
-from geometry.board import Board
-from geometry.steps import Span
+from geometry.board import Board, Mark
+from geometry.steps import Span, behind
 from plans.study import Study
 from plans.techniques import technique_of
 from plans.words.words import Message, message
@@ -187,14 +187,24 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
 
 
 def _record(study: Study, kind: str, figures: Mapping[Place, Sequence[MeasuredVector | MeasuredPoint]]) -> Record:
-    """Give the record of a sheet of which nothing more is known: its plans, and what its quantities are read off."""
-    quantities = study.quantities(technique_of(kind))
-    found = ((one.plan, Found(one.name, one.shown)) for one in quantities if isinstance(one.shown, Span))
+    """Give the record of a sheet of which no more is known: its plans, and what was laid off for its quantities."""
     plans: dict[str, dict[int | None, float]] = {}
     for (plan, position), marks in figures.items():
         if figure_of(kind, plan) == PLAN:
             plans.setdefault(plan, {})[position] = marks[0].scale
-    return Record({(plan, k, "", one.name): one for plan, one in found for k in plans.get(plan, ())}, plans)
+    shown = behind(*(mark for one in study.quantities(technique_of(kind)) for mark in one.marks))
+    return Record({(plan, None, "", one.name): one for plan, one in _laid(shown)}, plans)
+
+
+def _laid(marks: Iterable[Mark]) -> Iterator[tuple[str, Found]]:
+    """Give by plans, each of which begins with its pole, the vectors that lie between corners: laid off, or joining."""
+    poles: dict[str, Mark] = {}
+    for mark in marks:
+        pole, sources = poles.setdefault(mark.subject, mark), mark.step.inputs
+        if mark.step.op == "lay_off":
+            yield mark.subject, Found(sources[1].name, Span(pole, sources[1]), Span(sources[0], mark))
+        elif mark.step.op == "join":
+            yield mark.subject, Found(mark.name, Span(pole, mark), Span(*sources))
 
 
 def _asked(

@@ -106,15 +106,15 @@ def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
     told = [report_of(name).chapters(study, leaves) for name in study.techniques]
     language = study.scene.sheet.language
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
+    idle = (said.worded(language) for name in _idle(study) for said in techniques()[name].idle(study.scene))
+    left_out = [*(line for one in told for line in one.left_out), *idle]
     return [
         word(language, "report.title", title=literal(study.scene.heading(language)), sheets=kinds),
         *(line for one in told for line in one.subject),
         *(line for one in told for line in one.values),
         *_comparison(study.comparisons, language),
         *(line for one in told for line in one.conditions),
-        chapter(language, "left_out"),
-        *(line for one in told for line in one.left_out),
-        *(said.worded(language) for name in _idle(study) for said in techniques()[name].idle(study.scene)),
+        *((chapter(language, "left_out"), *left_out) if left_out else ()),
     ]
 
 

@@ -208,6 +208,8 @@ def test_plans_of_which_grading_knows_nothing_are_asked_for_as_others_are(monkey
     for name, plan in known.items():
         assert plain[name].scales[name] == plan.scales[name]
         assert [one[:4] for one in plain[name].vectors] == [one[:4] for one in plan.vectors]
+        corners = [one.corners for one in plan.vectors]
+        assert [one.corners for one in plain[name].vectors] == corners and all(corners) == (name != "along")
 
 
 @pytest.mark.rest

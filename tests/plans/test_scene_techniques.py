@@ -124,7 +124,7 @@ def test_a_technique_says_itself_what_its_part_lacks_and_means() -> None:
             "wheel.radius: expected this radius. Fix: add it: radius = 1",
             "wheel.radius = 7: expected",
             "wheel.plans = 1: expected a key of [wheel]: radius. Fix: it belongs to [sheet]",
-            "[rotor], [cyclogram], [cam], [wheel]",
+            ", [wheel]. Fix: start from",
         ),
         strict=True,
     ):
