@@ -9,12 +9,12 @@ import numpy as np
 
 from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quantities, shape
 from drawings.balance.notes import BalanceNotes
-from drawings.dynamics.report_tables import plain
 from drawings.forces.report import drafting_of_forces
 from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweight
 from drawings.page.scale import Drafting
-from drawings.report.formula import Chapters
-from drawings.report.table import Report, chapter, header, row
+from drawings.report.formula import DIGITS, Chapters
+from drawings.report.letters import entry, plain
+from drawings.report.table import Report, chapter, header, row, tabled
 from plans.balance.study import BalanceStudy
 from plans.model.balance.linkage import Counterweight, Shares, State
 from plans.model.motion import NOTHING
@@ -23,9 +23,6 @@ from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
-
-DIGITS = 10
-FEWER = 6  # of a share, which is no sharper where a curve is flat
 
 
 def mass_table(notes: BalanceNotes) -> Iterator[str]:
@@ -39,16 +36,14 @@ def mass_table(notes: BalanceNotes) -> Iterator[str]:
 def centres(notes: BalanceNotes) -> Iterator[str]:
     """Tell mass centre, main vector and main moment at the positions of the scene, before and after."""
     drafting, states = notes.drafting, _states(notes)
-    heads = [word(drafting.language, "table.position"), "φ, °"]
+    heads = ["φ, °"]
     columns: list[Any] = [np.degrees(notes.balance.before.centre.phi)]
     for mark, state in states.items():
         heads += [f"{CENTRE}{mark}, m", f"{FORCE}{mark}, N", f"{MOMENT}{mark}, N*m"]
         least = (NOTHING * notes.equations.reach, *notes.balance.before.forces.nothing)
         told = state.centre.r, state.centre.force, state.centre.moment
         columns += [np.where(np.abs(row) <= none, 0, row) for row, none in zip(told, least, strict=True)]
-    yield from header([_unit(head, drafting) for head in heads])
-    for k in range(len(columns[0])):
-        yield row([str(k), *(_cell(column[k], drafting) for column in columns)])
+    yield from tabled([_unit(head, drafting) for head in heads], columns, drafting.language)
 
 
 def _states(notes: BalanceNotes) -> Mapping[str, State]:
@@ -93,7 +88,7 @@ def share_table(found: Shares, reaction: str, drafting: Drafting) -> Iterator[st
     newtons = drafting.word("N")
     yield from header(["k", f"{FORCE} _max, {newtons}", f"{reaction} _max, {newtons}"])
     for choice in sorted({*found.curve, found.least_force, found.least_reaction}):
-        yield row([drafting.number(value, FEWER) for value in choice])
+        yield row([drafting.number(value, DIGITS) for value in choice])
 
 
 def _unit(head: str, drafting: Drafting) -> str:
@@ -102,37 +97,34 @@ def _unit(head: str, drafting: Drafting) -> str:
     return f"{letter}, {drafting.word(unit)}" if comma and unit != "°" else head
 
 
-def _cell(value: complex | float, drafting: Drafting) -> str:
-    if np.isnan(value):
-        return word(drafting.language, "table.gap")
-    if isinstance(value, complex):
-        return "; ".join(drafting.number(part, DIGITS) for part in (value.real, value.imag))
-    return drafting.number(float(value), DIGITS)
-
-
 def headline(study: Study) -> str:
     """Say what is to be put on, and what it costs."""
     notes = notes_of(study)
     return "; ".join(map(plain, (*notes.counterweights(), *notes.price())))
 
 
-def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
+def _concluded(study: Study) -> Iterator[str]:
+    """Say what is to be put on, and what it costs, each by itself."""
+    notes = notes_of(study)
+    return map(entry, (*notes.counterweights(), *notes.price()))
+
+
+def notes_of(study: Study) -> BalanceNotes:
     """Give the notes on what the construction finds."""
-    balance = study.of(BalanceStudy)
-    return notes_by(balance, digits)
+    return notes_by(study.of(BalanceStudy))
 
 
-def notes_by(study: BalanceStudy, digits: int = 5) -> BalanceNotes:
+def notes_by(study: BalanceStudy) -> BalanceNotes:
     """Give the notes on a balance by construction."""
     after = None if study.balance.after is None else study.points(after=True).vectors
     vectors = study.points().vectors, after
     drafting = drafting_of_forces(study.statics)
-    return BalanceNotes(study.linkage.mechanism, study.tree, study.machine, study.balance, vectors, drafting, digits)
+    return BalanceNotes(study.linkage.mechanism, study.tree, study.machine, study.balance, vectors, drafting)
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell what is balanced, by what, and what it costs."""
-    language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
+    language, notes = study.scene.sheet.language, notes_of(study)
     aim = word(language, f"report.aim_{notes.balance.task.aim}")
     masses = () if "forces" in study.techniques else mass_table(notes)
     return Chapters(
@@ -172,7 +164,7 @@ def _centres(notes: BalanceNotes) -> Iterator[str]:
 
 
 def _lines(notes: Iterable[str]) -> Iterator[str]:
-    return (f"- {plain(note)}" for note in notes)
+    return map(entry, notes)
 
 
-REPORT = Report(chapters, headline)
+REPORT = Report(chapters, headline, conclusion=_concluded)

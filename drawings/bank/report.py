@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.dynamics.report_tables import listed, plain
 from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
-from drawings.report.formula import Chapters
-from drawings.report.table import Report, Subject, chapter, header, row
-from drawings.rotor.report import ANGLE
+from drawings.report.formula import DIGITS, Chapters
+from drawings.report.letters import listed, plain
+from drawings.report.table import ANGLE, Report, Subject, chapter, header, row
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
 from plans.linkage.study import LinkageStudy
@@ -271,7 +270,6 @@ class BankNotes(NamedTuple):
         return self.drafting.number(value, self.digits)
 
 
-DIGITS = 10
 ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
 
 

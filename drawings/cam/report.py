@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from drawings.cam.notes import CamNotes, letters, table_units
-from drawings.dynamics.report_tables import entry, plain
 from drawings.lettering.words import ROUNDING
 from drawings.page.scale import Drafting, drafting_of
-from drawings.report.formula import Chapters
-from drawings.report.table import Report, Subject, header, row
+from drawings.report.formula import DIGITS, Chapters
+from drawings.report.letters import entry, plain
+from drawings.report.table import Report, Subject, column, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
 from plans.model.cam import MM
 from plans.model.cam_motion import CamFound
@@ -25,7 +25,6 @@ from plans.words.words import Message, message, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-DIGITS = 10
 DEGREES = math.degrees(1)
 ENGLISH = "en"  # of the gallery's page
 
@@ -103,8 +102,7 @@ def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
         DEGREES * contour.pressure,
         MM * _radius(contour.radius),
     )
-    for values in zip(*map(without_rounding, columns), strict=True):
-        yield [drafting.number(value, DIGITS) if math.isfinite(value) else "∞" for value in map(float, values)]
+    yield from map(list, zip(*(column(without_rounding(one), drafting.language) for one in columns), strict=True))
 
 
 def without_rounding(values: Floats) -> Floats:

@@ -17,7 +17,7 @@ from drawings.checks.written import value as number
 from drawings.lettering.phrase import SLOT, read_back, template_of
 from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, stated
 from drawings.reading.measure import Measured
 from plans.model.motion import Complexes, Floats
@@ -88,7 +88,7 @@ def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator
     A report tells more than its sheets show: what is due on none of them is not held.
     """
     for line in (one for one in lines if SLOT.search(template_of(one))):
-        for name, text in read_back(template_of(line), Text(0j, line).plain) or [(line, "")]:
+        for name, text in read_back(template_of(line), line, markup=False) or [(line, "")]:
             row = due.get((Kind.PHRASE, NOTES, name, None))
             if name == line or (row is not None and not holds(Read(text), row)):
                 yield told("differs_on", (Kind.PHRASE, NOTES, name, None))

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.cyclogram.notes import CyclogramNotes
-from drawings.dynamics.report_tables import plain
 from drawings.page.scale import Drafting, drafting_of
-from drawings.report.formula import Chapters
+from drawings.report.formula import DIGITS, Chapters
+from drawings.report.letters import entry, plain
 from drawings.report.table import Report, chapter
 from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 
-DIGITS = 10
-SHARE = 6  # digits
+SHARE = 3  # digits
 
 
 def headline(study: Study) -> str:
@@ -40,7 +39,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the cyclogram and its characteristic positions."""
     drafting = drafting_of(study.scene)
     title, notes = chapter(drafting.language, CYCLOGRAM), _notes(study, drafting).all
-    told = [*(f"- {plain(one)}" for one in notes), "", *_positions(study, drafting)]
+    told = [*map(entry, notes), "", *_positions(study, drafting)]
     return Chapters(values=[title, *told])
 
 

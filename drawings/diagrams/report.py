@@ -11,10 +11,11 @@ import numpy as np
 from drawings.diagrams.rows import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.extent import every
-from drawings.lettering.words import decimal, fixed, number
+from drawings.lettering.words import fixed, number
 from drawings.page.scale import Drafting
+from drawings.report.figures import see
 from drawings.report.formula import Chapters
-from drawings.report.table import Report, chapter, header, heading, row
+from drawings.report.table import Report, chapter, heading, tabled
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Course, Diagrams, chord_error
 from plans.model.motion import Floats
@@ -133,7 +134,6 @@ def _shown(column: _Column, k: int, drafting: Drafting) -> str:
 
 
 TOLD = (0, 1, 2, 3, 5)  # of the findings: S, v, a by the plans, v and a by chords
-FULL = 10
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -141,7 +141,8 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     diagrams = study.of(DiagramsStudy)
     language = study.scene.sheet.language
     if diagrams.diagrams is not None:
-        return Chapters(values=_values(diagrams.diagrams, study.comparison("diagrams").findings, language))
+        told = _values(diagrams.diagrams, study.comparison("diagrams").findings, language)
+        return Chapters(values=(*told, "", *see(leaves, language, "diagrams")))
     if diagrams.left_out is None or not diagrams.wanted:
         return Chapters()
     return Chapters(left_out=(word(language, "report.no_diagrams", why=diagrams.left_out),))
@@ -151,23 +152,17 @@ def _values(found: Diagrams, findings: Sequence[Quantity], language: str) -> Ite
     """Tabulate the course; v by a chord stands with the position from which it goes on."""
     yield chapter(language, "diagrams")
     told = [findings[k] for k in TOLD]
-    heads = (word(language, "table.position"), "φ, °", *(heading(finding, language) for finding in told))
-    yield from header(heads)
-    for k, position in enumerate(found.axis.numbers):
-        cells = (_cell(finding, k, language) for finding in told)
-        yield row([str(position), decimal(f"{math.degrees(found.axis.turned[k]):.4f}", language), *cells])
+    columns = [np.degrees(found.axis.turned), *(_column(finding, len(found.axis.numbers)) for finding in told)]
+    heads = ["φ, °", *(heading(finding, language) for finding in told)]
+    yield from tabled(heads, columns, language, ABSENT)
     yield ""
     yield from _errors(found, told, language)
 
 
-def _cell(finding: Quantity, k: int, language: str) -> str:
-    """Write a value by construction; what is but a rounding of the largest is 0."""
-    if k == len(finding.construction):  # no step goes on from the last position
-        return ""
-    value = float(finding.construction[k])
-    if math.isnan(value):
-        return word(language, "table.gap")
-    return number(0.0 if abs(value) <= float(finding.allowed[k]) else value, language, FULL)
+def _column(finding: Quantity, count: int) -> Floats:
+    """Give the values by construction; what is but a rounding of the largest is 0, and from the last goes no chord."""
+    values = np.where(np.abs(finding.construction) <= finding.allowed, 0.0, finding.construction).real
+    return np.pad(values, (0, count - len(values)), constant_values=np.nan)
 
 
 def _errors(found: Diagrams, told: Sequence[Quantity], language: str) -> Iterator[str]:

@@ -11,13 +11,13 @@ import numpy as np
 
 from drawings.dynamics import report_tables
 from drawings.dynamics import report_tables as tables
-from drawings.dynamics.report_tables import listed, plain
 from drawings.forces.report import counted_strokes
 from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.lettering.words import decimal
 from drawings.page.scale import Drafting, drafting_of
-from drawings.report.formula import Chapters
-from drawings.report.table import Report, chapter, header, row
+from drawings.report.figures import see
+from drawings.report.formula import DIGITS, Chapters
+from drawings.report.letters import entry, listed, plain
+from drawings.report.table import Report, chapter, header, row, tiny
 from plans.dynamics.cycle import methods, rim_of
 from plans.dynamics.loop import loop
 from plans.dynamics.quantities import DynamicsComparison
@@ -202,7 +202,7 @@ def resisting(cycle: Cycle, start: float, end: float) -> float:
     return float(np.max(-rows, initial=-np.inf)) if rows.size else 0.0
 
 
-DIGITS = 10
+EVEN = 5e-3  # of the fluctuation that is asked for: the share by which that of strips may be out
 NOISE = 1e-9  # per cent: a smaller difference is rounding, whose digits differ from machine to machine
 
 
@@ -245,9 +245,12 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
         values=[
             *_reduction(account, notes),
             *_works(account, notes),
+            *("", *see(leaves, language, "moments", "works", "surplus", "speeds")),
             *_wheel(study, notes),
+            *("", *see(leaves, language, "inertia", "loop", "flywheel_sketch")),
             *_motion(notes),
             *_run(study, notes),
+            *("", *see(leaves, language, "tachogram", "run")),
         ],
         left_out=[word(language, "report.dynamics_left_out")],
     )
@@ -312,9 +315,20 @@ def _methods(notes: DynamicsNotes, wheel: Flywheel, exact: Flywheel | None) -> I
         values["exact"] = exact.whole
     for name, whole in values.items():
         share = 100 * (whole / wheel.whole - 1)
-        off = "—" if abs(share) < NOISE else decimal(f"{share:.2e}", language)
+        off = "—" if abs(share) < NOISE else tiny(share, language)
         yield row([word(language, f"report.method_{name}"), drafting.number(whole, DIGITS), off])
     yield f"\n{word(language, 'report.energy', energy=drafting.number(wheel.energy, DIGITS))}"
+
+
+def _concluded(study: Study) -> Iterator[str]:
+    """Say what flywheel the machine needs, and how even it runs with it for what was asked."""
+    notes = notes_of(study, DIGITS)
+    task, speeds, language = notes.task, notes.account.speeds, notes.drafting.language
+    yield from map(entry, (*notes.works(), *notes.missing()))
+    if task.delta and speeds is not None:
+        key = "report.even_enough" if speeds.delta <= task.delta * (1 + EVEN) else "report.uneven"
+        told = notes.drafting.number(speeds.delta, DIGITS)
+        yield word(language, key, delta=told, asked=notes.fluctuation(task.delta))
 
 
 def _motion(notes: DynamicsNotes) -> list[str]:
@@ -332,4 +346,4 @@ def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
         yield from report_tables.stages(runs, notes.drafting)
 
 
-REPORT = Report(chapters, headline, remarks)
+REPORT = Report(chapters, headline, remarks, conclusion=_concluded)

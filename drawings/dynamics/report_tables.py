@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
 import numpy as np
 
-from drawings.lettering.phrase import Phrase, template_of
-from drawings.lettering.words import decimal
 from drawings.page.scale import Drafting
-from drawings.report.table import header, row
+from drawings.report.formula import DIGITS
+from drawings.report.table import column, header, row, tabled, tiny
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.motion import Floats
 from plans.model.run import Run, Stage
 from plans.words.words import word
 
-DIGITS = 10
 OTHERS = (4.0, 2.0, 1.0, 0.5, 0.25)  # times the fluctuation that is asked for
 NOISE = 1e-9  # of the largest of a column: digits of what is less differ from machine to machine
+ABSENT = "—"
 LARGEST = 1.0  # fluctuation: a machine that comes to rest once in a turn has 2
 
 
@@ -27,31 +26,31 @@ def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
     """Tell moment, inertia and its slope at the positions of the scene."""
     heads = ("φ, °", "M_red, N*m", "J_red, kg*m2", "dJ/dφ, kg*m2")
     columns = [np.degrees(found.phi), found.moment, found.inertia, found.slope]
-    yield from _table([word(drafting.language, "table.position"), *_units(heads, drafting)], columns, drafting)
+    yield from tabled(_units(heads, drafting), columns, drafting.language, ABSENT)
 
 
 def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[str]:
     """Tell moments on both sides of each edge, works, energy, inertia, and the speed with the flywheel."""
-    heads = ["φ, °", "M-, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
+    heads = ["φ, °", "M−, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
     before = np.roll(cycle.moments[:, 1], 1)
     sides = np.append(before, before[0]), np.append(cycle.moments[:, 0], cycle.moments[0, 0])
     columns = [np.degrees(cycle.turned), *sides, -cycle.work, cycle.surplus, cycle.inertia, cycle.varying]
     if speeds is not None:
         heads.append("ω, rad/s")
         columns.append(speeds.omega)
-    yield from _table([word(drafting.language, "table.edge"), *_units(heads, drafting)], columns, drafting)
+    edge = word(drafting.language, "table.edge")
+    yield from tabled(_units(heads, drafting), map(without_rounding, columns), drafting.language, ABSENT, edge)
 
 
 def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:
     """Tell both tangents: slope, where they touch, what they cut off, as drawn and exactly."""
-    heads = ["", "tan ψ, J/(kg*m2)", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_1l, J", "o_1k, J"]
+    heads = ["", "tan ψ, J/(kg*m2)", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_{1}l, J", "o_{1}k, J"]
     yield from header(_units(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
     numbers = np.array([_tangent(wheel, k) for _, wheel in roads for k in range(2)])
-    rows = np.column_stack([without_rounding(column) for column in numbers.T])
+    rows = zip(*(column(without_rounding(one), drafting.language, ABSENT) for one in numbers.T), strict=True)
     for (said, k), cells in zip(((said, k) for said, _ in roads for k in range(2)), rows, strict=True):
-        name = f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}"
-        yield row([name, *("—" if math.isnan(cell) else drafting.number(float(cell), DIGITS) for cell in cells)])
+        yield row([f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}", *cells])
     yield f"\n{word(drafting.language, 'report.slopes')}"
 
 
@@ -89,33 +88,6 @@ def without_rounding(column: Floats) -> Floats:
     return np.where(np.abs(column) <= NOISE * largest, 0.0, column)
 
 
-def _table(heads: Sequence[str], columns: Sequence[Floats], drafting: Drafting) -> Iterator[str]:
-    yield from header(heads)
-    for k, cells in enumerate(zip(*map(without_rounding, columns), strict=True)):
-        yield row([str(k), *("—" if math.isnan(cell) else drafting.number(float(cell), DIGITS) for cell in cells)])
-
-
-def plain(note: str) -> str:
-    """Write a note without the braces of its indices.
-
-    >>> plain("r_{C1} = 12  mm^2")
-    'r_C1 = 12 mm²'
-    """
-    return " ".join(note.replace("{", "").replace("}", "").replace("^2", "²").split())
-
-
-def listed(title: str, notes: Iterable[str]) -> list[str]:
-    """Write a chapter as a list; one without notes is left out."""
-    told = [*map(entry, notes)]
-    return [title, *told] if told else []
-
-
-def entry(note: str) -> Phrase:
-    """Give a note as a line of a list, its numbers still those of their quantities."""
-    return Phrase(f"- {plain(note)}", f"- {plain(template_of(note))}")
-
-
-FEW = 6
 STAGES = ("stage", "from", "to", "driving", "useful_work", "braking", "weights", "energy", "closing")
 
 
@@ -132,12 +104,12 @@ def _named(stage: Stage, drafting: Drafting) -> str:
 
 
 def _cells(run: Run, stage: Stage, drafting: Drafting) -> Iterator[str]:
-    write, works = partial(drafting.number, digits=FEW), stage.works
+    write, works = partial(drafting.number, digits=DIGITS), stage.works
     yield from (write(float(run.t[at])) for at in (stage.first, stage.last))
     yield from (write(work) for work in (works.driving, works.useful, works.braking, works.weights))
     yield " → ".join(write(energy) for energy in stage.energies)
     noise = NOISE * max(map(abs, (works.driving, works.braking, *stage.energies)))
-    yield "—" if abs(stage.closing) <= noise else decimal(f"{stage.closing:.1e}", drafting.language)
+    yield ABSENT if abs(stage.closing) <= noise else tiny(stage.closing, drafting.language)
 
 
 def told(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
@@ -148,9 +120,9 @@ def told(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
         if run.failure is not None:
             yield f"{by}: {run.failure.message.worded(drafting.language)}"
         if run.steady is not None:
-            turn, write = run.steady, partial(drafting.number, digits=FEW)
+            turn, write = run.steady, partial(drafting.number, digits=DIGITS)
             share = turn.works.efficiency if turn.repeats else None  # else the flywheel gives or takes a part
-            useful = "—" if share is None else write(share)
+            useful = ABSENT if share is None else write(share)
             numbers = {"mean": write(turn.mean), "delta": write(turn.delta), "period": write(turn.period)}
             yield say("report.steady_turn", by=by, **numbers, efficiency=useful)
         yield _method(run, by, drafting)
@@ -161,6 +133,6 @@ def _method(run: Run, by: str, drafting: Drafting) -> str:
     how, write = run.method, partial(drafting.number, digits=3)
     if how.step is not None:
         return word(drafting.language, "report.run_table", by=by, step=write(how.step), rows=len(run.t))
-    tolerance = decimal(f"{how.tolerance or 0.0:.0e}", drafting.language)
+    tolerance = tiny(how.tolerance or 0.0, drafting.language)
     cost = {"evaluations": how.evaluations, "jacobians": how.jacobians, "stiffness": write(how.stiffness)}
     return word(drafting.language, "report.run_solver", by=by, name=how.name, tolerance=tolerance, **cost)

@@ -10,17 +10,19 @@ import numpy as np
 
 from drawings.forces.report_equations import drawn_scales, equations
 from drawings.lettering import words as lettering
-from drawings.lettering.words import number, runs
-from drawings.linkage.notes import DIGITS as FEW_DIGITS
+from drawings.lettering.words import fixed, number, runs
 from drawings.linkage.notes import greatest, stroke_line
 from drawings.page.scale import Drafting, drafting_of
-from drawings.report.formula import Chapters, Formula
+from drawings.report.figures import see
+from drawings.report.formula import DIGITS, Chapters, Formula
 from drawings.report.report import gap_line, gap_lines
-from drawings.report.table import Report, chapter, header, row
+from drawings.report.table import ANGLE, Report, chapter, column, header, row, tabled
 from plans.forces.cut import indices
 from plans.forces.drive import BalancingQuantity, balancing_quantity
 from plans.forces.loading import asks
 from plans.forces.quantities import ForceComparison
+from plans.forces.reading.form import ForceTable
+from plans.forces.reading.pressed import BEHIND, PRESSED
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
 from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram
@@ -52,7 +54,6 @@ def least(comparison: ForceComparison, found: Friction) -> Least:
     return Least(pairs, np.minimum(np.sum(pairs, axis=0), most), slack["N_us"])
 
 
-TABLE_DIGITS = 6
 LEVER = "lever"
 
 
@@ -77,16 +78,20 @@ def balancing_table(comparison: ForceComparison, balancing: BalancingQuantity, l
         columns[f"{letter} {term(language, 'quantity_part', by)}, {unit}"] = (
             quantity.construction if by == LEVER else quantity.analysis
         )
+    rows = np.array([_sized(np.real(one), comparison.construction.nothing_over[1]) for one in columns.values()])
+    most = greatest(rows[0])
+    if most is None:
+        return
+    k = most[1]
     yield word(language, "report.what_balances")
     yield from header([word(language, "table.position"), *columns])
-    least = comparison.construction.nothing_over[1]
-    rows = zip(*(_sized(np.real(column), least) for column in columns.values()), strict=True)
-    for k, values in enumerate(rows):
-        yield row([str(k), *(_cell(float(value), language, TABLE_DIGITS) for value in values)])
+    yield row([str(k), *(column([value], language)[0] for value in rows[:, k])])
     yield ""
 
 
-DIGITS = 10
+FIGURES = ("scheme-", "forces-", "lever")  # of a force sheet, by what their names begin with
+ROUNDED = 0.005  # degrees: less is no direction
+SQUARE_CM, MPA = 1e4, 1e6  # cm2 in a m2, Pa in a MPa
 WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # what lets a load of a stroke act on its reversals too
 
 
@@ -101,7 +106,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     told = equations(statics, comparison, drafting_of_forces(statics), drawn_scales(leaves))
     return Chapters(
         subject=[*_bodies(statics, language), *counted_strokes(statics, language)],
-        values=[*told, *forces(comparison, statics, language)],
+        values=[*told, "", *see(leaves, language, *FIGURES), *forces(comparison, statics, language)],
         left_out=[word(language, "report.forces_drawn", positions=shown_in)],
     )
 
@@ -115,6 +120,25 @@ def headline(study: Study) -> str:
     return "\n".join([*told, *_reversals(statics, language), *massless])
 
 
+def _concluded(study: Study) -> Iterator[str]:
+    """Say what the drive must give at the most, which pair bears most, and what friction leaves."""
+    statics, found = study.of(Statics), study.of(ForceComparison).construction
+    language, formula = statics.study.language, Formula(drafting_of_forces(statics))
+    yield from (f"- {line}" for line in _greatest(statics, found, language))
+    sizes = {indices(one.giver, one.taker): greatest(one.force) for one in found.reactions.values()}
+    most = {index: size for index, size in sizes.items() if size is not None}
+    if most:
+        index = max(most, key=lambda index: float(f"{most[index][0]:.8e}"))  # equal ones: the first
+        size, position = most[index]
+        letter = f"${formula.letter(f'{statics.form.sheet.reactions}_{{{index}}}')}$"
+        told = {"letter": letter, "size": number(size, language, DIGITS), "position": position}
+        yield word(language, "report.greatest_reaction", **told)
+    if statics.friction is not None and statics.friction.cycle is not None:
+        yield word(language, "report.cycle", efficiency=number(statics.friction.cycle, language))
+    if not statics.machine.bodies:
+        yield f"- {lettering.word(language, 'no masses')}"
+
+
 def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
     """Tell the greatest of what balances the drive; what is but rounding is none."""
     drive = statics.study.mechanism.drive
@@ -123,7 +147,7 @@ def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator
     least = balancing.share * found.nothing_over[balancing.unit != "N" or drive.pushed]
     largest = greatest(np.where(np.abs(given) <= least, 0.0, given))
     if largest is not None:
-        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, balancing.unit)
+        size, unit = number(largest[0], language, DIGITS), lettering.word(language, balancing.unit)
         yield word(
             language,
             "report.greatest",
@@ -176,17 +200,33 @@ def _bodies(statics: Statics, language: str) -> Iterator[str]:
         yield say("report.massless", links=", ".join(bare))
     gravity = {"x": write(machine.gravity.real), "y": write(machine.gravity.imag)}
     yield say("report.gravity", **gravity) if machine.gravity else say("report.no_gravity")
-    for force in machine.forces:
+    for force, table in zip(machine.forces, statics.form.loads.forces if statics.form.loads else (), strict=True):
         ends = {"point": force.point, "link": force.link, "during": force.during}
         far = {} if force.other is None else {"far": force.other.point, "other": force.other.link}
         line = say("report.force_between" if far else "report.force", name=force.name, **ends, **far)
         yield _size(line, force.size, force.diagram, language)
+        yield from _piston(table, language)
     for moment in machine.moments:
         line = say("report.moment", name=moment.name, link=moment.link, during=moment.during)
         yield say("report.load_size", line=line, size=write(moment.size), unit=lettering.word(language, "N*m"))
     for spring in machine.springs:
         ends = {"start": spring.points[0], "end": spring.points[1]}
         yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
+
+
+def _piston(force: ForceTable, language: str) -> Iterator[str]:
+    """Tell the piston of a load: its bore and rod, the areas of both sides, and what else presses on it."""
+    if not force.pressed or force.bore is None:
+        return
+    say, write = partial(word, language), partial(number, language=language, digits=DIGITS)
+    parts = [say("report.bore", size=write(1000 * float(force.bore)))]
+    if force.rod is not None:
+        parts.append(say("report.rod", size=write(1000 * float(force.rod)), on=force.rod_on))
+    areas = (write(SQUARE_CM * float(force.area(side))) for side in (PRESSED, BEHIND))
+    parts.append(say("report.areas", **dict(zip(("there", "other"), areas, strict=True))))
+    for key, pressure in (("behind", force.behind), ("ambient", force.ambient)):
+        parts += [say(f"report.{key}", size=write(float(pressure) / MPA))] if pressure else []
+    yield say("report.piston", told="; ".join(parts))
 
 
 def _size(line: str, size: float, diagram: Diagram | None, language: str) -> str:
@@ -234,8 +274,8 @@ def _reactions(found: Kinetostatics, balancing: BalancingQuantity, statics: Stat
         if reaction.moment is not None and np.any(np.abs(found.counted(reaction.moment)) > moment):
             columns[f"${formula.letter(f'M_{{{index}}}')}$"] = _sized(reaction.moment, moment)
     yield from header([word(language, "table.position"), *columns])
-    for k in range(len(found.phi)):
-        yield row([str(k), *(_cell(column[k], language) for column in columns.values())])
+    rows = zip(*(_polar(values, language) for values in columns.values()), strict=True)
+    yield from (row([str(k), *cells]) for k, cells in enumerate(rows))
 
 
 def _flanks(found: Kinetostatics, statics: Statics) -> Iterator[str]:
@@ -254,12 +294,15 @@ def _sized(column: Any, nothing: Any) -> Any:
     return np.where(np.abs(column) <= nothing, 0.0, column)
 
 
-def _cell(value: complex | float, language: str, digits: int = DIGITS) -> str:
-    if np.isnan(value):
-        return word(language, "table.gap")
-    if isinstance(value, complex):
-        return f"{number(value.real, language, digits)}; {number(value.imag, language, digits)}"
-    return number(float(value), language, digits)
+def _polar(values: Any, language: str) -> list[str]:
+    """Write numbers; vectors by x; y, and by their size and their angle from +x."""
+    told = column(values, language)
+    if not np.iscomplexobj(values):
+        return told
+    sizes, angles = column(np.abs(values), language), np.degrees(np.angle(values))
+    angles[angles < ROUNDED - 180] = 180
+    polar = zip(told, sizes, np.abs(values), angles, strict=True)
+    return [f"{xy} ({size}{ANGLE}{fixed(angle, language)}°)" if most > 0 else xy for xy, size, most, angle in polar]
 
 
 def friction_lines(comparison: ForceComparison, found: Friction, language: str) -> Iterator[str]:
@@ -268,18 +311,15 @@ def friction_lines(comparison: ForceComparison, found: Friction, language: str) 
     yield f"\n{say('report.friction')}\n"
     yield say("report.friction_powers")
     heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
-    yield from header([say("table.position"), *found.powers, *heads])
     pairs, *whole = least(comparison, found)
     powers = map(_sized, (*found.powers.values(), found.lost, found.useful), (*pairs, *whole))
-    columns = [*powers, found.efficiency]
-    for k in range(len(found.phi)):
-        yield row([str(k), *("—" if np.isnan(column[k]) else write(float(column[k]), digits=6) for column in columns)])
+    yield from tabled([*found.powers, *heads], [*powers, found.efficiency], language, "—")
     if found.cycle is not None:
-        yield f"\n{say('report.cycle', efficiency=write(found.cycle, digits=6))}"
+        yield f"\n{say('report.cycle', efficiency=write(found.cycle))}"
     yield say("report.wear", shares=", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items()))
     for jam in found.jams:
         parts = {"pair": jam.pair, "position": jam.position, "advice": jam.advice}
         yield say("report.jam", **parts, ratio=write(jam.ratio))
 
 
-REPORT = Report(chapters, headline, remarks)
+REPORT = Report(chapters, headline, remarks, conclusion=_concluded)

@@ -25,8 +25,8 @@ LONG = 6  # digits of a whole number that may be rounded in its last one; a shor
 NUMBER = re.compile(r"-?(?:\d+(?:[.,]\d+)?|\.\d+)(?:e[+-]\d+)?")
 GEOMETRY = frozenset({"d", "cx", "cy", "r", "stroke-dasharray", "data-deviation"})
 WORDS = frozenset({"data-text", "data-name", "id", "class"})
-# Of a report, what measures rounding itself, and the analysis beside where the last of ten digits differs.
-ROUNDINGS = re.compile(r"^## (?:Comparison|Сравнение).*?(?=^## )|^- .*DOP853.*?$|<br>[^|]*", re.MULTILINE | re.DOTALL)
+# Of a report, what measures rounding itself.
+ROUNDINGS = re.compile(r"^## (?:Comparison|Сравнение).*?(?=^## )|^- .*DOP853.*?$", re.MULTILINE | re.DOTALL)
 
 
 def differences(fresh: Path, kept: Path) -> Iterator[str]:

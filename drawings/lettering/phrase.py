@@ -97,13 +97,16 @@ def _template(part: object) -> object:
     return template_of(part) if isinstance(part, str) else part
 
 
-def read_back(template: str, text: str) -> list[tuple[str, str]]:
+def read_back(template: str, text: str, markup: bool = True) -> list[tuple[str, str]]:
     """Read the numbers of a phrase off a text that is written by its template; none where it says something else.
+
+    The template of a phrase on a sheet is marked up as lettering; that of one in a report is as the text.
 
     >>> read_back("m_{II} = ⟨m_II⟩ kg,  D = ⟨D⟩ mm", "mII = 0.25 kg, D = 40 mm")
     [('m_II', '0.25'), ('D', '40')]
     """
     names, pieces = SLOT.findall(template), SLOT.split(template)[::2]
-    pattern = NUMBER.join(r"\s+".join(map(re.escape, re.split(r"\s+", Text(0j, piece).plain))) for piece in pieces)
+    pieces = [Text(0j, piece).plain for piece in pieces] if markup else pieces
+    pattern = NUMBER.join(r"\s+".join(map(re.escape, re.split(r"\s+", piece))) for piece in pieces)
     found = re.search(pattern, text)
     return [] if found is None else [*zip(names, found.groups(), strict=True)]

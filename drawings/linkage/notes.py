@@ -21,7 +21,7 @@ from plans.linkage.travel import EQUAL, frame_slide
 from plans.model.dyad import Group, formula, mechanism_class
 from plans.model.machine import ways
 from plans.model.mechanism import Mechanism, Output, Ram
-from plans.model.motion import ACCELERATIONS, VELOCITIES, Floats, Motion, Order, Rates
+from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Floats, Motion, Order, Rates
 from plans.quantity import Quantity
 from plans.study import Study
 from plans.words import words
@@ -149,8 +149,8 @@ def greatest(values: npt.NDArray[np.complex128 | np.float64]) -> tuple[float, in
     sizes = np.abs(values)
     if not np.isfinite(sizes).any():
         return None
-    where = int(np.nanargmax(sizes))
-    return float(sizes[where]), where
+    largest = float(np.nanmax(sizes))
+    return largest, int(np.argmax(sizes >= largest * (1 - NOTHING)))
 
 
 def _travel(study: LinkageStudy) -> Iterator[str]:
@@ -226,14 +226,11 @@ def _stroke(study: LinkageStudy) -> str:
     return f"link {output.link}, {far}, {ratio}"
 
 
-PLACES = 4  # decimals of an angle in degrees
-
-
 def stroke_line(
     mechanism: Mechanism, output: Output, reach: tuple[float, float], angles: tuple[float, float], language: str
 ) -> str:
     """Say which way the working stroke goes, and how far the crank turns over it and over the idle one."""
-    work, idle = (fixed(float(np.degrees(angle)), language, PLACES) for angle in angles)
+    work, idle = (fixed(float(np.degrees(angle)), language) for angle in angles)
     way = tuple(message(f"way.{name}") for name in ways(mechanism, output, *reach))
     return plain_word(language, "report.working", time=_time(*angles), ways=way, work=work, idle=idle)
 

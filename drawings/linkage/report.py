@@ -12,14 +12,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
-from drawings.lettering.words import decimal, fixed, number, span
+from drawings.lettering.words import fixed, number, span
 from drawings.linkage.equations import drawn_scales, equations, shown_positions
 from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, subject
 from drawings.page.scale import drafting_of
 from drawings.paper.limits import MANY
-from drawings.report.formula import Chapters, Formula, display, inline
+from drawings.report.figures import see
+from drawings.report.formula import DIGITS, Chapters, Formula, display, inline
 from drawings.report.report import gap_line, gap_lines, positions
-from drawings.report.table import Report, chapter, header, row
+from drawings.report.table import Report, chapter, header, row, tabled
 from plans.linkage.assembly import Barrier
 from plans.linkage.parts import alike
 from plans.linkage.quantities import NOT_GRADED, MotionComparison, notches
@@ -28,7 +29,7 @@ from plans.linkage.sweep import interval
 from plans.linkage.travel import ExtremePositions
 from plans.model.dyad import Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Slide
-from plans.model.motion import PLANS, POSITIONS, VELOCITIES
+from plans.model.motion import PLANS, POSITIONS, VELOCITIES, Complexes, Floats
 from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import Message, message, term, word
@@ -68,7 +69,8 @@ def structure(study: LinkageStudy) -> Iterator[str]:
     numbers = rf"3 \cdot {mechanism.moving_links} - 2 \cdot {mechanism.lower_pairs}"
     yield from display(f"W = 3n - 2p_{{5}} - p_{{4}} = {numbers} - 0 = {mechanism.mobility}")
     for group, side in zip(study.groups, study.sweep.sides, strict=True):
-        yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=f"{side:+.0f}")
+        sign = f"{side:+.0f}".replace("-", "−")
+        yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=sign)
     whole = formula(mechanism, study.groups).replace("->", "→")
     yield say("report.formula", formula=whole, klass=mechanism_class(study.groups))
 
@@ -132,7 +134,7 @@ def _pair(pair: Pair, study: LinkageStudy) -> str:
     return row([pair.key, word(study.language, f"report.{kind}"), pair.point])
 
 
-NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
+NOTE, WARNING = 10.0, 60.0  # 1/sin of a notch: 6 degrees, 1 degree
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -141,7 +143,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     passage = _passage(linkage, comparison)
     return Chapters(
         chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
-        chain(_equations(linkage, comparison, leaves), _values(linkage, comparison)),
+        chain(
+            _equations(linkage, comparison, leaves),
+            ("", *see(leaves, linkage.language, "velocities", "accelerations")),
+            _values(linkage, comparison),
+        ),
         _conditions(linkage),
         _left_out(study, linkage, leaves),
     )
@@ -157,7 +163,22 @@ def _equations(
 def headline(study: Study) -> str:
     """Say which link is the output, and who chose it; then its stroke and its greatest velocity and acceleration."""
     linkage = study.of(LinkageStudy)
-    return "\n".join(filter(None, (shown(linkage), first_numbers(linkage, study.of(MotionComparison).construction))))
+    first = first_numbers(linkage, study.of(MotionComparison).construction)
+    other = () if linkage.mechanism.output is not None else (word(linkage.language, "report.output_other"),)
+    return "\n".join(filter(None, ("; ".join((shown(linkage), *other)), first)))
+
+
+def concluded(study: Study) -> Iterator[str]:
+    """Say how the output goes, and how well it is driven."""
+    linkage = study.of(LinkageStudy)
+    language = linkage.language
+    first = first_numbers(linkage, study.of(MotionComparison).construction)
+    yield word(language, "report.output", output=shown(linkage)[1:]) + (f": {first}" if first else "")
+    if linkage.groups and linkage.nodes.size:
+        seen = {group.label: interval(linkage.sweep, group, linkage.nodes) for group in linkage.groups}
+        most = {label: max(abs(one.low), abs(one.high)) for label, one in seen.items()}
+        worst = max(most, key=lambda label: round(most[label], 9))
+        yield word(language, "report.worst_pressure", angle=_degrees(most[worst], language), group=worst)
 
 
 def remarks(study: Study) -> list[Message]:
@@ -205,19 +226,19 @@ def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     """Tell the extreme positions of an output, how far it goes, and its time ratio."""
     say, told, extremes = partial(word, study.language), partial(phrase, study.language), found.extremes
     way = "report.by_notches" if found.notched else "report.by_velocity"
-    yield say(way, angles=_angles(extremes.phi, 9, study.language))
-    stroke = Slot("H, m" if extremes.sliding else "ψ, rad", extremes.stroke, 10)
-    swing = {} if extremes.sliding else {"degrees": _told("ψ", extremes.stroke, 8, study.language)}
+    yield say(way, angles=_angles(extremes.phi, study.language))
+    stroke = Slot("H, m" if extremes.sliding else "ψ, rad", extremes.stroke, DIGITS)
+    swing = {} if extremes.sliding else {"degrees": _told("ψ", extremes.stroke, study.language)}
     yield told("report.stroke" if extremes.sliding else "report.swing", stroke=stroke, **swing)
     if study.scene.has(("output", "working")):
         yield stroke_line(study.mechanism, study.output, extremes.reach, extremes.angles, study.language)
     if len(found.rests) > 2:
-        yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, 6, study.language))
+        yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, study.language))
     else:
         yield told(
             "report.ratio_faster" if extremes.faster else "report.ratio",
-            overlap=_told("θ", extremes.overlap, 8, study.language),
-            ratio=Slot("K", extremes.ratio, 10),
+            overlap=_told("θ", extremes.overlap, study.language),
+            ratio=Slot("K", extremes.ratio, DIGITS),
         )
 
 
@@ -227,22 +248,22 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
     for group in study.groups if study.nodes.size else ():
         seen = interval(study.sweep, group, study.nodes)
         low, high = (
-            _told(f"{end} {group.label}", angle, 6, study.language)
+            _told(f"{end} {group.label}", angle, study.language)
             for end, angle in (("low", seen.low), ("high", seen.high))
         )
         yield phrase(study.language, "report.pressure", group=group.label, low=low, high=high)
 
 
-def _degrees(angle: float, places: int, language: str) -> str:
-    return fixed(float(np.degrees(angle)), language, places)
+def _degrees(angle: float, language: str) -> str:
+    return fixed(float(np.degrees(angle)), language)
 
 
-def _told(quantity: str, angle: float, places: int, language: str) -> Phrase:
-    return slotted("", quantity, _degrees(angle, places, language))
+def _told(quantity: str, angle: float, language: str) -> Phrase:
+    return slotted("", quantity, _degrees(angle, language))
 
 
-def _angles(angles: Iterable[float], places: int, language: str) -> str:
-    return ", ".join(f"{_degrees(angle, places, language)}°" for angle in angles)
+def _angles(angles: Iterable[float], language: str) -> str:
+    return ", ".join(f"{_degrees(angle, language)}°" for angle in angles)
 
 
 def _passage(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
@@ -263,11 +284,11 @@ def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
     language = study.language
     if study.mechanism.drive.pushed:
         return word(language, "report.barrier_way", reason=barrier.kind, where=barrier.where)
-    low, high = (_degrees(angle, 6, language) for angle in (barrier.start, barrier.end))
+    low, high = (_degrees(angle, language) for angle in (barrier.start, barrier.end))
     parts = {"reason": barrier.kind, "where": barrier.where, "low": low, "high": high}
     if not barrier.miss:
         return word(language, "report.barrier", **parts)
-    return word(language, "report.barrier_miss", **parts, miss=decimal(f"{barrier.miss:.6g}", language))
+    return word(language, "report.barrier_miss", **parts, miss=number(barrier.miss, language, DIGITS))
 
 
 def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
@@ -282,11 +303,10 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
             drive = study.mechanism.drive
             station = word(language, "table.way") if drive.pushed else "φ, °"
-            heads = [word(language, "table.position"), station, *(_heading(group, letters) for group in same)]
-            yield from header(heads)
-            for k, phi in enumerate(study.turn.phi):
-                at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))
-                yield row([str(k), fixed(at, language, 4), *(_cell(finding, k, language) for finding in findings)])
+            phi = study.turn.phi
+            stations = 1000 * drive.unit * phi if drive.pushed else np.degrees(phi)
+            heads = [station, *(_heading(group, letters) for group in same)]
+            yield from tabled(heads, [stations, *map(_settled, findings)], language)
             yield ""
 
 
@@ -297,18 +317,14 @@ def _heading(same: Sequence[Quantity], letters: Formula) -> str:
     return f"${told}$, {letters.drafting.word(same[0].unit)}"
 
 
-def _cell(finding: Quantity, position: int, language: str) -> str:
-    roads = (finding.construction, finding.analysis)
-    ours, theirs = (_text(values[position], finding.largest, language) for values in roads)
-    return ours if ours == theirs else f"{ours}<br>{theirs}"
+def _settled(finding: Quantity) -> Complexes | Floats:
+    """Give the values by construction; what is but rounding of the largest of its kind is 0."""
+    parts = [np.where(np.abs(part) < 1e-10 * finding.largest, 0.0, part) for part in _both(finding.construction)]
+    return parts[0] + 1j * parts[1] if len(parts) > 1 else parts[0]
 
 
-def _text(value: complex | float, largest: float, language: str) -> str:
-    if math.isnan(abs(value)):
-        return word(language, "table.gap")
-    if isinstance(value, complex):
-        return f"{_text(value.real, largest, language)}; {_text(value.imag, largest, language)}"
-    return number(0.0 if abs(value) < 1e-10 * largest else float(value), language, 10)
+def _both(values: Complexes | Floats) -> Sequence[Floats]:
+    return (values.real, values.imag) if np.iscomplexobj(values) else (np.real(values),)
 
 
 def _conditions(study: LinkageStudy) -> Iterator[str]:
@@ -318,8 +334,8 @@ def _conditions(study: LinkageStudy) -> Iterator[str]:
         yield word(language, "report.no_meeting")
         return
     table = notches(study)
-    yield word(language, "report.kappa")
-    yield from header([*(word(language, f"table.{head}") for head in ("group", "kappa", "in_position")), ""])
+    yield word(language, "report.notches")
+    yield from header([*(word(language, f"table.{head}") for head in ("group", "notch", "in_position")), ""])
     for group, kappas in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
         if not np.isnan(kappas).all():
             worst = int(np.nanargmax(kappas))
@@ -327,11 +343,12 @@ def _conditions(study: LinkageStudy) -> Iterator[str]:
 
 
 def _graded(kappa: float, position: int, language: str) -> tuple[str, str, str]:
-    """Give the largest kappa of a group, the position of it, and what that means."""
+    """Give the sharpest notch of a group, the position of it, and what that means."""
     grades = (("not_graded", NOT_GRADED), ("warning", WARNING), ("note", NOTE))
     grade = next((word(language, f"report.{name}") for name, least in grades if kappa >= least), "")
-    largest = decimal(f"{kappa:.4g}", language) if math.isfinite(kappa) else word(language, "report.unbounded")
-    return largest, str(position), grade
+    sharp = fixed(math.degrees(math.asin(min(1 / kappa, 1.0))), language)
+    least = f"{sharp}°" if math.isfinite(kappa) else word(language, "report.unbounded")
+    return least, str(position), grade
 
 
 def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
@@ -357,4 +374,4 @@ def _turning(study: LinkageStudy) -> set[int]:
     return set(study.drafts().velocities.readings) if "velocities" in study.made else set(study.mechanism.links)
 
 
-REPORT = Report(chapters, headline, remarks, subject)
+REPORT = Report(chapters, headline, remarks, subject, concluded)

@@ -24,11 +24,12 @@ class Chapters(NamedTuple):
     left_out: Iterable[str] = ()  # what the sheets leave out
 
 
-DIGITS = 5
+DIGITS = 5  # of a number of the report
 DIRECTION, FULL = 1, 2  # lines under a vector: its direction alone is known, or all of it
 _GREEK = {
     "ω": r"\omega", "ε": r"\varepsilon", "φ": r"\varphi", "μ": r"\mu", "Φ": r"\Phi", "τ": r"\tau", "η": r"\eta",
-    "θ": r"\theta", "ψ": r"\psi", "π": r"\pi", "δ": r"\delta", "Σ": r"\sum",
+    "θ": r"\theta", "ψ": r"\psi", "π": r"\pi", "δ": r"\delta", "Σ": r"\sum", "α": r"\alpha", "ρ": r"\rho",
+    "Δ": r"\Delta",
 }  # fmt: skip
 _LETTER = re.compile(r"(?P<head>[^_^]+?)(?P<primes>'*)(?:\^(?P<up>\{.*?\}|.))?(?:_(?P<low>\{.*\}'*|[^_]+))?")
 
@@ -40,17 +41,8 @@ class Formula:
         self.drafting = drafting
 
     def letter(self, markup: str) -> str:
-        r"""Write a letter with its indices: R^t_{34} as R_{34}^{\tau} in Russian."""
-        found = _LETTER.fullmatch(lettered(self.drafting.language, markup))
-        if found is None:
-            return _text(markup)
-        head, up, low = found["head"], found["up"], found["low"]
-        if head not in _GREEK and not (head.isascii() and len(head) == 1):
-            return _text(markup.replace("_", "").replace("{", "").replace("}", ""))
-        told = _GREEK.get(head, head)
-        told += f"_{{{_index(low)}}}" if low else ""
-        up = f"{{{_index(up)}}}" if up else ""
-        return told + (f"^{up}" if up else "") + found["primes"]
+        """Write a letter with its indices in the language of the report."""
+        return letter(markup, self.drafting.language)
 
     def vector(self, markup: str, known: int = 0) -> str:
         """Write a vector with its bar, and as many lines under it as tell what is known of it."""
@@ -90,6 +82,26 @@ class Formula:
         return _text(f" {unit}").replace("²", r"}^{2}\text{").removesuffix(r"\text{}")
 
 
+def letter(markup: str, language: str) -> str:
+    r"""Write a letter with its indices.
+
+    >>> print(letter("R^t_{34}", "ru"), letter("m_{II}", "en"), letter("J_0^*", "en"), letter("R_A'", "en"))
+    R_{34}^{\tau} m_{II} J_{0}^{\ast} R_{A}'
+    """
+    bare, star = re.fullmatch(r"(.*?)(\^\*)?", markup, re.DOTALL).groups()  # type: ignore[union-attr]
+    bare, primes = bare.rstrip("'"), "'" * (len(bare) - len(bare.rstrip("'")))
+    found = _LETTER.fullmatch(lettered(language, bare))
+    if found is None:
+        return _text(markup)
+    head, up, low = found["head"], found["up"], found["low"]
+    if head not in _GREEK and not (head.isascii() and len(head) == 1):
+        return _text(markup.replace("_", "").replace("{", "").replace("}", ""))
+    told = _GREEK.get(head, head)
+    told += f"_{{{_index(low)}}}" if low else ""
+    up = r"{\ast}" if star else f"{{{_index(up)}}}" if up else ""
+    return told + found["primes"] + primes + (f"^{up}" if up else "")
+
+
 def inline(*equals: str) -> str:
     """Write sides that equal each other within a line."""
     return f"${' = '.join(equals)}$"
@@ -120,6 +132,7 @@ def _index(index: str) -> str:
     told = bare[1] + bare[2] if bare else index
     if told in _GREEK:
         return _GREEK[told]
+    told = told.replace("−", "-")
     if not told.isascii() or (told.upper() != told and len(told) > 1):
         return _text(told)
     return re.sub(r"([A-Z])(\d+)", r"\1_{\2}", told)

@@ -11,7 +11,9 @@ import numpy as np
 
 from drawings.lettering.words import decimal, fixed, runs
 from drawings.page.scale import Drafting
-from drawings.report.table import chapter, header, heading, quantity, report_of, row
+from drawings.report.figures import drawn
+from drawings.report.letters import entry, mathed
+from drawings.report.table import chapter, header, heading, quantity, report_of, row, tiny
 from plans.by_hand import SLIP
 from plans.model.mechanism import Drive
 from plans.model.motion import Gap
@@ -108,14 +110,29 @@ def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
     idle = (said.worded(language) for name in _idle(study) for said in techniques()[name].idle(study.scene))
     left_out = [*(line for one in told for line in one.left_out), *idle]
-    return [
-        word(language, "report.title", title=literal(study.scene.heading(language)), sheets=kinds),
+    body = [
+        *([chapter(language, "sheets"), *drawn(leaves, language), ""] if any(leaves.values()) else []),
         *(line for one in told for line in one.subject),
         *(line for one in told for line in one.values),
         *_comparison(study.comparisons, language),
         *(line for one in told for line in one.conditions),
+        *_conclusion(study, language),
         *((chapter(language, "left_out"), *left_out) if left_out else ()),
     ]
+    title = word(language, "report.title", title=literal(study.scene.heading(language)), sheets=kinds)
+    return [title, *(mathed(line, language) for line in body)]
+
+
+def _conclusion(study: Study, language: str) -> Iterator[str]:
+    """Say what follows from the numbers: of each technique, how far both roads agree, and what is not whole."""
+    yield chapter(language, "conclusion")
+    for told in map(report_of, study.techniques):
+        own = told.conclusion(study) if told.conclusion is not None else told.headline(study).splitlines()
+        yield from (line if line.startswith("- ") else entry(line[:1].upper() + line[1:]) for line in own)
+    findings = together(study.comparisons)
+    if findings:
+        yield word(language, "report.agreed", count=len(findings), share=share(findings))
+    yield from (f"- {line.worded(language)}" for line in remarks(study))
 
 
 def _idle(study: Study) -> Iterator[str]:
@@ -153,7 +170,7 @@ def plan_width(plans: Iterable[str], language: str) -> int:
 
 
 def _worst(findings: Sequence[Quantity], language: str) -> str:
-    worst = max(findings, key=lambda finding: (peak(finding.excess), peak(finding.difference)))
+    worst = _worst_of(findings)
     per_cent = max(finding.per_cent for finding in findings)
     unit, name = term(language, "text_unit", worst.unit), quantity(worst.name, language)
     numbers = f"{peak(worst.difference):>13.2e} {unit:<4} {per_cent:>18.2e} {peak(worst.excess):>15.3f}"
@@ -170,13 +187,21 @@ def left_out(comparisons: Iterable[Comparison], language: str) -> list[str]:
 
 
 def _comparison(comparisons: Iterable[Comparison], language: str) -> Iterator[str]:
+    """Tell of each plan what both roads differ in most."""
     yield chapter(language, "comparison")
     heads = ("plan", "quantity", "difference", "percent", "allowed")
     yield from header([word(language, f"table.{head}") for head in heads])
-    for finding in together(comparisons):
-        numbers = (f"{peak(finding.difference):.2e}", f"{finding.per_cent:.2e}", f"{peak(finding.excess):.3f}")
-        cells = [decimal(text, language) for text in numbers]
-        yield row([term(language, "plan", finding.plan), heading(finding, language), *cells])
+    for comparison in comparisons:
+        for plan in dict.fromkeys(finding.plan for finding in comparison.findings):
+            worst = _worst_of(comparison.of(plan))
+            numbers = peak(worst.difference), worst.per_cent, peak(worst.excess)
+            cells = [tiny(value, language) for value in numbers]
+            yield row([term(language, "plan", plan), heading(worst, language), *cells])
+    yield f"\n{word(language, 'report.all_differences')}"
+
+
+def _worst_of(findings: Sequence[Quantity]) -> Quantity:
+    return max(findings, key=lambda finding: (peak(finding.excess), peak(finding.difference)))
 
 
 def peak(values: np.ndarray[tuple[int, ...], np.dtype[Any]]) -> float:

@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from drawings.lettering.words import span
-from drawings.report.formula import Chapters
+import numpy as np
+
+from drawings.lettering.words import decimal, fixed, number, span
+from drawings.report.formula import DIGITS, Chapters
 from plans.model.motion import Complexes, Floats
 from plans.quantity import EQUILIBRIUM, Quantity
 from plans.words.words import ENGLISH, Message, term, word, written
@@ -35,9 +37,59 @@ def header(heads: Sequence[str]) -> list[str]:
     return [row(heads).replace("|  |", "| |"), "|" + "---|" * len(heads)]
 
 
+def tabled(heads: Sequence[str], columns: Iterable[Any], language: str, gap: str = "", first: str = "") -> list[str]:
+    """Write a table of all positions, or of what else is numbered from 0 on."""
+    rows = zip(*(column(values, language, gap) for values in columns), strict=True)
+    named = first or word(language, "table.position")
+    return [*header([named, *heads]), *(row([str(k), *cells]) for k, cells in enumerate(rows))]
+
+
+def column(values: Any, language: str, gap: str = "") -> list[str]:
+    """Write numbers, or vectors as x; y, to the decimals that the largest of them has.
+
+    >>> column([12.3456, 0.00012, math.nan], "en"), column([1 - 0.5j], "ru"), column([0.0, 2e6], "en")
+    (['12.3456', '0.0001', 'gap'], ['1,00000; −0,50000'], ['0', '2000000'])
+    """
+    told = np.asarray(values)
+    sizes = np.abs([told.real, told.imag])
+    largest = float(np.max(sizes[np.isfinite(sizes)], initial=0.0))
+    places = MOST - 1 - math.floor(math.log10(largest)) if largest else 0
+    gap = gap or word(language, "table.gap")
+    return [gap if math.isnan(abs(value)) else _cell(value, places, language) for value in told.tolist()]
+
+
+def _cell(value: complex, places: int, language: str) -> str:
+    if isinstance(value, complex):
+        return f"{_cell(value.real, places, language)}; {_cell(value.imag, places, language)}"
+    if math.isinf(value):
+        return "∞"
+    if abs(value) < 0.5 * 10.0**-places:
+        return "0"
+    return fixed(value, language, places) if places >= 0 else number(value, language, DIGITS)
+
+
+ANGLE = "\N{NO-BREAK SPACE}∠\N{NO-BREAK SPACE}"  # between the size of a vector and its direction
+MOST = 6  # digits of the largest number of a column, so that a hundredth of it still has four
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+PLAIN = 1e-3  # a smaller number is written by its power of ten
+
+
+def tiny(value: float, language: str) -> str:
+    """Write a difference with two digits.
+
+    >>> tiny(-2.46e-16, "ru"), tiny(0.165, "ru"), tiny(0.0, "ru")
+    ('−2,5·10⁻¹⁶', '0,17', '0')
+    """
+    if abs(value) >= PLAIN or not value:
+        return number(value, language, 2)
+    mantissa, power = f"{value:.1e}".replace("-", "−", value < 0).split("e")
+    return f"{decimal(mantissa, language)}·10{str(int(power)).translate(RAISED)}"
+
+
 def heading(finding: Quantity, language: str) -> str:
-    """Name a quantity with its unit."""
-    return f"{quantity(finding.name, language)}, {term(language, 'text_unit', finding.unit)}"
+    """Name a quantity with its unit, if it has one."""
+    unit = term(language, "unit", finding.unit)
+    return f"{quantity(finding.name, language)}, {unit}" if unit else quantity(finding.name, language)
 
 
 def quantity(name: str, language: str) -> str:
@@ -75,6 +127,7 @@ class Report(NamedTuple):
     headline: Callable[[Study], str] = lambda study: ""  # a line about it on the screen, or nothing
     remarks: Callable[[Study], Iterable[Message]] = lambda study: ()  # what is not whole: gaps, dead centres, jams
     subject: Callable[[Study], Subject] = titled  # what is studied, for the gallery's page: by its first technique
+    conclusion: Callable[[Study], Iterable[str]] | None = None  # what follows from the numbers; None: its headline
 
 
 def _quantities(technique: str, study: Study, _: Mapping[str, Sequence[Leaf]]) -> Chapters:

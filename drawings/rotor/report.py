@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.dynamics.report_tables import listed, plain
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
-from drawings.report.formula import Chapters
-from drawings.report.table import Report, Subject, chapter
+from drawings.report.formula import DIGITS, Chapters
+from drawings.report.letters import entry, listed, plain
+from drawings.report.table import ANGLE, Report, Subject, chapter
 from plans.model.rotor import Balance, Correction, Resultant, Rotor, grade_of, letters, permissible
 from plans.rotor.balancing import UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, RotorStudy
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 GRAM_MILLIMETRES = 1e6  # of a kg*m
-ANGLE = "\N{NO-BREAK SPACE}∠\N{NO-BREAK SPACE}"  # between the size of a vector and its direction
 
 
 class RotorNotes(NamedTuple):
@@ -119,9 +118,6 @@ def grade_name(quality: float, drafting: Drafting) -> str:
     return drafting.word("no grade") if grade is None else letters(grade)
 
 
-DIGITS = 10
-
-
 def subject(study: Study) -> Subject:
     """Tell a rotor in a few words, for the gallery's page."""
     rotor = study.of(RotorStudy).rotor
@@ -136,6 +132,12 @@ def subject(study: Study) -> Subject:
 def headline(study: Study) -> str:
     """Say what is to be put on the rotor."""
     return "; ".join(map(plain, _notes(study).counterweights()))
+
+
+def _concluded(study: Study) -> Iterator[str]:
+    """Say what is to be put on the rotor, and how well it then is balanced."""
+    notes = _notes(study)
+    yield from map(entry, (*notes.counterweights(), *notes.quality()))
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -201,4 +203,4 @@ def _notes(study: Study) -> RotorNotes:
     return RotorNotes(rotor.rotor, rotor.balance, drafting_of(study.scene), DIGITS)
 
 
-REPORT = Report(chapters, headline, subject=subject)
+REPORT = Report(chapters, headline, subject=subject, conclusion=_concluded)

@@ -71,12 +71,12 @@ def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(shaper: 
 @pytest.mark.rest
 def test_the_output_is_told_and_who_chose_it(run: Run, shaper: Done, tmp_path: Path) -> None:
     report = (shaper.folder / "shaper-report.md").read_text("utf-8")
-    chosen = "utput: link 5 by its point D, the last link on the frame; [output] names another\n"
-    assert f"\no{chosen}" in shaper.out
-    assert f"\n- O{chosen}" in report
+    chosen = "utput: link 5 by its point D, the last link on the frame"
+    assert f"\no{chosen}; [output] names another\n" in shaper.out
+    assert f"\n- O{chosen}\n" in report
     named = tmp_path / "plain.toml"
     named.write_text(PLAIN.read_text("utf-8") + "positions = 2\n[output]\nlink = 3\n", "utf-8")
-    assert "\noutput: link 3, as [output] names it\n" in run("draw", named, "-o", tmp_path)[1]
+    assert "\noutput: link 3, as the scene names it\n" in run("draw", named, "-o", tmp_path)[1]
 
 
 @pytest.mark.rest

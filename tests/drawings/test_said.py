@@ -33,7 +33,7 @@ STOPS = "the machine would stop"
 CASES, IN_ENGLISH = Path(__file__).parents[1] / "cases/loads", ('language = "ru"', 'language = "en"')
 JACK = (
     "Working stroke: counter-clockwise, up, the faster of the two; "
-    "the crank turns 163.8029° over it, 196.1971° over the idle stroke"
+    "the crank turns 163.80° over it, 196.20° over the idle stroke"
 )
 NO_FLYWHEEL = "divisions = 24"
 
@@ -69,7 +69,7 @@ ROWS = {
     # Balancing
     "a link on a slide has a variable vector: a yoke of 4 kg beside a stone of 0.3 kg": Row(
         gallery("scotch-yoke", "balancing", "\n[balance]\n"),
-        ["Link 3 hangs on a slide: its vector u_3 along the guide is variable, 0.9302325581 of the way"],
+        ["Link 3 hangs on a slide: its vector $u_{3}$ along the guide is variable, 0.93023 of the way"],
     ),
     "what is balanced already needs nothing": Row(
         balanced("still"),
@@ -78,12 +78,12 @@ ROWS = {
     ),
     "a slow crank has tiny forces and the same best shares": Row(
         balanced("engine", "A1").replace("speed = 20", "speed = 2e-5"),
-        ["with k = 0.5899361331", "0.0000000001716166054 N"],
+        ["with k = 0.58994", "0.00000000017162 N"],
     ),
     "reactions have the letter of the scene": Row(
         balanced("engine", "A1") + 'reactions = "P"\n',
-        ["largest P_01: 473 → ", "| P_01, N |"],
-        ["largest R_01", "\n| R_01, N |"],
+        ["largest P_01: 473 → ", "| $P_{01}$, N |"],
+        ["largest R_01", "| $R_{01}$, N |"],
     ),
     # Banks
     "a bank at rest in itself": Row(
@@ -121,13 +121,18 @@ ROWS = {
         [
             f"\n- {JACK}\n",
             f"\n- Pш over the stroke. {JACK}\n",
-            "K = 1.19776298 of the slower, idle stroke over the faster, working one",
+            "K = 1.1978 of the slower, idle stroke over the faster, working one",
         ],
     ),
     "without a choice only the loads tell the working stroke": Row(
         case("pumping-jack", ('working = "up"\n', "")),
         ["- Pш по ходу. Рабочий ход: по часовой стрелке, вниз, более медленный из двух; кривошип"],
         ["\n- Рабочий ход", "быстрее"],
+    ),
+    "reactions by their sizes and angles, a piston by its areas, and where the letters are those of formulas": Row(
+        case("pump", IN_ENGLISH),
+        ["- Piston: bore D = 50 mm", "| 0 | ", " ∠ ", r"$\\lvert M_{\\text{bal}}\\rvert_{\\text{max}}$", "## Conclusion"],
+        ["M_bal", "e-1", "kappa"],
     ),
     "a force between two links": Row(case("pump", IN_ENGLISH), ["- P between B of link 2 and C of link 3, always"]),
     "a load that rests on a reversal": Row(
@@ -139,15 +144,15 @@ ROWS = {
     ),
     "a load that follows its stroke rests on no reversal": Row(
         case("press", IN_ENGLISH),
-        ["F_us at G of link 7, wherever it goes as on the working stroke"],
+        [r"$F_{\text{us}}$ at G of link 7, wherever it goes as on the working stroke"],
         ["its point reverses"],
     ),
     # Cyclograms
     "the positions of a tool by both roads": Row(
         scene_text("shaper", "overrun = 0.1\nbreaks = [0.6, 0.75]\n" + CAM),
         [
-            "position 8, overrun begins, at 0.1 of the stroke: φ = 306.8819915° by plan, 306.8819915° by analysis",
-            "φ_rise = 360° − (φ_2 − φ_1) = 74.57704742°",
+            "position 8, overrun begins, at 0.1 of the stroke: φ = 306.88° by plan, 306.88° by analysis",
+            r"$\varphi_{\text{rise}}$ = 360° − ($\varphi_{2}$ − $\varphi_{1}$) = 74.577°",
         ],
     ),
     # Motion of a machine
@@ -160,7 +165,7 @@ ROWS = {
     ),
     "a shaft beside the linkage": Row(
         text(asked='fluctuation = "1/25"\nshafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]'),
-        ["gear: 0.4 kg·m²"],
+        ["Shaft (gear): 0.4 kg·m²"],
     ),
     "no flywheel where no fluctuation is asked for, but that the machine would stop": Row(
         text(asked=NO_FLYWHEEL), ["M_dr", STOPS], ["Flywheel"]
@@ -173,8 +178,8 @@ ROWS = {
         text().replace("120 rpm", "-120 rpm"),
         [
             "- Crank: turns clockwise\n",
-            "\n- F_us over the stroke. Working stroke: to the ",
-            "the crank turns 180.0000° over it",
+            "\n- $F_{\\text{us}}$ over the stroke. Working stroke: to the ",
+            "the crank turns 180.00° over it",
         ],
     ),
     "loads that drive": Row(

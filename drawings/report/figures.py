@@ -1,0 +1,52 @@
+"""Figures of the sheets as a report refers to them: by the sheet's number and their headings (ссылки на чертежи)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from drawings.sheet_diff.edit import STILL, Figures
+from plans.words.words import Message, message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+
+def drawn(leaves: Mapping[str, Sequence[Leaf]], language: str) -> Iterator[str]:
+    """List the figures of every sheet."""
+    for kind, leaf in ((kind, leaf) for kind, own in leaves.items() for leaf in own):
+        figures = ", ".join(_headings(leaf, "", language))
+        yield word(language, "report.sheet", number=_number(leaf), kind=kind, figures=figures)
+
+
+def see(leaves: Mapping[str, Sequence[Leaf]], language: str, *starts: str) -> Iterator[str]:
+    """Refer to the figures whose names begin so, sheet by sheet; to none where there are none."""
+    sheets = ((leaf, [one for start in starts for one in _headings(leaf, start, language)]) for leaf in _all(leaves))
+    told = [
+        message("report.on_sheet", number=_number(leaf), figures=", ".join(dict.fromkeys(figures))).worded(language)
+        for leaf, figures in sheets
+        if figures
+    ]
+    if told:
+        yield word(language, "report.see", sheets="; ".join(told))
+
+
+def _all(leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Leaf]:
+    return (leaf for own in leaves.values() for leaf in own)
+
+
+def _number(leaf: Leaf) -> int:
+    """Give the number of a sheet in its document."""
+    number: int = leaf.metadata["document"]["sheet"]
+    return number
+
+
+def _headings(leaf: Leaf, start: str, language: str) -> Iterator[str]:
+    """Give the headings of the figures and tables of a sheet whose names begin so."""
+    figures = Figures(leaf)
+    called = (figures.called(name) for name in figures.named if name not in STILL and name.startswith(start))
+    yield from dict.fromkeys(_said(one, language) for one in called if one.key == "exhibit.headed")
+
+
+def _said(called: Message, language: str) -> str:
+    return called.worded(language)
