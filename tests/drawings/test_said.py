@@ -129,10 +129,15 @@ ROWS = {
         ["- Pш по ходу. Рабочий ход: по часовой стрелке, вниз, более медленный из двух; кривошип"],
         ["\n- Рабочий ход", "быстрее"],
     ),
-    "reactions by their sizes and angles, a piston by its areas, and where the letters are those of formulas": Row(
-        case("pump", IN_ENGLISH),
-        ["- Piston: bore D = 50 mm", "| 0 | ", " ∠ ", r"$\\lvert M_{\\text{bal}}\\rvert_{\\text{max}}$", "## Conclusion"],
-        ["M_bal", "e-1", "kappa"],
+    "reactions by sizes and angles, a piston by its areas, letters as in the formulas": Row(
+        gallery("compressor", "forces").partition("[sheet]")[0] + ENGLISH,
+        [
+            "D = 112.84 mm; the pressure acts on 100 cm²",
+            " ∠ ",
+            r"$\lvert M_{\text{bal}}\rvert_{\text{max}}$ = ",
+            "## Conclusion",
+        ],
+        ["e-1", "kappa"],
     ),
     "a force between two links": Row(case("pump", IN_ENGLISH), ["- P between B of link 2 and C of link 3, always"]),
     "a load that rests on a reversal": Row(
