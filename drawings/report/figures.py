@@ -36,9 +36,9 @@ def _all(leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Leaf]:
 
 
 def _number(leaf: Leaf) -> int:
-    """Give the number of a sheet in its document."""
-    number: int = leaf.metadata["document"]["sheet"]
-    return number
+    """Give the number of a sheet in its document; of one that is bound to none, among those of its kind."""
+    own = leaf.metadata
+    return int(own["document"]["sheet"] if "document" in own else own["number"])
 
 
 def _headings(leaf: Leaf, start: str, language: str) -> Iterator[str]:

@@ -95,4 +95,4 @@ def test_one_that_says_no_more_is_told_by_its_quantities(monkeypatch: pytest.Mon
         Technique.marks(rotor, study, 1, "m_1D_1")
     size = number(abs(first.analysis[0]))
     told = [*report_of("rotor").chapters(study, {}).values]
-    assert {f"| m_ID_I, kg*m | {size} | {size} |", "| R_A', N | 0 | 0 |"} <= {*told}
+    assert {f"| m_ID_I, kg·m | {size} | {size} |", "| R_A', N | 0 | 0 |"} <= {*told}
