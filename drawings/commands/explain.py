@@ -10,12 +10,12 @@ from typing import Final
 
 import numpy as np
 
+from drawings.commands.on_sheet import OnSheet, equations
 from drawings.commands.talk import noted
 from drawings.files.file_error import print_json
 from drawings.lettering.words import letter
 from drawings.sheets.kind import sheet_kind
 from geometry.board import Arc, Line, Mark, at
-from geometry.precision import condition
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.motion import ORDERS, POSITIONS
@@ -25,6 +25,10 @@ from plans.study import Study
 from plans.techniques import techniques
 from plans.words.words import ALONE, Message, languages, message, said, term, word, words, written
 
+DOZEN = 12  # steps that are told at first sight
+DIGITS, FULL = 5, 10  # of a number on the screen, and of one in JSON
+UNIT = 1e-12  # by which a direction may be off the length 1
+LONG = re.compile(r"-?\d+\.\d{5,}(e[-+]\d+)?")
 SIGNS: Final = str.maketrans({"{": "", "}": "", "−": "-", "′": "'"})  # of lettering, and of the names of marks
 
 
@@ -36,14 +40,29 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json([_plain(mark, explanation) for mark in explanation.steps])
         return 0
-    language = study.scene.sheet.language
-    print(word(language, "explain.steps", title=explanation.title, count=len(explanation.steps)))
-    for number, mark in enumerate(explanation.steps, 1):
-        print(f"{number:>3}. {sentence(mark, explanation, language)}")
-    for note in explanation.notes:
-        parts = {name: letter(language, part) if isinstance(part, str) else part for name, part in note.parts}
+    language, steps = study.scene.sheet.language, explanation.steps
+    print(word(language, "explain.steps", title=explanation.title, count=len(steps)))
+    for line in equations(study, steps[-1], options.position) if steps else ():
+        print(f"     {letter(language, line)}")
+    shown, sheet = frozenset(steps if options.all else nearest(steps)), OnSheet(study)
+    for number, mark in enumerate(steps, 1):
+        if mark in shown:
+            print(f"{number:>3}. {sentence(mark, explanation, language, sheet)}")
+    left_out = (message("explain.earlier", count=len(steps) - len(shown)),) if len(shown) < len(steps) else ()
+    for note in (*left_out, *_size_on(sheet, explanation), *explanation.notes):
+        parts = {name: _short(letter(language, part)) if isinstance(part, str) else part for name, part in note.parts}
         print(f"     {message(note.key, **parts).worded(language)}")
     return 0
+
+
+def nearest(steps: Sequence[Mark]) -> list[Mark]:
+    """Give the steps that a mark rests on most closely, a dozen with itself; the others tell how these are found."""
+    far = {steps[-1]: 0} if steps else {}
+    for mark in reversed(steps):
+        for source in mark.step.inputs:
+            far[source] = min(far.get(source, len(steps)), far.setdefault(mark, 0) + 1)
+    order = {mark: -place for place, mark in enumerate(steps)}
+    return sorted(steps, key=lambda mark: (far.get(mark, 0), order[mark]))[:DOZEN]
 
 
 def explained(study: Study, position: int, name: str) -> Explanation:
@@ -148,16 +167,53 @@ def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
     return message("mark.meant", near=near[0], **parts)
 
 
-def sentence(mark: Mark, of: Explanation, language: str) -> str:
-    """Say one step: what is drawn, from which marks, where it is, how sharply it meets, and why."""
+def sentence(mark: Mark, of: Explanation, language: str, sheet: OnSheet | None = None) -> str:
+    """Say one step: what is drawn, from which marks, where it is, also on the sheet, how sharply it meets, and why."""
     sources = ", ".join(_named(source, of, language) for source in mark.step.inputs)
     text = f"{_named(mark, of, language)}: {term(language, 'op', mark.step.op)}" + (f" ({sources})" if sources else "")
-    text += f" = {_value(mark, of).worded(language)}"
+    text += f" = {_value(mark, of, DIGITS).worded(language)}"
+    scale = _scale(mark, of, sheet)
+    if scale is not None:
+        text = word(language, "explain.on_sheet", step=text, place=_reduced(mark, scale))
     if mark.sharpness is not None:
         angle = f"{np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}"
-        kappa = f"{float(condition(mark).flat[0]):.3g}"
-        text = word(language, "explain.crossing", step=text, angle=angle, kappa=kappa)
+        text = word(language, "explain.crossing", step=text, angle=angle)
     return f"{text}. {letter(language, said(mark.step.why, language))}" if mark.step.why else text
+
+
+def _scale(mark: Mark, of: Explanation, sheet: OnSheet | None) -> float | None:
+    """Give the scale at which a sheet shows a mark; a direction, of length 1, is not laid off, and a moment neither."""
+    direction = not isinstance(mark.value, tuple) and abs(abs(at(mark.point, 0)) - 1) < UNIT
+    if sheet is None or direction or mark.is_moment:
+        return None
+    board = _drawn_on(mark)
+    return sheet.scale(board, mark.name, of.units.get(board, ""))
+
+
+def _reduced(mark: Mark, scale: float) -> Message | str:
+    """Tell in mm where a place is, through where a line goes, which radius an arc has."""
+    match mark.value:
+        case Arc():
+            return f"{at(mark.value.radius, 0).real / scale:.{DIGITS}g}"
+        case Line():
+            return _pair(at(mark.value.through, 0) / scale, DIGITS)
+    return _pair(at(mark.point, 0) / scale, DIGITS)
+
+
+def _size_on(sheet: OnSheet, of: Explanation) -> Iterator[Message]:
+    """Say how long the vector is that was asked for, or that a rate is read off, and how long it is on the sheet."""
+    last = of.steps[-1] if of.steps else None
+    if last is None or last.subject == of.home or isinstance(last.value, tuple):
+        return
+    if (scale := _scale(last, of, sheet)) is not None:
+        size, name = abs(at(last.point, 0)), last.name if last.step.op == "join" else dict(of.title.parts)["mark"]
+        told = {"size": f"{size:.{DIGITS}g}", "mm": f"{size / scale:.{DIGITS}g}", "unit": of.units[_drawn_on(last)]}
+        yield message("explain.size", mark=name, **told)
+
+
+def _short(part: str) -> str:
+    """Write a number with the digits that a screen has."""
+    return f"{float(part):.{DIGITS}g}" if LONG.fullmatch(part) else part
 
 
 def _named(mark: Mark, of: Explanation, language: str) -> str:
@@ -168,28 +224,29 @@ def _named(mark: Mark, of: Explanation, language: str) -> str:
     return name if mark.subject == of.home else f"{name} [{term(language, 'plan', mark.subject)}]"
 
 
-def _value(mark: Mark, of: Explanation) -> Message:
+def _value(mark: Mark, of: Explanation, digits: int) -> Message:
     unit = of.units.get(_drawn_on(mark), "")
     if isinstance(mark.value, Line):
         through, direction = at(mark.value.through, 0), at(mark.value.direction, 0)
-        return message("explain.line", through=_pair(through), direction=_pair(direction))
+        angle = f"{np.degrees(np.angle(direction)) % 180:.2f}"
+        return message("explain.line", through=_pair(through, digits), angle=angle)
     if mark.is_moment:
-        return _moment(mark)
+        return _moment(mark, digits)
     if isinstance(mark.value, Arc):
-        radius = f"{at(mark.value.radius, 0).real:.10g}"
-        return message("explain.arc", centre=_pair(at(mark.value.centre, 0)), radius=radius, unit=unit)
-    place = _pair(0j if mark in of.zeros else at(mark.value, 0))
+        radius = f"{at(mark.value.radius, 0).real:.{digits}g}"
+        return message("explain.arc", centre=_pair(at(mark.value.centre, 0), digits), radius=radius, unit=unit)
+    place = _pair(0j if mark in of.zeros else at(mark.value, 0), digits)
     return message("explain.point", value=place, unit=unit) if unit else place
 
 
-def _moment(mark: Mark) -> Message:
+def _moment(mark: Mark, digits: int) -> Message:
     """Tell a moment, and of a force's the arm: the moment over the force."""
     moment = at(mark.point, 0).real + 0.0
     force = abs(at(mark.step.inputs[2].point, 0)) if mark.step.op == "moment" else 0.0
     if not force:
-        return message("explain.moment", moment=f"{moment:.10g}")
+        return message("explain.moment", moment=f"{moment:.{digits}g}")
     arm = f"{abs(moment) / force:.6g}"
-    return message("explain.armed", moment=f"{moment:.10g}", force=f"{force:.6g}", arm=arm)
+    return message("explain.armed", moment=f"{moment:.{digits}g}", force=f"{force:.6g}", arm=arm)
 
 
 def _drawn_on(mark: Mark) -> str:
@@ -199,8 +256,10 @@ def _drawn_on(mark: Mark) -> str:
     return mark.subject
 
 
-def _pair(value: complex) -> Message:
-    return message("explain.pair", x=f"{value.real + 0.0:.10g}", y=f"{value.imag + 0.0:.10g}")
+def _pair(value: complex, digits: int) -> Message:
+    least = abs(value) * UNIT if digits == DIGITS else 0.0  # what is less is rounding
+    x, y = (f"{0.0 if abs(part) <= least else part + 0.0:.{digits}g}" for part in (value.real, value.imag))
+    return message("explain.pair", x=x, y=y)
 
 
 def _plain(mark: Mark, of: Explanation) -> dict[str, object]:
@@ -209,6 +268,6 @@ def _plain(mark: Mark, of: Explanation) -> dict[str, object]:
         "name": mark.name,
         "op": mark.step.op,
         "from": [source.name for source in mark.step.inputs],
-        "value": str(_value(mark, of)),
+        "value": str(_value(mark, of, FULL)),
         "why": str(mark.step.why),
     }

@@ -86,7 +86,9 @@ def _explain(commands: Commands) -> None:
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
     explain.add_argument("mark", metavar="MARK", help="a letter of a plan, such as B, v_B, omega_3, R_12, m_1D_1, K2:P")
     explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
-    explain.add_argument("--all", action="store_true", help="of a force also the plans that it rests on")
+    explain.add_argument(
+        "--all", action="store_true", help="every step, of a force also those of the plans that it rests on"
+    )
     explain.add_argument("--json", action="store_true", help="as JSON")
 
 

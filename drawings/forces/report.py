@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from drawings.forces.report_equations import drawn_scales, equations
+from drawings.forces.report_equations import drawn_scales, equations, equations_of
 from drawings.lettering import words as lettering
 from drawings.lettering.words import fixed, number, runs
 from drawings.linkage.notes import greatest, stroke_line
@@ -322,4 +322,4 @@ def friction_lines(comparison: ForceComparison, found: Friction, language: str) 
         yield say("report.jam", **parts, ratio=write(jam.ratio))
 
 
-REPORT = Report(chapters, headline, remarks, conclusion=_concluded)
+REPORT = Report(chapters, headline, remarks, conclusion=_concluded, equations=equations_of)

@@ -10,7 +10,7 @@ from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import PLAN as LEVER
 from drawings.linkage.equations import in_position
-from drawings.page.scale import Drafting
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.table import chapter, header, row
@@ -20,11 +20,12 @@ from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, CutGroup, ForcePla
 from plans.forces.lever import Lever
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
-from plans.model.motion import NOTHING
+from plans.model.motion import FORCES, NOTHING
 from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+    from plans.study import Study
 
 
 @dataclass(frozen=True)
@@ -264,6 +265,22 @@ def equations(statics: Statics, comparison: ForceComparison, drafting: Drafting,
             yield from _cut(cut, replace(written, scale=drawn.get(f"{POLYGON}{cut.label}")))
         if plans.lever is not None and LEVER in drawn and plans.plan.mechanism.drive.turns:
             yield from lever_equation(plans.lever, written, drawn[LEVER])
+
+
+def equations_of(study: Study, mark: Mark, position: int) -> Iterator[str]:
+    """Write the equations of the cut that gives a reaction, a part of one, or what balances the drive."""
+    if mark.subject != FORCES:
+        return
+    statics = study.of(Statics)
+    plans, nothing = statics.drafts([position]).plans, study.of(ForceComparison).construction.nothing_at(position)
+    drafting = drafting_of(study.scene)._replace(reactions=statics.form.sheet.reactions)
+    written = CutEquations(plans.plan, 0, Formula(drafting), nothing)
+    for cut in plans.plan.cuts:
+        parts = (part.name for support in cut.supports for part in support.parts)
+        given = {*parts, *(one.force.name for one in cut.reactions), *(one.found.name for one in cut.equations)}
+        if mark.name in given:
+            yield from (line.strip("$") for line in written.lines(cut) if line.startswith("$$"))
+            return
 
 
 def _cut(cut: CutGroup, written: CutEquations) -> Iterator[str]:

@@ -25,6 +25,8 @@ from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+    from geometry.board import Mark
+    from plans.study import Study
 
 V, A = VELOCITIES.plan, ACCELERATIONS.plan
 UNIT = {order.plan: order.point.unit for order in (VELOCITIES, ACCELERATIONS)}
@@ -50,10 +52,10 @@ class VectorEquations:
         self.plans, self.sums, self.formula = plans, plans.sums, formula
         self.language = formula.drafting.language
 
-    def lettered(self, legs: tuple[VectorSum, ...]) -> Iterator[str]:
+    def lettered(self, legs: tuple[VectorSum, ...], plans: Iterable[str] = (V, A)) -> Iterator[str]:
         """Write velocities and accelerations as sums, with what is known of each term."""
         guided = any(leg.guided for leg in legs)
-        for plan in (V, A):
+        for plan in plans:
             for leg in (leg for leg in legs if not leg.guided):
                 terms = self._terms(leg, plan, DIRECTION if guided else 0)
                 still = rf",\quad {self._of(plan, leg.base)} = 0" if leg.fixed else ""
@@ -263,6 +265,19 @@ def equations(study: LinkageStudy, motion: Motion, scales: Scales, positions: It
         drawn = scales.get(k, {})
         yield from _scales(study, drawn)
         yield from _numbers(study, _written(study, motion, k, drawn, formula))
+
+
+def equations_of(study: Study, mark: Mark, position: int) -> Iterator[str]:
+    """Write the vector equations of the group whose plan gives a mark, or the vector that ends in it."""
+    linkage = study.of(LinkageStudy)
+    if mark.subject not in (V, A):
+        return
+    named = mark.step.inputs[-1].name if mark.step.op == "join" else mark.name
+    written = _written(linkage, linkage.motion(ACCELERATIONS.number), position, {}, Formula(drafting_of(study.scene)))
+    for group in linkage.groups:
+        legs = written.sums.of(cast(Dyad, group))
+        if any(named in leg.images[1:] for leg in legs):
+            yield from written.lettered(legs, (mark.subject,))
 
 
 def in_position(study: LinkageStudy, k: int) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 
 from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
 from drawings.lettering.words import fixed, number, span
-from drawings.linkage.equations import drawn_scales, equations, shown_positions
+from drawings.linkage.equations import drawn_scales, equations, equations_of, shown_positions
 from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, subject
 from drawings.page.scale import drafting_of
 from drawings.paper.limits import MANY
@@ -374,4 +374,4 @@ def _turning(study: LinkageStudy) -> set[int]:
     return set(study.drafts().velocities.readings) if "velocities" in study.made else set(study.mechanism.links)
 
 
-REPORT = Report(chapters, headline, remarks, subject, concluded)
+REPORT = Report(chapters, headline, remarks, subject, concluded, equations_of)

@@ -26,7 +26,7 @@ class Chapters(NamedTuple):
 
 DIGITS = 5  # of a number of the report
 DIRECTION, FULL = 1, 2  # lines under a vector: its direction alone is known, or all of it
-_GREEK = {
+SIGNS = {
     "ω": r"\omega", "ε": r"\varepsilon", "φ": r"\varphi", "μ": r"\mu", "Φ": r"\Phi", "τ": r"\tau", "η": r"\eta",
     "θ": r"\theta", "ψ": r"\psi", "π": r"\pi", "δ": r"\delta", "Σ": r"\sum", "α": r"\alpha", "ρ": r"\rho",
     "Δ": r"\Delta",
@@ -94,9 +94,9 @@ def letter(markup: str, language: str) -> str:
     if found is None:
         return _text(markup)
     head, up, low = found["head"], found["up"], found["low"]
-    if head not in _GREEK and not (head.isascii() and len(head) == 1):
+    if head not in SIGNS and not (head.isascii() and len(head) == 1):
         return _text(markup.replace("_", "").replace("{", "").replace("}", ""))
-    told = _GREEK.get(head, head)
+    told = SIGNS.get(head, head)
     told += f"_{{{_index(low)}}}" if low else ""
     up = r"{\ast}" if star else f"{{{_index(up)}}}" if up else ""
     return told + found["primes"] + primes + (f"^{up}" if up else "")
@@ -130,8 +130,8 @@ def _index(index: str) -> str:
     """Write an index: letters of points as they are, words upright."""
     bare = re.fullmatch(r"\{(.*)\}('*)", index)
     told = bare[1] + bare[2] if bare else index
-    if told in _GREEK:
-        return _GREEK[told]
+    if told in SIGNS:
+        return SIGNS[told]
     told = told.replace("−", "-")
     if not told.isascii() or (told.upper() != told and len(told) > 1):
         return _text(told)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from functools import partial
 
 from drawings.lettering.phrase import Phrase, template_of
-from drawings.report.formula import letter
+from drawings.report.formula import SIGNS, letter
 
 # A letter with an index, which a note has in braces and a name of a quantity bare: F_{us}, m_ID_I, R^t_12, J_0^*.
 _SIGN = r"(?:(?![²³])\w)"
@@ -45,6 +45,21 @@ def _written(found: re.Match[str], language: str) -> str:
     if found["raised"]:
         return f"${letter(found['raised'], language)}$"
     return f"${found['before']}{''.join(letter(one, language) for one in re.findall(_ONE, found['letters']))}$"
+
+
+GREEK = {sign: letter for letter, sign in SIGNS.items()}
+_COMMAND = re.compile(r"\\(?:underline|overline|bar|text|quad)(?![a-z]) ?|[{}]")
+
+
+def unmathed(formula: str) -> str:
+    r"""Write a formula as a screen has it.
+
+    >>> unmathed(r"\underline{\bar v_{B}} = \bar v_{A} + \bar a_{BA}^{\tau} \cdot 2,\quad \omega_{1} = 0")
+    'v_B = v_A + a_BA^τ · 2, ω_1 = 0'
+    """
+    signs = {**GREEK, r"\cdot": "·"}
+    told = re.sub(r"\\[a-z]+", lambda found: signs.get(found[0], found[0]), formula, flags=re.IGNORECASE)
+    return " ".join(_COMMAND.sub(lambda found: " " if "quad" in found[0] else "", told).split())
 
 
 def plain(note: str) -> str:

@@ -19,6 +19,7 @@ from plans.words.words import ENGLISH, Message, term, word, written
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+    from geometry.board import Mark
     from plans.study import Study
 
 
@@ -128,6 +129,7 @@ class Report(NamedTuple):
     remarks: Callable[[Study], Iterable[Message]] = lambda study: ()  # what is not whole: gaps, dead centres, jams
     subject: Callable[[Study], Subject] = titled  # what is studied, for the gallery's page: by its first technique
     conclusion: Callable[[Study], Iterable[str]] | None = None  # what follows from the numbers; None: its headline
+    equations: Callable[[Study, Mark, int], Iterable[str]] = lambda study, mark, position: ()  # that give a mark
 
 
 def _quantities(technique: str, study: Study, _: Mapping[str, Sequence[Leaf]]) -> Chapters:

@@ -11,8 +11,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from drawings.paper.strokes import Line
+from drawings.paper.walk import groups
+from drawings.redrawn.originals import leaves_of
 from plans.linkage import quantities as comparing
 from plans.model.motion import Motion, PointMotion
+from plans.scene.scene import read_scene
+from plans.study import Study
 from tests.drawings.conftest import Run
 from tests.gallery import GALLERY
 from tests.parts import first
@@ -122,7 +127,7 @@ def test_compare_ends_with_5_where_the_roads_differ_by_a_millionth(run: Run, mon
 
 @pytest.mark.parametrize("mark", ["B", "v_D", "a_D", "omega_3", "epsilon_4", "a3"])
 def test_explain_tells_every_step_behind_a_mark_in_order(run: Run, mark: str) -> None:
-    code, out, _ = run("explain", SHAPER, mark, "--position", 3)
+    code, out, _ = run("explain", SHAPER, mark, "--position", 3, "--all")
     lines = [line for line in out.splitlines() if not line.startswith("     ")]  # the rate that is read off comes last
     assert code == 0
     assert re.fullmatch(rf"{mark} in position 3 \(φ = 429\.949\d°\), {len(lines) - 1} steps", lines[0])
@@ -137,6 +142,19 @@ def test_explain_tells_every_step_behind_a_mark_in_order(run: Run, mark: str) ->
     assert any(step["why"] for step in steps)
 
 
+def test_explain_tells_at_first_a_dozen_steps_the_vector_equation_and_the_length_on_the_sheet(run: Run) -> None:
+    leaf = leaves_of(Study(read_scene(SHAPER)))["kinematics"][0]
+    shown = leaf.metadata["plans"][0]
+    out = run("explain", SHAPER, "v_D", "--position", shown)[1]
+    key = {"plan": "velocities", "kind": "vector", "name": "p d", "position": str(shown)}
+    vector = next(group.strokes[0] for group in groups(leaf.groups) if key.items() <= group.data.items())
+    assert isinstance(vector, Line)
+    told = re.search(r"v_D: (\S+) m/s, (\S+) mm on the sheet", out)
+    assert told and float(told[2]) == pytest.approx(abs(vector.end - vector.start), rel=1e-4)
+    assert "     v_D = v_B + v_DB\n" in out and "earlier steps are left out: --all tells them" in out
+    assert len(re.findall(r"(?m)^ *\d+\. ", out)) == 12
+
+
 @pytest.mark.parametrize(
     ("name", "link", "key", "unit"), [("omega_3", "3", "omega", "rad/s"), ("epsilon_4", "4", "epsilon", "rad/s2")]
 )
@@ -146,7 +164,7 @@ def test_explain_ends_with_the_rate_that_is_read_off(run: Run, name: str, link: 
     true = json.loads(solved)["links"][link][key][2]
     last = out.splitlines()[-1]
     found = re.search(rf"= (\S+) {unit}, (counter-clockwise|clockwise)$", last)
-    assert found and float(found[1]) == pytest.approx(true, rel=1e-9), last
+    assert found and float(found[1]) == pytest.approx(true, rel=1e-4), last
     assert (found[2] == "counter-clockwise") == (true > 0)
 
 

@@ -1,0 +1,74 @@
+"""What the sheets show of a mark: its length at the scale of its figure, and the vector equation that it solves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups
+from drawings.redrawn.originals import leaves_of
+from drawings.report.letters import unmathed
+from drawings.report.table import report_of
+from geometry.board import Mark
+from geometry.errors import DraftError
+from plans.study import Study
+
+
+class Drawn(NamedTuple):
+    """A vector or a point as a sheet has it: its figure, its name, the scale in true units a mm, and the unit."""
+
+    figure: str
+    name: str
+    scale: float
+    unit: str
+
+
+class OnSheet:
+    """The figures of a scene's sheets, by which lengths of a record are told in mm."""
+
+    def __init__(self, study: Study) -> None:
+        try:
+            leaves: Mapping[str, Sequence[Leaf]] = leaves_of(Study(study.scene))
+        except DraftError:  # what cannot be drawn has no scale
+            leaves = {}
+        self.drawn = [*_drawn(leaf for own in leaves.values() for leaf in own)]
+
+    def scale(self, board: str, name: str, unit: str) -> float | None:
+        """Give the scale of the figure that shows a mark of a board: of its name, or of the cut that it is a corner of.
+
+        Where figures of one board differ and the mark is in none by its name, it has none.
+        """
+        own = [one for one in self.drawn if one.figure == board or one.figure.startswith(f"{board}-")]
+        named = [one for one in own if one.name == name]
+        cut = [one for one in own if one.figure == f"{board}-{name.partition(':')[0]}"]
+        found = {(one.scale, one.unit) for one in named or cut or own}
+        return next(iter(found))[0] if len(found) == 1 and {unit} == {told for _, told in found} else None
+
+
+def _drawn(leaves: Iterable[Leaf]) -> Iterator[Drawn]:
+    for data in (group.data for leaf in leaves for group in groups(leaf.groups)):
+        if "plan" in data and "scale" in data:
+            yield Drawn(data["plan"], data.get("name", ""), float(data["scale"]), data.get("unit", ""))
+
+
+def equations(study: Study, mark: Mark, position: int) -> list[str]:
+    """Write the equations that give a mark: those of its technique, or else the sum of its polygon."""
+    told = [line for name in study.techniques for line in report_of(name).equations(study, mark, position)]
+    return [unmathed(line) for line in told] or [*_polygon(mark)]
+
+
+def _polygon(mark: Mark) -> Iterator[str]:
+    """Write the sum of vectors laid end to end that a mark ends or closes."""
+    while mark.step.op == "turn" and mark.step.inputs[0].step.op in ("join", "turn"):
+        mark = mark.step.inputs[0]
+    end, terms = mark.step.inputs[0] if mark.step.op == "join" else mark, list[str]()
+    while end.step.op == "lay_off":
+        end, side = end.step.inputs
+        terms.insert(0, side.name)
+    if mark.step.op == "close":
+        terms = [side.name for side in mark.step.inputs]
+    if len(terms) > 1:
+        closed = mark.step.op in ("close", "join")
+        told = f"{' + '.join([*terms, mark.name])} = 0" if closed else f"{mark.name} = {' + '.join(terms)}"
+        yield told.replace("+ -", "− ")
