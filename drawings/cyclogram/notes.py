@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from drawings.page.scale import Drafting
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
 from plans.model.cyclogram import BACK, ENTRY, EXIT, LEAVE, PRESSURE, TURN, Cyclogram, within
-
-if TYPE_CHECKING:
-    pass
 
 
 class CyclogramNotes(NamedTuple):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from plans.balance import shares as states
 from plans.balance.mass_centre import EMPTY, Drawing, MainPoints
@@ -31,9 +30,6 @@ from plans.model.dyad import Dyad, Group
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.words.words import because
-
-if TYPE_CHECKING:
-    pass
 
 
 def substituted(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,9 +22,6 @@ from plans.model.motion import Floats
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
-
-if TYPE_CHECKING:
-    pass
 
 CYCLOGRAM = "cyclogram"
 TWICE = 2  # an output that reverses more often has no one working stroke to come back over

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -24,9 +23,6 @@ from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Table, key, table
 from plans.words.calculus import REASONS
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    pass
 
 
 class DiagramsTable(Table):

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -26,9 +26,6 @@ from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import OUT_OF_REACH, PLANS, Floats, Motion, Pace, Rates, numbers_of, rates_at, steady
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
-
-if TYPE_CHECKING:
-    pass
 
 
 def obstruction(sweep: Sweep) -> Message:

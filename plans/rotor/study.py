@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from geometry.board import Board, Mark
 from plans.model.rotor import CONSTRUCTION, Balance, Correction, Resultant, Rotor
 from plans.rotor.balancing import COUPLES, UNBALANCES, Balancing, Placed, balancing, close, rounding
 from plans.words.words import because
-
-if TYPE_CHECKING:
-    pass
 
 REACTIONS = "reactions"  # the board, N
 BEARINGS = "A", "B"
