@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quantities, shape
 from drawings.balance.notes import BalanceNotes
-from drawings.forces.report import drafting_of_forces
+from drawings.forces.report import drafting_of_forces, mass_table
 from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweight
 from drawings.page.scale import Drafting
 from drawings.report.formula import DIGITS, Chapters
@@ -23,14 +23,6 @@ from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
-
-
-def mass_table(notes: BalanceNotes) -> Iterator[str]:
-    """List the masses of the links, each with its centre in the link's own frame."""
-    for link, body in sorted(notes.machine.bodies.items()):
-        numbers = {"mass": body.mass, "inertia": body.inertia, "x": body.centre.real, "y": body.centre.imag}
-        told = {name: notes.drafting.number(value) for name, value in numbers.items()}
-        yield word(notes.drafting.language, "report.body", link=link, **told)
 
 
 def centres(notes: BalanceNotes) -> Iterator[str]:
@@ -126,7 +118,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell what is balanced, by what, and what it costs."""
     language, notes = study.scene.sheet.language, notes_of(study)
     aim = word(language, f"report.aim_{notes.balance.task.aim}")
-    masses = () if "forces" in study.techniques else mass_table(notes)
+    masses = () if "forces" in study.techniques else mass_table(notes.machine, language)
     return Chapters(
         subject=[chapter(language, "balancing").lstrip(), aim, *masses, *_lines(notes.main_points())],
         values=[*_counterweights(notes), *_costs(notes), *_shares(notes), *_centres(notes)],

@@ -13,7 +13,7 @@ from drawings.cam.notes import CamNotes, letters, table_units
 from drawings.lettering.words import ROUNDING
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters
-from drawings.report.letters import entry, plain
+from drawings.report.letters import entry, plain, raised
 from drawings.report.table import Report, Subject, column, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
 from plans.model.cam import MM
@@ -41,19 +41,26 @@ def subject(study: Study) -> Subject:
 
 def headline(study: Study) -> str:
     """Say which sizes the cams have."""
-    return "; ".join(plain(line) for notes in _all(study, 5) for line in notes.sizes())
+    return "; ".join(plain(line) for notes in _all(study) for line in notes.sizes())
+
+
+def _concluded(study: Study) -> Iterator[str]:
+    """Say of each cam which sizes it has, and its pressure angles."""
+    for notes in _all(study):
+        told = "; ".join(raised(line) for line in (*notes.sizes(), *notes.pressure()))
+        yield word(notes.drafting.language, "report.cam_concluded", name=notes.cam.name, told=told)
 
 
 def remarks(study: Study) -> list[Message]:
     """Say what is wrong with the cams, and what would help."""
-    lines = ((notes.cam.name, line) for notes in _all(study, 5) for line in notes.flaws())
+    lines = ((notes.cam.name, line) for notes in _all(study) for line in notes.flaws())
     return [message("cam.flaw", cam=name, flaw=plain(line)) for name, line in lines]
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell each cam: its task, its numbers, what is right and wrong with it."""
     drafting = drafting_of(study.scene)
-    pairs = [*zip(study.of(CamStudy).drawings.values(), _all(study, DIGITS), strict=True)]
+    pairs = [*zip(study.of(CamStudy).drawings.values(), _all(study), strict=True)]
     return Chapters(
         subject=[*chain.from_iterable(_task(notes) for _, notes in pairs)],
         values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in pairs)],
@@ -62,9 +69,8 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     )
 
 
-def _all(study: Study, digits: int) -> Iterator[CamNotes]:
-    drafting = drafting_of(study.scene)
-    return (CamNotes(found, drafting, digits) for found in study.of(CamStudy).found)
+def _all(study: Study) -> Iterator[CamNotes]:
+    return (CamNotes(found, drafting_of(study.scene), DIGITS) for found in study.of(CamStudy).found)
 
 
 def _task(notes: CamNotes) -> Iterator[str]:
@@ -102,7 +108,7 @@ def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
         DEGREES * contour.pressure,
         MM * _radius(contour.radius),
     )
-    yield from map(list, zip(*(column(without_rounding(one), drafting.language) for one in columns), strict=True))
+    yield from map(list, zip(*(column(one, drafting.language) for one in columns), strict=True))
 
 
 def without_rounding(values: Floats) -> Floats:
@@ -137,4 +143,4 @@ def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
     return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
 
 
-REPORT = Report(chapters, headline, remarks, subject)
+REPORT = Report(chapters, headline, remarks, subject, _concluded)

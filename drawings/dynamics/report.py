@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.dynamics import report_tables
 from drawings.dynamics import report_tables as tables
 from drawings.forces.report import counted_strokes
 from drawings.lettering.phrase import Phrase, Slot, joined
@@ -341,9 +340,9 @@ def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     pairs = {"report.by_table": comparison.construction.run, "report.by_solver": comparison.exact.run}
     runs = {name: run for name, run in pairs.items() if run is not None}
     if runs:
-        yield from listed(chapter(language, "run"), report_tables.told(runs, notes.drafting))
+        yield from listed(chapter(language, "run"), tables.told(runs, notes.drafting))
         yield ""
-        yield from report_tables.stages(runs, notes.drafting)
+        yield from tables.stages(runs, notes.drafting)
 
 
 REPORT = Report(chapters, headline, remarks, conclusion=_concluded)

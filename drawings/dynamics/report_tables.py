@@ -39,7 +39,7 @@ def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[s
         heads.append("ω, rad/s")
         columns.append(speeds.omega)
     edge = word(drafting.language, "table.edge")
-    yield from tabled(_units(heads, drafting), map(without_rounding, columns), drafting.language, ABSENT, edge)
+    yield from tabled(_units(heads, drafting), columns, drafting.language, ABSENT, edge)
 
 
 def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:
@@ -48,7 +48,7 @@ def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Ite
     yield from header(_units(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
     numbers = np.array([_tangent(wheel, k) for _, wheel in roads for k in range(2)])
-    rows = zip(*(column(without_rounding(one), drafting.language, ABSENT) for one in numbers.T), strict=True)
+    rows = zip(*(column(one, drafting.language, ABSENT) for one in numbers.T), strict=True)
     for (said, k), cells in zip(((said, k) for said, _ in roads for k in range(2)), rows, strict=True):
         yield row([f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}", *cells])
     yield f"\n{word(drafting.language, 'report.slopes')}"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from drawings.forces.letters import force_letter
 from drawings.forces.report_equations import drawn_scales, equations, equations_of
 from drawings.lettering import words as lettering
 from drawings.lettering.words import fixed, number, runs
@@ -15,8 +16,9 @@ from drawings.linkage.notes import greatest, stroke_line
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.figures import see
 from drawings.report.formula import DIGITS, Chapters, Formula
+from drawings.report.letters import plain
 from drawings.report.report import gap_line, gap_lines
-from drawings.report.table import ANGLE, Report, chapter, column, header, row, tabled
+from drawings.report.table import ANGLE, Report, chapter, column, header, heading, row, tabled
 from plans.forces.cut import indices
 from plans.forces.drive import BalancingQuantity, balancing_quantity
 from plans.forces.loading import asks
@@ -25,11 +27,11 @@ from plans.forces.reading.form import ForceTable
 from plans.forces.reading.pressed import BEHIND, PRESSED
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
-from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram
+from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram, Machine
 from plans.model.mechanism import FRAME
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study
-from plans.words.words import Message, message, term, word
+from plans.words.words import Message, message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -67,17 +69,11 @@ def balancing_table(comparison: ForceComparison, balancing: BalancingQuantity, l
     found = [quantity for quantity in comparison.of(FORCES) if quantity.name.partition(" ")[0] == balancing.name]
     if not found:
         return
-    unit, letter = lettering.word(language, balancing.unit), lettering.letter(language, balancing.name)
-    by_plans, by_equilibrium = (
-        word(language, key, letter=letter, unit=unit) for key in ("report.by_plans", "report.by_equilibrium")
-    )
+    parts = {"letter": lettering.letter(language, balancing.name), "unit": lettering.word(language, balancing.unit)}
+    by_plans, by_equilibrium = (word(language, key, **parts) for key in ("report.by_plans", "report.by_equilibrium"))
     columns = {by_plans: found[0].construction, by_equilibrium: found[0].analysis}
-    for quantity in found[1:]:
-        by = quantity.name.partition(" ")[2]
-        # The lever is of the construction, powers and energy are of the analysis.
-        columns[f"{letter} {term(language, 'quantity_part', by)}, {unit}"] = (
-            quantity.construction if by == LEVER else quantity.analysis
-        )
+    for one in found[1:]:  # the lever is of the construction, powers and energy are of the analysis
+        columns[heading(one, language)] = one.construction if one.name.endswith(LEVER) else one.analysis
     rows = np.array([_sized(np.real(one), comparison.construction.nothing_over[1]) for one in columns.values()])
     most = greatest(rows[0])
     if most is None:
@@ -186,13 +182,18 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
         yield from friction_lines(comparison, statics.friction, language)
 
 
+def mass_table(machine: Machine, language: str) -> Iterator[str]:
+    """List the masses of the links, each with its centre in the link's own frame."""
+    for link, body in sorted(machine.bodies.items()):
+        numbers = {"mass": body.mass, "inertia": body.inertia, "x": body.centre.real, "y": body.centre.imag}
+        yield word(language, "report.body", link=link, **{name: number(one, language) for name, one in numbers.items()})
+
+
 def _bodies(statics: Statics, language: str) -> Iterator[str]:
     machine = statics.machine
     say, write = partial(word, language), partial(number, language=language)
     yield chapter(language, "bodies")
-    for link, body in sorted(machine.bodies.items()):
-        centre = {"x": write(body.centre.real), "y": write(body.centre.imag)}
-        yield say("report.body", link=link, mass=write(body.mass), inertia=write(body.inertia), **centre)
+    yield from mass_table(machine, language)
     bare = [str(link) for link in sorted(statics.study.mechanism.links) if link not in (FRAME, *machine.bodies)]
     if not machine.bodies:
         yield f"- {lettering.word(language, 'no masses')}"
@@ -250,7 +251,8 @@ def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
 
 def _reversals(statics: Statics, language: str) -> Iterator[str]:
     for load, rests in statics.reversals:
-        parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
+        name = plain(force_letter(load.name, language))
+        parts = {"name": name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
         angles = ", ".join(f"{number(float(np.degrees(angle)), language)}°" for angle in rests)
         yield word(language, "verdict.reverses", **parts, angles=angles)
 

@@ -319,12 +319,9 @@ def _heading(same: Sequence[Quantity], letters: Formula) -> str:
 
 def _settled(finding: Quantity) -> Complexes | Floats:
     """Give the values by construction; what is but rounding of the largest of its kind is 0."""
-    parts = [np.where(np.abs(part) < 1e-10 * finding.largest, 0.0, part) for part in _both(finding.construction)]
-    return parts[0] + 1j * parts[1] if len(parts) > 1 else parts[0]
-
-
-def _both(values: Complexes | Floats) -> Sequence[Floats]:
-    return (values.real, values.imag) if np.iscomplexobj(values) else (np.real(values),)
+    values, least = finding.construction, 1e-10 * finding.largest
+    x, y = (np.where(abs(part) < least, 0.0, part) for part in (np.real(values), np.imag(values)))
+    return x + 1j * y if np.iscomplexobj(values) else x
 
 
 def _conditions(study: LinkageStudy) -> Iterator[str]:
@@ -367,7 +364,7 @@ def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence
         yield say("report.not_made", plans=", ".join(missing))
     still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in _turning(linkage)]
     if still:
-        yield say("report.still", links=", ".join(still))
+        yield say("report.still", links=", ".join(still), count=len(still))
 
 
 def _turning(study: LinkageStudy) -> set[int]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -21,6 +23,7 @@ from tests.plans.cyclograms import scene_text
 from tests.plans.dynamics_scenes import PLANING, text
 from tests.plans.test_cam_marks import SIZES, TURNING, one
 from tests.plans.test_cyclogram import CAM
+from tests.plans.test_load_pressures import PUSHED, WITH_ROD
 from tests.plans.test_loading import ENGINE, ROCKER
 
 ENGLISH = '[sheet]\nlanguage = "en"\n'
@@ -209,6 +212,23 @@ def test_it_is_said(row: Row) -> None:
     said = told(row.scene)
     assert [one for one in row.said if one not in said] == []
     assert [one for one in row.unsaid if one in said] == []
+
+
+def test_the_numbers_of_a_report_balance_each_other() -> None:
+    """A piston without mass: pressures on the areas that are told give its load, which balances both its reactions."""
+    said = report(Study(parse_scene(f'sheets = ["forces"]\n{ENGINE}{PUSHED}{WITH_ROD}')), {}).replace("−", "-")
+    areas = re.search(r"acts on (\S+) cm², the other side has (\S+) cm²; 0.3 MPa behind", said)
+    assert areas
+    load = 1e-4 * (8e5 * float(areas[1]) - 3e5 * float(areas[2]))
+    lines = said.partition("## Reactions")[2].partition("###")[0].splitlines()
+    heads, _, *rows = (re.split(r" *\| *", line) for line in lines if line.startswith("|"))
+    for row in rows:
+        of = {}
+        for head, cell in zip(heads, row, strict=True):
+            x, y, size, angle = (float(one) for one in [*re.findall(r"-?\d+(?:\.\d+)?", cell), *"0000"][:4])
+            assert "∠" not in cell or abs(complex(x, y) - cmath.rect(size, math.radians(angle))) < 2e-4 * size
+            of[head.partition(" ")[0]] = complex(x, y)
+        assert abs(of["$R_{03}$"] + of["$R_{23}$"] - load) < 1e-4 * load
 
 
 SLIDER, GUIDE = "B = [0.5, 0]", "[0, 0] }"
