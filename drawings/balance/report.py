@@ -14,7 +14,7 @@ from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweig
 from drawings.page.scale import Drafting
 from drawings.report.formula import DIGITS, Chapters
 from drawings.report.letters import entry, plain
-from drawings.report.table import Report, chapter, header, row, tabled
+from drawings.report.table import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
 from plans.model.balance.linkage import Counterweight, Shares, State
 from plans.model.motion import NOTHING
@@ -35,7 +35,7 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
         least = (NOTHING * notes.equations.reach, *notes.balance.before.forces.nothing)
         told = state.centre.r, state.centre.force, state.centre.moment
         columns += [np.where(np.abs(row) <= none, 0, row) for row, none in zip(told, least, strict=True)]
-    yield from tabled([_unit(head, drafting) for head in heads], columns, drafting.language)
+    yield from tabled(united(heads, drafting), columns, drafting.language)
 
 
 def _states(notes: BalanceNotes) -> Mapping[str, State]:
@@ -49,7 +49,7 @@ def counterweights(notes: BalanceNotes) -> Iterator[str]:
     drafting, language = notes.drafting, notes.drafting.language
     told = [drafting.word(key) for key in ("counterweight column", "on link", "from", "shape")]
     heads = [*told[:3], "m·a, kg*m", "m, kg", "a, m", "∠, °", told[3], "R, m", "b, m", "J, kg*m2"]
-    yield from header([_unit(head, drafting) for head in heads])
+    yield from header(united(heads, drafting))
     for weight in notes.balance.counterweights:
         letter = counterweight(weight.link, language).replace("{", "").replace("}", "")
         yield row([letter, str(weight.link), weight.begin, *_sizes(weight, notes)])
@@ -81,12 +81,6 @@ def share_table(found: Shares, reaction: str, drafting: Drafting) -> Iterator[st
     yield from header(["k", f"{FORCE} _max, {newtons}", f"{reaction} _max, {newtons}"])
     for choice in sorted({*found.curve, found.least_force, found.least_reaction}):
         yield row([drafting.number(value, DIGITS) for value in choice])
-
-
-def _unit(head: str, drafting: Drafting) -> str:
-    """Write the unit of a head, if it has one, in the language of the report."""
-    letter, comma, unit = head.partition(", ")
-    return f"{letter}, {drafting.word(unit)}" if comma and unit != "°" else head
 
 
 def headline(study: Study) -> str:

@@ -142,7 +142,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     language = study.scene.sheet.language
     if diagrams.diagrams is not None:
         told = _values(diagrams.diagrams, study.comparison("diagrams").findings, language)
-        return Chapters(values=(*told, "", *see(leaves, language, "diagrams")))
+        return Chapters(values=(*told, *see(leaves, language, "diagrams")))
     if diagrams.left_out is None or not diagrams.wanted:
         return Chapters()
     return Chapters(left_out=(word(language, "report.no_diagrams", why=diagrams.left_out),))

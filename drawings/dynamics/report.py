@@ -244,12 +244,12 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
         values=[
             *_reduction(account, notes),
             *_works(account, notes),
-            *("", *see(leaves, language, "moments", "works", "surplus", "speeds")),
+            *see(leaves, language, "moments", "works", "surplus", "speeds"),
             *_wheel(study, notes),
-            *("", *see(leaves, language, "inertia", "loop", "flywheel_sketch")),
+            *see(leaves, language, "inertia", "loop", "flywheel_sketch"),
             *_motion(notes),
             *_run(study, notes),
-            *("", *see(leaves, language, "tachogram", "run")),
+            *see(leaves, language, "tachogram", "run"),
         ],
         left_out=[word(language, "report.dynamics_left_out")],
     )

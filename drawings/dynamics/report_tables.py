@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
 import numpy as np
 
 from drawings.page.scale import Drafting
 from drawings.report.formula import DIGITS
-from drawings.report.table import column, header, row, tabled, tiny
+from drawings.report.table import column, header, row, tabled, tiny, united
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.motion import Floats
 from plans.model.run import Run, Stage
@@ -26,7 +26,7 @@ def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
     """Tell moment, inertia and its slope at the positions of the scene."""
     heads = ("φ, °", "M_red, N*m", "J_red, kg*m2", "dJ/dφ, kg*m2")
     columns = [np.degrees(found.phi), found.moment, found.inertia, found.slope]
-    yield from tabled(_units(heads, drafting), columns, drafting.language, ABSENT)
+    yield from tabled(united(heads, drafting), columns, drafting.language, ABSENT)
 
 
 def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[str]:
@@ -39,13 +39,13 @@ def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[s
         heads.append("ω, rad/s")
         columns.append(speeds.omega)
     edge = word(drafting.language, "table.edge")
-    yield from tabled(_units(heads, drafting), columns, drafting.language, ABSENT, edge)
+    yield from tabled(united(heads, drafting), columns, drafting.language, ABSENT, edge)
 
 
 def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:
     """Tell both tangents: slope, where they touch, what they cut off, as drawn and exactly."""
     heads = ["", "tan ψ, J/(kg*m2)", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_{1}l, J", "o_{1}k, J"]
-    yield from header(_units(heads, drafting))
+    yield from header(united(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
     numbers = np.array([_tangent(wheel, k) for _, wheel in roads for k in range(2)])
     rows = zip(*(column(one, drafting.language, ABSENT) for one in numbers.T), strict=True)
@@ -65,21 +65,12 @@ def others(
     task: Task, at: Callable[[float], Flywheel], written: Callable[[float], str], drafting: Drafting
 ) -> Iterator[str]:
     """Tell what flywheel other fluctuations would ask for."""
-    yield from header(_units(["δ", "J_0, kg*m2", "J_fly, kg*m2"], drafting))
+    yield from header(united(["δ", "J_0, kg*m2", "J_fly, kg*m2"], drafting))
     for times in OTHERS:
         delta = times * (task.delta or 0.0)
         if delta <= LARGEST:
             found = at(delta)
             yield row([written(delta), *(drafting.number(inertia, DIGITS) for inertia in (found.whole, found.inertia))])
-
-
-def _units(heads: Sequence[str], drafting: Drafting) -> list[str]:
-    """Write the units of the heads of columns in the language of the report."""
-    parts = (head.partition(", ") for head in heads)
-    return [
-        f"{name}, {drafting.word(unit)}" if unit not in ("", "°") else f"{name}{comma}{unit}"
-        for name, comma, unit in parts
-    ]
 
 
 def without_rounding(column: Floats) -> Floats:

@@ -93,17 +93,14 @@ WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # what lets a load of a stroke act on
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the forces of a linkage."""
-    shown = dict.fromkeys(
-        leaf.metadata["position"] for sheets in leaves.values() for leaf in sheets if "position" in leaf.metadata
-    )
-    shown_in = ", ".join(map(str, shown))
     language = study.scene.sheet.language
     comparison, statics = study.of(ForceComparison), study.of(Statics)
-    told = equations(statics, comparison, drafting_of_forces(statics), drawn_scales(leaves))
+    scales = drawn_scales(leaves)
+    told = equations(statics, comparison, drafting_of_forces(statics), scales)
     return Chapters(
         subject=[*_bodies(statics, language), *counted_strokes(statics, language)],
-        values=[*told, "", *see(leaves, language, *FIGURES), *forces(comparison, statics, language)],
-        left_out=[word(language, "report.forces_drawn", positions=shown_in)],
+        values=[*told, *see(leaves, language, *FIGURES), *forces(comparison, statics, language)],
+        left_out=[word(language, "report.forces_drawn", positions=", ".join(map(str, scales)))],
     )
 
 
@@ -143,15 +140,9 @@ def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator
     least = balancing.share * found.nothing_over[balancing.unit != "N" or drive.pushed]
     largest = greatest(np.where(np.abs(given) <= least, 0.0, given))
     if largest is not None:
-        size, unit = number(largest[0], language, DIGITS), lettering.word(language, balancing.unit)
-        yield word(
-            language,
-            "report.greatest",
-            letter=lettering.letter(language, balancing.name),
-            size=size,
-            unit=unit,
-            position=largest[1],
-        )
+        told = {"letter": lettering.letter(language, balancing.name), "unit": lettering.word(language, balancing.unit)}
+        size = number(largest[0], language, DIGITS)
+        yield word(language, "report.greatest", **told, size=size, position=largest[1])
 
 
 def remarks(study: Study) -> list[Message]:
@@ -173,11 +164,8 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     yield from _reactions(found, balancing, statics)
     yield from balancing_table(comparison, balancing, language)
     yield from _flanks(found, statics)
-    yield from (
-        gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
-        for gap in found.gaps
-        if gap.plan == FORCES
-    )
+    gaps, drive = (gap for gap in found.gaps if gap.plan == FORCES), statics.study.mechanism.drive
+    yield from (gap_line("report.force_gap", gap, drive, language) for gap in gaps)
     if statics.friction is not None:
         yield from friction_lines(comparison, statics.friction, language)
 

@@ -145,7 +145,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
         chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
         chain(
             _equations(linkage, comparison, leaves),
-            ("", *see(leaves, linkage.language, "velocities", "accelerations")),
+            see(leaves, linkage.language, "velocities", "accelerations"),
             _values(linkage, comparison),
         ),
         _conditions(linkage),

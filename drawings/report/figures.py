@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.sheet_diff.edit import STILL, Figures
-from plans.words.words import Message, message, word
+from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -15,24 +15,20 @@ if TYPE_CHECKING:
 def drawn(leaves: Mapping[str, Sequence[Leaf]], language: str) -> Iterator[str]:
     """List the figures of every sheet."""
     for kind, leaf in ((kind, leaf) for kind, own in leaves.items() for leaf in own):
-        figures = ", ".join(_headings(leaf, "", language))
+        figures = ", ".join(_headings(leaf, ("",), language))
         yield word(language, "report.sheet", number=_number(leaf), kind=kind, figures=figures)
 
 
 def see(leaves: Mapping[str, Sequence[Leaf]], language: str, *starts: str) -> Iterator[str]:
     """Refer to the figures whose names begin so, sheet by sheet; to none where there are none."""
-    sheets = ((leaf, [one for start in starts for one in _headings(leaf, start, language)]) for leaf in _all(leaves))
     told = [
-        message("report.on_sheet", number=_number(leaf), figures=", ".join(dict.fromkeys(figures))).worded(language)
-        for leaf, figures in sheets
-        if figures
+        word(language, "report.on_sheet", number=_number(leaf), figures=", ".join(figures))
+        for own in leaves.values()
+        for leaf in own
+        if (figures := _headings(leaf, starts, language))
     ]
     if told:
-        yield word(language, "report.see", sheets="; ".join(told))
-
-
-def _all(leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Leaf]:
-    return (leaf for own in leaves.values() for leaf in own)
+        yield f"\n{word(language, 'report.see', sheets='; '.join(told))}"
 
 
 def _number(leaf: Leaf) -> int:
@@ -41,12 +37,9 @@ def _number(leaf: Leaf) -> int:
     return int(own["document"]["sheet"] if "document" in own else own["number"])
 
 
-def _headings(leaf: Leaf, start: str, language: str) -> Iterator[str]:
-    """Give the headings of the figures and tables of a sheet whose names begin so."""
+def _headings(leaf: Leaf, starts: Sequence[str], language: str) -> list[str]:
+    """Give the headings of the figures and tables of a sheet whose names begin so, in that order, each once."""
     figures = Figures(leaf)
-    called = (figures.called(name) for name in figures.named if name not in STILL and name.startswith(start))
-    yield from dict.fromkeys(_said(one, language) for one in called if one.key == "exhibit.headed")
-
-
-def _said(called: Message, language: str) -> str:
-    return called.worded(language)
+    names = (name for start in starts for name in figures.named if name not in STILL and name.startswith(start))
+    called = (one for one in map(figures.called, names) if one.key == "exhibit.headed")
+    return [*dict.fromkeys(one.worded(language) for one in called)]

@@ -18,6 +18,7 @@ from plans.quantity import EQUILIBRIUM, Quantity
 from plans.words.words import ENGLISH, Message, term, word, written
 
 if TYPE_CHECKING:
+    from drawings.page.scale import Drafting
     from drawings.paper.strokes import Leaf
     from geometry.board import Mark
     from plans.study import Study
@@ -36,6 +37,12 @@ def row(cells: Sequence[str]) -> str:
 def header(heads: Sequence[str]) -> list[str]:
     """Write the heads of a table's columns."""
     return [row(heads).replace("|  |", "| |"), "|" + "---|" * len(heads)]
+
+
+def united(heads: Iterable[str], drafting: Drafting) -> list[str]:
+    """Write the units of the heads of columns, which stand behind a comma, in the language of the report."""
+    parts = (head.partition(", ") for head in heads)
+    return [f"{name}{comma}{drafting.word(unit) if unit else unit}" for name, comma, unit in parts]
 
 
 def tabled(heads: Sequence[str], columns: Iterable[Any], language: str, gap: str = "", first: str = "") -> list[str]:
