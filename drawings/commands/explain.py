@@ -13,7 +13,7 @@ import numpy as np
 from drawings.commands.on_sheet import OnSheet, equations
 from drawings.commands.talk import noted
 from drawings.files.file_error import print_json
-from drawings.lettering.words import letter
+from drawings.lettering.words import letter, number
 from drawings.sheets.kind import sheet_kind
 from geometry.board import Arc, Line, Mark, at
 from geometry.steps import behind
@@ -44,10 +44,10 @@ def run(options: argparse.Namespace) -> int:
     print(word(language, "explain.steps", title=explanation.title, count=len(steps)))
     for line in equations(study, steps[-1], options.position) if steps else ():
         print(f"     {letter(language, line)}")
-    shown, sheet = frozenset(steps if options.all else nearest(steps)), OnSheet(study)
-    for number, mark in enumerate(steps, 1):
+    shown, sheet = frozenset(steps if options.all else nearest(steps)), OnSheet(study, options.position)
+    for place, mark in enumerate(steps, 1):
         if mark in shown:
-            print(f"{number:>3}. {sentence(mark, explanation, language, sheet)}")
+            print(f"{place:>3}. {sentence(mark, explanation, language, sheet)}")
     left_out = (message("explain.earlier", count=len(steps) - len(shown)),) if len(shown) < len(steps) else ()
     for note in (*left_out, *_size_on(sheet, explanation), *explanation.notes):
         parts = {name: _short(letter(language, part)) if isinstance(part, str) else part for name, part in note.parts}
@@ -194,7 +194,7 @@ def _reduced(mark: Mark, scale: float) -> Message | str:
     """Tell in mm where a place is, through where a line goes, which radius an arc has."""
     match mark.value:
         case Arc():
-            return f"{at(mark.value.radius, 0).real / scale:.{DIGITS}g}"
+            return _written(at(mark.value.radius, 0).real / scale)
         case Line():
             return _pair(at(mark.value.through, 0) / scale, DIGITS)
     return _pair(at(mark.point, 0) / scale, DIGITS)
@@ -207,13 +207,13 @@ def _size_on(sheet: OnSheet, of: Explanation) -> Iterator[Message]:
         return
     if (scale := _scale(last, of, sheet)) is not None:
         size, name = abs(at(last.point, 0)), last.name if last.step.op == "join" else dict(of.title.parts)["mark"]
-        told = {"size": f"{size:.{DIGITS}g}", "mm": f"{size / scale:.{DIGITS}g}", "unit": of.units[_drawn_on(last)]}
+        told = {"size": _written(size), "mm": _written(size / scale), "unit": of.units[_drawn_on(last)]}
         yield message("explain.size", mark=name, **told)
 
 
 def _short(part: str) -> str:
     """Write a number with the digits that a screen has."""
-    return f"{float(part):.{DIGITS}g}" if LONG.fullmatch(part) else part
+    return _written(float(part)) if LONG.fullmatch(part) else part
 
 
 def _named(mark: Mark, of: Explanation, language: str) -> str:
@@ -233,7 +233,7 @@ def _value(mark: Mark, of: Explanation, digits: int) -> Message:
     if mark.is_moment:
         return _moment(mark, digits)
     if isinstance(mark.value, Arc):
-        radius = f"{at(mark.value.radius, 0).real:.{digits}g}"
+        radius = _written(at(mark.value.radius, 0).real, digits)
         return message("explain.arc", centre=_pair(at(mark.value.centre, 0), digits), radius=radius, unit=unit)
     place = _pair(0j if mark in of.zeros else at(mark.value, 0), digits)
     return message("explain.point", value=place, unit=unit) if unit else place
@@ -243,10 +243,12 @@ def _moment(mark: Mark, digits: int) -> Message:
     """Tell a moment, and of a force's the arm: the moment over the force."""
     moment = at(mark.point, 0).real + 0.0
     force = abs(at(mark.step.inputs[2].point, 0)) if mark.step.op == "moment" else 0.0
+    if digits == DIGITS and abs(moment) <= UNIT * force:  # of no arm but rounding
+        moment = 0.0
     if not force:
-        return message("explain.moment", moment=f"{moment:.{digits}g}")
-    arm = f"{abs(moment) / force:.6g}"
-    return message("explain.armed", moment=f"{moment:.{digits}g}", force=f"{force:.6g}", arm=arm)
+        return message("explain.moment", moment=_written(moment, digits))
+    arm = _written(abs(moment) / force, digits)
+    return message("explain.armed", moment=_written(moment, digits), force=_written(force, digits), arm=arm)
 
 
 def _drawn_on(mark: Mark) -> str:
@@ -256,9 +258,14 @@ def _drawn_on(mark: Mark) -> str:
     return mark.subject
 
 
+def _written(value: float, digits: int = DIGITS) -> str:
+    """Write a number; on the screen without an exponent."""
+    return f"{value:.10g}" if digits == FULL else number(value, digits=digits).replace("−", "-")
+
+
 def _pair(value: complex, digits: int) -> Message:
-    least = abs(value) * UNIT if digits == DIGITS else 0.0  # what is less is rounding
-    x, y = (f"{0.0 if abs(part) <= least else part + 0.0:.{digits}g}" for part in (value.real, value.imag))
+    least = UNIT * max(abs(value), 1.0) if digits == DIGITS else 0.0  # what is less is rounding
+    x, y = (_written(0.0 if abs(part) <= least else part + 0.0, digits) for part in (value.real, value.imag))
     return message("explain.pair", x=x, y=y)
 
 

@@ -16,10 +16,11 @@ from plans.study import Study
 
 
 class Drawn(NamedTuple):
-    """A vector or a point as a sheet has it: its figure, its name, the scale in true units a mm, and the unit."""
+    """A vector or a point as a sheet has it: its figure, name and position, the scale in true units a mm, the unit."""
 
     figure: str
     name: str
+    position: str
     scale: float
     unit: str
 
@@ -27,19 +28,21 @@ class Drawn(NamedTuple):
 class OnSheet:
     """The figures of a scene's sheets, by which lengths of a record are told in mm."""
 
-    def __init__(self, study: Study) -> None:
+    def __init__(self, study: Study, position: int) -> None:
         try:
             leaves: Mapping[str, Sequence[Leaf]] = leaves_of(Study(study.scene))
         except DraftError:  # what cannot be drawn has no scale
             leaves = {}
         self.drawn = [*_drawn(leaf for own in leaves.values() for leaf in own)]
+        self.position = str(position)
 
     def scale(self, board: str, name: str, unit: str) -> float | None:
         """Give the scale of the figure that shows a mark of a board: of its name, or of the cut that it is a corner of.
 
         Where figures of one board differ and the mark is in none by its name, it has none.
         """
-        own = [one for one in self.drawn if one.figure == board or one.figure.startswith(f"{board}-")]
+        figures = [one for one in self.drawn if one.figure == board or one.figure.startswith(f"{board}-")]
+        own = [one for one in figures if one.position == self.position] or figures
         named = [one for one in own if one.name == name]
         cut = [one for one in own if one.figure == f"{board}-{name.partition(':')[0]}"]
         found = {(one.scale, one.unit) for one in named or cut or own}
@@ -49,7 +52,8 @@ class OnSheet:
 def _drawn(leaves: Iterable[Leaf]) -> Iterator[Drawn]:
     for data in (group.data for leaf in leaves for group in groups(leaf.groups)):
         if "plan" in data and "scale" in data:
-            yield Drawn(data["plan"], data.get("name", ""), float(data["scale"]), data.get("unit", ""))
+            name, position, unit = (data.get(key, "") for key in ("name", "position", "unit"))
+            yield Drawn(data["plan"], name, position, float(data["scale"]), unit)
 
 
 def equations(study: Study, mark: Mark, position: int) -> list[str]:
