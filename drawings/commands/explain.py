@@ -18,7 +18,7 @@ from drawings.sheets.kind import sheet_kind
 from geometry.board import Arc, Line, Mark, at
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
-from plans.model.motion import ORDERS, POSITIONS
+from plans.model.motion import FORCES, ORDERS, POSITIONS
 from plans.quantity import Quantity
 from plans.scene.scene import read_scene
 from plans.study import Study
@@ -206,9 +206,9 @@ def _size_on(sheet: OnSheet, of: Explanation) -> Iterator[Message]:
     if last is None or last.subject == of.home or isinstance(last.value, tuple):
         return
     if (scale := _scale(last, of, sheet)) is not None:
-        size, name = abs(at(last.point, 0)), last.name if last.step.op == "join" else dict(of.title.parts)["mark"]
+        size, read_off = abs(at(last.point, 0)), last.step.op == "join" and last.subject != FORCES
         told = {"size": _written(size), "mm": _written(size / scale), "unit": of.units[_drawn_on(last)]}
-        yield message("explain.size", mark=name, **told)
+        yield message("explain.size", mark=last.name if read_off else dict(of.title.parts)["mark"], **told)
 
 
 def _short(part: str) -> str:
