@@ -50,8 +50,8 @@ class Acts:
     def _followed(self, numbers: list[Any], given: Mapping[Place, Any]) -> list[Any]:
         for place, number in given.items():
             numbers[place] = number
-        for place, act, one, other in self._row:
-            numbers[place] = act(numbers[one], numbers[other])
+        for place, act, first, other in self._row:
+            numbers[place] = act(numbers[first], numbers[other])
         return numbers
 
     def fixed(self, place: Place) -> Any:
@@ -68,16 +68,16 @@ class Acts:
         self._varying.add(self.fix(None))
         return len(self._numbers) - 1
 
-    def do(self, act: Rule, one: Place, other: Place | None = None) -> Place:
+    def do(self, act: Rule, first: Place, other: Place | None = None) -> Place:
         """Put down an act: done at once where its numbers never change, and never twice."""
         other = self._nothing if other is None else other
-        key = (act, one, other)
+        key = (act, first, other)
         if key not in self._done:
-            if one in self._varying or other in self._varying:
+            if first in self._varying or other in self._varying:
                 self._done[key] = self.vary()
                 self._row.append((self._done[key], *key))
             else:
-                self._done[key] = self.fix(act(self._numbers[one], self._numbers[other]))
+                self._done[key] = self.fix(act(self._numbers[first], self._numbers[other]))
         return self._done[key]
 
     def turn(self, vector: Place, by: Place) -> Place:

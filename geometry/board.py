@@ -187,10 +187,10 @@ class Board:
         """
         if isinstance(first.value, Arc) and isinstance(second.value, Line):
             first, second = second, first
-        one, other = first.step.inputs[0], second.step.inputs[0]
-        found = _meeting(first, second, between(one, other), side)
-        rays = ((one, found.first), (other, found.second))
-        return self._draw(name, _end(one, found.first), "meet", (first, second), why, 0j, side, rays, found)
+        origin, other = first.step.inputs[0], second.step.inputs[0]
+        found = _meeting(first, second, between(origin, other), side)
+        rays = ((origin, found.first), (other, found.second))
+        return self._draw(name, _end(origin, found.first), "meet", (first, second), why, 0j, side, rays, found)
 
     def tangent(self, name: str, pivot: Mark, pin: Mark, offset: float, side: Sizes, why: object = "") -> Mark:
         """Direct the slot through a pin at a given offset from a pivot: a unit vector (касательная из точки).
@@ -245,7 +245,7 @@ class Board:
         """Find the force along a line that balances moments about a point (уравнение моментов)."""
         if not isinstance(line.value, Line):
             raise TypeError(f"{line.name} is no line of action")
-        total = reduce(add, (one.point.real for one in moments)) if moments else 0.0
+        total = reduce(add, (moment.point.real for moment in moments)) if moments else 0.0
         found = loci.lever(between(about, line.step.inputs[0]), line.value.direction, total)
         return self._draw(name, found.first, "balance", (about, line, *moments), why, meeting=found)
 

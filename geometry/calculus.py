@@ -180,10 +180,10 @@ def derivative_by_chords(
     points = curve(board, name, x, ys, why)
     refuse_steep(np.diff(ys), np.diff(x))
     rows = []
-    for k, (one, other) in enumerate(pairwise(points), 1):
-        chord = board.join(f"{name}:{k - 1}-{k}", one, other, why.part)
+    for k, (point, other) in enumerate(pairwise(points), 1):
+        chord = board.join(f"{name}:{k - 1}-{k}", point, other, why.part)
         half = board.turn(f"{name}:{k}/2", chord, 0.5, why.middle)
-        middle = board.lay_off(f"{name}:{k}°", one, half, why.middle)
+        middle = board.lay_off(f"{name}:{k}°", point, half, why.middle)
         rows.append(_slope(board, f"{name}:", k, axes, (chord, middle), why))
     return _derivative(board, name, axes, pole, middles(x), rows, smooth)
 

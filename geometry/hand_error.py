@@ -147,7 +147,7 @@ class _Drawing:
             free = isinstance(mark.value, tuple) or is_nothing(mark, self.hand.scales[mark.subject])
             self.done[mark] = _Moved(self.slip(mark.subject) if place and not free else self.still())
         else:
-            self.done[mark] = _RULES[mark.step.op](self, mark, [self.done[one] for one in mark.step.inputs])
+            self.done[mark] = _RULES[mark.step.op](self, mark, [self.done[source] for source in mark.step.inputs])
 
     def still(self) -> Slopes:
         """Give the slopes of what does not move."""
@@ -188,11 +188,11 @@ def _struck(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
 def _met(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
     """Solve for the meeting that keeps on both loci: each says how far it is moved square to itself."""
     pairs = zip(mark.step.inputs, inputs, mark.rays, strict=True)
-    (one, first), (other, second) = (_pushed(locus, moved, np.asarray(ray)) for locus, moved, (_, ray) in pairs)
-    sine = np.asarray(cross(one, other))
-    place = 1j * (one * second - other * first) / sine
+    (along, first), (other, second) = (_pushed(locus, moved, np.asarray(ray)) for locus, moved, (_, ray) in pairs)
+    sine = np.asarray(cross(along, other))
+    place = 1j * (along * second - other * first) / sine
     turned = [_turned(*row, place) for row in zip(mark.step.inputs, inputs, mark.rays, strict=True)]
-    firm = drawing.firm(sine, np.asarray(dot(one, other) * (turned[1] - turned[0]), dtype=np.complex128))
+    firm = drawing.firm(sine, np.asarray(dot(along, other) * (turned[1] - turned[0]), dtype=np.complex128))
     return _Moved(np.where(np.isnan(firm), np.nan, place) + drawing.slip(mark.subject))
 
 
@@ -232,7 +232,7 @@ def _transferred(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
 
 
 def _similar(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
-    image, of, shape = (np.asarray(one.point) for one in mark.step.inputs)
+    image, of, shape = (np.asarray(source.point) for source in mark.step.inputs)
     firm = drawing.firm(of, inputs[1].place)
     ratio = image / firm
     grown = ratio * inputs[2].place + shape / firm * (inputs[0].place - ratio * inputs[1].place)
@@ -254,7 +254,7 @@ def _moment(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
 
 
 def _couple(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
-    arm, turning = (np.asarray(one.point) for one in mark.step.inputs)
+    arm, turning = (np.asarray(source.point) for source in mark.step.inputs)
     firm = drawing.firm(arm, inputs[0].place)
     grown = (inputs[1].place - turning / firm * inputs[0].place) / firm
     return _Moved(np.asarray(np.real(mark.step.size) * grown.imag, dtype=np.complex128))
@@ -267,7 +267,7 @@ def _balanced(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
     moved = np.asarray(cross(arm, unit) + dot(base, unit) * inputs[1].turn, dtype=np.complex128)
     lever = drawing.firm(np.asarray(cross(base, unit)), moved)
     size = dot(unit, np.asarray(mark.point))
-    total = sum((one.place for one in inputs[2:]), drawing.still())
+    total = sum((moved.place for moved in inputs[2:]), drawing.still())
     return _Moved(unit * (-(total + size * moved) / lever + 1j * size * inputs[1].turn))
 
 
@@ -283,7 +283,7 @@ _RULES: dict[str, Callable[[_Drawing, Mark, list[_Moved]], _Moved]] = {
     "transfer": _transferred,
     "similar": _similar,
     "divide": _divided,
-    "close": lambda drawing, mark, inputs: _Moved(-sum((one.place for one in inputs), drawing.still())),
+    "close": lambda drawing, mark, inputs: _Moved(-sum((moved.place for moved in inputs), drawing.still())),
     "moment": _moment,
     "couple": _couple,
     "balance": _balanced,

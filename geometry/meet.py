@@ -43,9 +43,9 @@ class Meeting(NamedTuple):
     @property
     def sharpness(self) -> Sizes:
         """The sine of the crossing angle: 1 is a square meeting, 0 a dead centre."""
-        one, other = self.sides
+        side, other = self.sides
         with np.errstate(invalid="ignore", divide="ignore"):
-            return np.asarray(np.abs(self.across) / (np.abs(one) * np.abs(other)))
+            return np.asarray(np.abs(self.across) / (np.abs(side) * np.abs(other)))
 
 
 def cross(a: Vectors, b: Vectors) -> Sizes:
@@ -247,8 +247,8 @@ def _sum(a: Sizes, b: Sizes) -> tuple[Sizes, Sizes]:
     return total, (a - (total - part)) + (b - part)
 
 
-def _all(told: npt.NDArray[np.bool_] | np.bool_) -> bool:
-    return bool(np.logical_and.reduce(told, None))
+def _all(truths: npt.NDArray[np.bool_] | np.bool_) -> bool:
+    return bool(np.logical_and.reduce(truths, None))
 
 
 def _settled(margin: Sizes, perimeter: Sizes, value: Sizes) -> tuple[Any, Any]:

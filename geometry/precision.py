@@ -87,8 +87,8 @@ def _similar(mark: Mark, inputs: list[Error]) -> Error:
 def _divide(mark: Mark, inputs: list[Error]) -> Error:
     circle = mark.step.inputs[0].value
     radius = circle.radius if isinstance(circle, Arc) else 0.0
-    own = 2 * EPS * radius + EPS * _size(mark)  # of the ray, and of the stored point
-    return Error(np.asarray(inputs[0].place + radius * inputs[1].place + own), np.zeros(1))
+    rounding = 2 * EPS * radius + EPS * _size(mark)  # of the ray, and of the stored point
+    return Error(np.asarray(inputs[0].place + radius * inputs[1].place + rounding), np.zeros(1))
 
 
 def _meet(mark: Mark, inputs: list[Error]) -> Error:
@@ -128,11 +128,11 @@ def _balance(mark: Mark, inputs: list[Error]) -> Error:
     about, line, *moments = mark.step.inputs
     start = line.step.inputs[0]
     arm, size = np.abs(np.asarray(between(about, start))), _size(mark)
-    largest = np.maximum.reduce([np.broadcast_to(_size(one), np.shape(size)) for one in moments])
+    largest = np.maximum.reduce([np.broadcast_to(_size(moment), np.shape(size)) for moment in moments])
     grown = sum((error.place for error in inputs[2:]), np.zeros(1)) + len(moments) * EPS * largest
     moved = inputs[0].place + inputs[1].place + EPS * np.maximum(_size(about), _size(start))
-    own = condition(mark) * (moved / arm + inputs[1].turn + OWN * EPS) + inputs[1].turn
-    return Error(np.asarray(condition(mark) * grown / arm + size * own), np.zeros(1))
+    rounding = condition(mark) * (moved / arm + inputs[1].turn + OWN * EPS) + inputs[1].turn
+    return Error(np.asarray(condition(mark) * grown / arm + size * rounding), np.zeros(1))
 
 
 _RULES: dict[str, Callable[[Mark, list[Error]], Error]] = {

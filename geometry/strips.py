@@ -34,19 +34,19 @@ def strips(start: float, end: float, count: int, breaks: Iterable[float] = ()) -
     near = SLIVER * (end - start) / count
     inside = list(_apart(sorted(breaks), start, end, near))
     equal = np.linspace(start, end, count + 1)
-    inner = [edge for edge in equal[1:-1].tolist() if all(abs(edge - one) > near for one in inside)]
+    inner = [edge for edge in equal[1:-1].tolist() if all(abs(edge - cut) > near for cut in inside)]
     return np.array([equal[0], *sorted([*inner, *inside]), equal[-1]])
 
 
 def _apart(breaks: list[float], start: float, end: float, near: float) -> Iterator[float]:
     """Give the breaks that lie apart from the ends and from one another."""
     last = start
-    for one in breaks:
-        if not start <= one <= end:
-            raise ValueError(f"the break at {one} lies outside the axis from {start} to {end}")
-        if one - last > near and end - one > near:
-            last = one
-            yield one
+    for cut in breaks:
+        if not start <= cut <= end:
+            raise ValueError(f"the break at {cut} lies outside the axis from {start} to {end}")
+        if cut - last > near and end - cut > near:
+            last = cut
+            yield cut
 
 
 def middles(edges: npt.ArrayLike) -> Floats:
@@ -183,4 +183,4 @@ def refuse_steep(rises: npt.ArrayLike, runs: npt.ArrayLike) -> None:
 
 def ordinates(points: Sequence[Mark]) -> Floats:
     """Read the ordinates of points."""
-    return np.array([complex(one.point).imag for one in points])
+    return np.array([complex(point.point).imag for point in points])

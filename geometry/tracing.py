@@ -192,8 +192,8 @@ def _arc(tracing: Tracing, mark: Mark) -> Trace:
 
 def _met(tracing: Tracing, mark: Mark) -> Trace:
     first, second = mark.step.inputs
-    one, other = first.step.inputs[0], second.step.inputs[0]
-    base, side = tracing.between(one, other), mark.step.side
+    origin, other = first.step.inputs[0], second.step.inputs[0]
+    base, side = tracing.between(origin, other), mark.step.side
     (_, measure), (_, beside) = tracing.locus(first), tracing.locus(second)
     along: tuple[Place | None, Place | None] = None, None
     match first.value, second.value:
@@ -205,7 +205,7 @@ def _met(tracing: Tracing, mark: Mark) -> Trace:
             met = tracing.acts.do(loci.two_lines, base, tracing.acts.do(loci.crossing, measure, beside))
             along = measure, beside
     rays = tracing.ray(met, 0, along[0]), tracing.ray(met, 1, along[1])
-    return Trace((tracing.end(one, rays[0]),), rays, met)
+    return Trace((tracing.end(origin, rays[0]),), rays, met)
 
 
 def _tangent(tracing: Tracing, mark: Mark) -> Trace:
@@ -263,8 +263,8 @@ def _balanced(tracing: Tracing, mark: Mark) -> Trace:
     return Trace((tracing.ray(met, 0),), (), met)
 
 
-def _paired(one: Any, other: Any) -> tuple[Any, Any]:
-    return one, other
+def _paired(first: Any, other: Any) -> tuple[Any, Any]:
+    return first, other
 
 
 def _levered(pair: tuple[Any, Any], moment: Any) -> Meeting:

@@ -27,7 +27,7 @@ def by_hand(
 
     `scales` are those of the boards, true units a mm: what is read off another board is not drawn, and has no error.
     """
-    read = {one.name: one.shown for one in findings if one.shown is not None and _board(one.shown) in scales}
+    read = {found.name: found.shown for found in findings if found.shown is not None and _board(found.shown) in scales}
     found = errors_by_hand(read, SlippingHand(SLIP, {board: np.array([mu]) for board, mu in scales.items()}), by)
     return {(name, position): float(error[position if len(error) > 1 else 0]) for name, error in found.items()}
 
@@ -54,22 +54,22 @@ def _errors(
     read: tuple[Shown, ...], slip: float, scales: tuple[tuple[str, tuple[float, ...]], ...], by: Slipping
 ) -> list[Floats]:
     hand = SlippingHand(slip, {board: np.array(row) for board, row in scales})
-    found = by(hand, *(mark for told in read for mark in _marks(told)))
+    found = by(hand, *(mark for shown in read for mark in _marks(shown)))
     with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
-        return [_error(told, found) for told in read]
+        return [_error(shown, found) for shown in read]
 
 
-def _marks(told: Shown) -> tuple[Mark, ...]:
-    return (told,) if isinstance(told, Mark) else tuple(told)
+def _marks(shown: Shown) -> tuple[Mark, ...]:
+    return (shown,) if isinstance(shown, Mark) else tuple(shown)
 
 
-def _error(told: Shown, found: Mapping[Mark, Slopes]) -> Floats:
-    match told:
+def _error(shown: Shown, found: Mapping[Mark, Slopes]) -> Floats:
+    match shown:
         case Span(start, end):
             return size_error(np.asarray(between(start, end)), found[end] - found[start])
         case Reading(arm, turning):
             over, ratio = np.asarray(arm.point), np.asarray(turning.point) / np.asarray(arm.point)
             return number_error(-1j * (found[turning] - ratio * found[arm]) / over)
         case _:
-            force = np.asarray(told.point)
-            return number_error(found[told]) if told.is_moment else size_error(force, found[told])
+            force = np.asarray(shown.point)
+            return number_error(found[shown]) if shown.is_moment else size_error(force, found[shown])

@@ -67,9 +67,9 @@ class Study:
     def anew(self, technique: str, constructed: bool = False) -> Study:
         """Give this study with one technique to be made anew, or only compared anew, over what all others made."""
         other = copy(self)
-        other._made = {name: own for name, own in self._made.items() if constructed or name != technique}
-        other._compared = {name: own for name, own in self._compared.items() if name != technique}
-        other._numbers = {key: own for key, own in self._numbers.items() if key[0] != technique}
+        other._made = {name: made for name, made in self._made.items() if constructed or name != technique}
+        other._compared = {name: comparison for name, comparison in self._compared.items() if name != technique}
+        other._numbers = {key: numbers for key, numbers in self._numbers.items() if key[0] != technique}
         return other
 
     def construct(self) -> None:

@@ -102,9 +102,9 @@ class Cost(NamedTuple):
 def costs(before: State, after: State | None, none: Nothing, drafting: Drafting, shaft: str) -> RuledTable:
     """Tell what is largest of the mass centre's way, main vector and moment, reactions, balancing moment, and mass."""
     heads = ("before column", "after column", "change column")
-    told = quantities(before, none, drafting, shaft)
+    costs = quantities(before, none, drafting, shaft)
     words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
-    lines = [TableRow(cost.name, cells(cost, before, after, drafting)) for cost in told]
+    lines = [TableRow(cost.name, cells(cost, before, after, drafting)) for cost in costs]
     heading = drafting.word("largest value", count=before.count)
     return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS)
 

@@ -162,18 +162,18 @@ class Balanced:
     def moments(self) -> Iterator[ChainVector]:
         """Lay the static moments kg*m of the links end to end."""
         end = 0j
-        told = {body.link: body for body in self.solid(BEFORE)}
+        bodies = {body.link: body for body in self.solid(BEFORE)}
         for stem in self.study.tree.stems:
-            if stem.link in told:
-                value = told[stem.link].mass * self.at(stem.link, told[stem.link].centre)
+            if stem.link in bodies:
+                value = bodies[stem.link].mass * self.at(stem.link, bodies[stem.link].centre)
                 yield ChainVector(f"m_{stem.link}r_S{stem.link}", end, value)
                 end += value
 
     def slack(self, name: str, plan: str = "centre", position: int | None = None) -> float:
         """Give twice what the two roads may differ by in a quantity, in a position or in any."""
         rows = [quantity.allowed for quantity in self.comparison.of(plan) if quantity.name == name]
-        told = [float(np.nanmax(row)) if position is None else float(row[min(position, len(row) - 1)]) for row in rows]
-        return 2 * max(told, default=0.0)
+        peaks = [float(np.nanmax(row)) if position is None else float(row[min(position, len(row) - 1)]) for row in rows]
+        return 2 * max(peaks, default=0.0)
 
 
 SCHEME, MOMENTS, SHAKING, ROCKING, SHARES = "scheme-", "static-moments", "shaking", "rocking", "shares"
@@ -263,15 +263,15 @@ class _BalanceSheet(Balanced):
             x, y = np.array([share for share, _ in row]), np.array([value for _, value in row])
             points = course(x, y)
             yield Expected(Kind.CURVE, SHARES, kind, points, KNOWN * float(y.max()), ends=(float(x[0]), float(x[-1])))
-            told = (f"least {kind}", value, KNOWN * value), (f"share {kind}", choice.share, KNOWN * abs(choice.share))
-            yield from phrases(SHARES, told, digits=4)
+            shares = (f"least {kind}", value, KNOWN * value), (f"share {kind}", choice.share, KNOWN * abs(choice.share))
+            yield from phrases(SHARES, shares, digits=4)
 
     def weight_rows(self) -> Iterator[Expected]:
         """Give the cells of the table of counterweights."""
         for weight in self.balance.counterweights:
             row = counterweight(weight.link, self.drafting.language)
-            told = self._weight_row(weight) if weight.needed else ["0", "0", *[None] * 6]
-            yield from cells(WEIGHTS, row, told, digits=DIGITS)
+            values = self._weight_row(weight) if weight.needed else ["0", "0", *[None] * 6]
+            yield from cells(WEIGHTS, row, values, digits=DIGITS)
 
     def _weight_row(self, weight: Counterweight) -> Sequence[Cell]:
         word = self.drafting.word
@@ -294,8 +294,8 @@ class _BalanceSheet(Balanced):
         for row, value in was.items():
             both = [value, now[row]] if row in now else [value]
             change = [(100 * (now[row] / value - 1), CHANGE) if value else None] if row in now else []
-            *told, last = cells(COSTS, row, [*((value, KNOWN * abs(value)) for value in both), *change], digits=DIGITS)
-            yield from (*told, last._replace(digits=3 if change else DIGITS))
+            *rest, last = cells(COSTS, row, [*((value, KNOWN * abs(value)) for value in both), *change], digits=DIGITS)
+            yield from (*rest, last._replace(digits=3 if change else DIGITS))
 
     def _largest(self, state: State) -> Iterator[tuple[str, float]]:
         """Give what is largest of a state by the names of the rows; what is nothing is 0."""

@@ -109,8 +109,8 @@ class ShakingHodograph(NamedTuple):
 
 def hodograph(states: Mapping[str, State], shown: int, nothing: float, whole: bool = True) -> ShakingHodograph:
     """Gather the main vectors of states by their names, over the turn and at the positions; none below `nothing` N."""
-    seen = {name: state for name, state in states.items() if state.shaking > nothing}
-    vectors = tuple(MainVector(name, state.around.force, _ends_of(state, shown)) for name, state in seen.items())
+    drawn = {name: state for name, state in states.items() if state.shaking > nothing}
+    vectors = tuple(MainVector(name, state.around.force, _ends_of(state, shown)) for name, state in drawn.items())
     return ShakingHodograph(vectors, shown, whole)
 
 

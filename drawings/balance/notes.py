@@ -80,8 +80,8 @@ class Equations(NamedTuple):
         arms = [moment.arm / along for moment in moments]
         parts = [lowered(f"h_{stem.link}"), f"{bracketed([moment.letters for moment in moments])}/m"]
         if all(map(straight, arms)):  # else they are added as vectors
-            told = [self._term(moment.mass, arm.real) for moment, arm in zip(moments, arms, strict=True)]
-            parts.append(f"{bracketed(told)}/{self._number(self.mass)}")
+            terms = [self._term(moment.mass, arm.real) for moment, arm in zip(moments, arms, strict=True)]
+            parts.append(f"{bracketed(terms)}/{self._number(self.mass)}")
         size = sum(moment.mass * abs(moment.arm) for moment in moments) / self.mass
         return EQUALS.join([*parts, f"{self.vector(vector / along, size)}{NO_BREAK}{self.drafting.word('m')}"])
 
@@ -138,8 +138,8 @@ class Equations(NamedTuple):
             return None
         letters = [f"{lowered(f'h_{loop.link}')}/l_{{{loop.letter}}}" for loop in loops]
         numbers = [f"{self._share(vectors[loop.link], loop.length)}/{self._number(abs(loop.length))}" for loop in loops]
-        told = EQUALS.join([*letters, *numbers, "κ", self.vector(ratios[0], abs(ratios[0]))])
-        return self.drafting.word("alike", told=told)
+        line = EQUALS.join([*letters, *numbers, "κ", self.vector(ratios[0], abs(ratios[0]))])
+        return self.drafting.word("alike", told=line)
 
     def _share(self, vector: complex, length: complex) -> str:
         return self.vector(vector * abs(length) / length, abs(vector))
@@ -168,8 +168,8 @@ def bracketed(terms: Sequence[str]) -> str:
     ('(2·0.04 − 4·0.1)', '2·0.04')
     """
     first, *rest = terms
-    told = first + "".join(f" − {term[1:]}" if term.startswith("−") else f" + {term}" for term in rest)
-    return f"({told})" if rest else told
+    text = first + "".join(f" − {term[1:]}" if term.startswith("−") else f" + {term}" for term in rest)
+    return f"({text})" if rest else text
 
 
 ALIKE = 6  # digits to which ratios must differ for one to be the larger: both roads name the same pair then
@@ -190,8 +190,8 @@ class BalanceNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """Main points, what is put on and what it makes of them, what is left, what it costs, which share is best."""
-        told = *self.main_points(), *self.counterweights(), *self.balanced()
-        return *told, *self.left(), *self.price(), *self.choice()
+        lines = *self.main_points(), *self.counterweights(), *self.balanced()
+        return *lines, *self.left(), *self.price(), *self.choice()
 
     @property
     def equations(self) -> Equations:
@@ -228,20 +228,20 @@ class BalanceNotes(NamedTuple):
             return self.drafting.word("nothing to put on", letters=letter, link=weight.link)
         body = self._body(weight.link)
         present, put_on = body.mass * (body.centre - weight.origin) / along, weight.moment / along
-        told = self._needed(weight.link, weight.begin, present, put_on, letter)
-        return f"{told};  {self._sized(weight, put_on, letter)}"
+        line = self._needed(weight.link, weight.begin, present, put_on, letter)
+        return f"{line};  {self._sized(weight, put_on, letter)}"
 
     def _needed(self, link: int, point: str, there: complex, put_on: complex, letter: str) -> str:
         """Say what the static moment of a link is and what it is to be, about the point that it counts from."""
         size = abs(there) + abs(put_on)
-        due, moment = (self.equations.vector(value, size) for value in (there + put_on, put_on))
+        whole, moment = (self.equations.vector(value, size) for value in (there + put_on, put_on))
         unit, present = self.drafting.word("kg*m"), self.equations.vector(there, size)
         parts = [f"{letter}·a_{{{link}}}"]
         if straight(there) and straight(put_on) and present != "0":
-            parts.append(f"{due} + {present[1:]}" if present.startswith("−") else f"{due} − {present}")
-        told = EQUALS.join([*parts, f"{moment} {unit}"])
-        needed = self.drafting.word("needed moment", link=link, point=point, own=present, due=due, unit=unit)
-        return f"{needed};  {told}"
+            parts.append(f"{whole} + {present[1:]}" if present.startswith("−") else f"{whole} − {present}")
+        line = EQUALS.join([*parts, f"{moment} {unit}"])
+        needed = self.drafting.word("needed moment", link=link, point=point, own=present, due=whole, unit=unit)
+        return f"{needed};  {line}"
 
     def _sized(self, weight: Counterweight, put_on: complex, letter: str) -> str:
         """Give mass from place or place from mass; of a sector both, with its outer radius."""
@@ -253,16 +253,16 @@ class BalanceNotes(NamedTuple):
         if place.shape == DISC:
             return f"{letter} = {self._number(abs(put_on))}/{self._number(weight.distance)} = {mass} {word('kg')}"
         sizes = {"a": weight.distance, "R": weight.outer}
-        told = (f"{size}_{{{weight.link}}} = {self._number(value)} {word('m')}" for size, value in sizes.items())
-        return ",  ".join((f"{letter} = {mass} {word('kg')}", *told))
+        lengths = (f"{size}_{{{weight.link}}} = {self._number(value)} {word('m')}" for size, value in sizes.items())
+        return ",  ".join((f"{letter} = {mass} {word('kg')}", *lengths))
 
     def balanced(self) -> Iterator[str]:
         """Say what the counterweights make of the main points: similar contours, and where S rests."""
         after, vectors = self.balance.loaded, self.vectors[1]
         if after is None or vectors is None:
             return
-        told = self.equations.similar(vectors) or ",  ".join(self._main_points_after(vectors))
-        yield self.drafting.word("with counterweights", told=told)
+        points = self.equations.similar(vectors) or ",  ".join(self._main_points_after(vectors))
+        yield self.drafting.word("with counterweights", told=points)
         known = after.around.r[np.isfinite(after.around.r)]
         if len(known) > 1 and after.path <= NOTHING * self.equations.reach:
             at = complex(known[0])
@@ -274,9 +274,9 @@ class BalanceNotes(NamedTuple):
         reach, none = self.equations.reach, list[str]()
         for stem in self.tree.stems:
             vector, letter = vectors[stem.link], lowered(f"h_{stem.link}")
-            told = self.equations.vector(vector / line_of(self.mechanism, stem.link, stem.begin), reach)
-            if told != "0":
-                yield f"{letter} = {told} {self.drafting.word('m')}"
+            text = self.equations.vector(vector / line_of(self.mechanism, stem.link, stem.begin), reach)
+            if text != "0":
+                yield f"{letter} = {text} {self.drafting.word('m')}"
             else:
                 none.append(letter)
         if none:
@@ -285,15 +285,15 @@ class BalanceNotes(NamedTuple):
     def left(self) -> Iterator[str]:
         """Say what masses are left at sliders, and what share of them the crank balances."""
         for point, mass in sorted(self.balance.left.items()):
-            told = self.equations.vector(mass, self.equations.mass)
-            if told == "0":
+            text = self.equations.vector(mass, self.equations.mass)
+            if text == "0":
                 continue
             if self.balance.task.aim == SHARE and self._hangs(point):
                 yield self.drafting.word(
-                    "share of mass", mass=told, point=point, share=self._number(self.balance.share)
+                    "share of mass", mass=text, point=point, share=self._number(self.balance.share)
                 )
             else:
-                yield self.drafting.word("left at slider", mass=told, point=point)
+                yield self.drafting.word("left at slider", mass=text, point=point)
 
     def _hangs(self, point: str) -> bool:
         """Tell whether the rod of a slider's hinge hangs on the crank."""
@@ -308,10 +308,10 @@ class BalanceNotes(NamedTuple):
             return
         newtons, moments = (self.drafting.word(unit) for unit in ("N", "N*m"))
         force, moment = np.maximum(before.forces.nothing, after.forces.nothing)
-        told = [f"{self._reaction(key)}: {self._change(*two, force)} {newtons}" for key, two in self._costly(after)]
-        told.append(f"{self.balancing}: {self._change(before.balancing, after.balancing, moment)} {moments}")
+        lines = [f"{self._reaction(key)}: {self._change(*two, force)} {newtons}" for key, two in self._costly(after)]
+        lines.append(f"{self.balancing}: {self._change(before.balancing, after.balancing, moment)} {moments}")
         masses = {"added": self._number(self.balance.added), "mass": self._number(self.equations.mass)}
-        yield self.drafting.word("price", **masses, told=",  ".join(told))
+        yield self.drafting.word("price", **masses, told=",  ".join(lines))
 
     def _costly(self, after: State) -> Iterator[tuple[str, tuple[float, float]]]:
         """Give the largest reactions before and after of the crank's shaft, and of the pair where they grow most."""
@@ -355,11 +355,11 @@ class BalanceNotes(NamedTuple):
     def _best(self, found: Shares) -> dict[str, str]:
         force, reaction = found.least_force, found.least_reaction
         shares = {"share": force.share, "other": reaction.share}
-        told = {name: self._rounded(value, 1.0) for name, value in shares.items()}
+        numbers = {name: self._rounded(value, 1.0) for name, value in shares.items()}
         bare = self.balance.before.reaction(self.mechanism.drive.link)
         sizes = {"force": force.force, "reaction": reaction.reaction, "bare": bare}
-        told |= {name: self._rounded(value, self.balance.before.forces.largest) for name, value in sizes.items()}
-        return {"main": FORCE, "letters": self.shaft, **told}
+        numbers |= {name: self._rounded(value, self.balance.before.forces.largest) for name, value in sizes.items()}
+        return {"main": FORCE, "letters": self.shaft, **numbers}
 
     def _body(self, link: int) -> Body:
         return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))

@@ -270,12 +270,12 @@ class SchemeFigure:
     @cached_property
     def arrows(self) -> tuple[LaidVector, ...]:
         """The main-point vectors that are long enough to be seen, in lanes where they would lie on links."""
-        seen = [vector for vector in self.shown.chain if self.place.length(abs(vector.value)) >= SEEN]
+        vectors = [vector for vector in self.shown.chain if self.place.length(abs(vector.value)) >= SEEN]
         bars = [(line.start, line.end) for line in self.pairs.bars() if isinstance(line, Line)]
-        own: list[Segment] = [(self.place.on(vector.at), self.place.on(vector.end)) for vector in seen]
-        shifts = lanes(own, bars, self.place.on(self.shown.centre), APART * self._hand.symbol)
-        laid = zip(seen, own, shifts, strict=True)
-        return tuple(LaidVector(vector, offset(line, shift), shift) for vector, line, shift in laid)
+        segments: list[Segment] = [(self.place.on(vector.at), self.place.on(vector.end)) for vector in vectors]
+        shifts = lanes(segments, bars, self.place.on(self.shown.centre), APART * self._hand.symbol)
+        placed = zip(vectors, segments, shifts, strict=True)
+        return tuple(LaidVector(vector, offset(line, shift), shift) for vector, line, shift in placed)
 
     def _arrow(self, vector: LaidVector) -> Group:
         return vector.draw(self.subject, lowered(vector.vector.name), self.place, self._hand.result, self._hand.symbol)

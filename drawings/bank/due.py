@@ -192,11 +192,11 @@ class Bank:
         """Whether some compensator has a mass."""
         return any(any(self.bodies(compensator)) for compensator in self.analysis.compensators)
 
-    def acts(self, name: str, seen: bool) -> bool:
+    def acts(self, name: str, drawn: bool) -> bool:
         """Whether more than rounding is left of what is followed over the turn, and is seen or must be."""
         analysis = self.analysis
         slacks = {WHOLE: analysis.force_slack, LEFT: analysis.left_slack, WHOLE_MOMENT: analysis.moment_slack}
-        return self.most(name) > (slacks[name] / DOUBTFUL if seen else slacks[name] * DOUBTFUL)
+        return self.most(name) > (slacks[name] / DOUBTFUL if drawn else slacks[name] * DOUBTFUL)
 
     def most(self, name: str) -> float:
         """Give the largest of what is followed over the turn."""
@@ -205,8 +205,8 @@ class Bank:
     def faint(self, name: str) -> bool:
         """Whether what is followed over the turn is not to be drawn by itself, being slight."""
         arm = max(abs(float(member.place)) for member in self.members) if name == WHOLE_MOMENT else 1.0
-        due = {WHOLE: not self.compensated, LEFT: self.compensated}.get(name, True)
-        return due and self.most(name) < SEEN * self.largest * arm
+        shown = {WHOLE: not self.compensated, LEFT: self.compensated}.get(name, True)
+        return shown and self.most(name) < SEEN * self.largest * arm
 
     def bodies(self, compensator: Compensator) -> Iterator[Body]:
         """Give the masses of a compensator at phi = 0."""
@@ -218,7 +218,7 @@ class Bank:
             yield Body(name, compensator.couple, way, order, True)
             yield Body(f"{name}'", compensator.couple, -way, order, True)
 
-    def nominal(self, compensator: Compensator, told: bool) -> bool:
+    def nominal(self, compensator: Compensator, stated: bool) -> bool:
         """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
         asked, moments = compensator.asked, [body.moment for body in self.bodies(compensator) if not body.coupled]
         if not asked.mass or not moments:
@@ -227,7 +227,7 @@ class Bank:
         shafts = asked.shafts if compensator.couple_angle is not None and asked.shafts else 0.0
         gear = max(GEAR * max(moments) / asked.mass, offset / 2, OF_SHAFTS * shafts)
         over = min(moments) / asked.mass - COVERED * gear
-        return told if abs(over) <= 2 * self.slack_of(compensator) / asked.mass + LINE * gear else over < 0
+        return stated if abs(over) <= 2 * self.slack_of(compensator) / asked.mass + LINE * gear else over < 0
 
     def line(self, compensator: Compensator) -> complex:
         """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""
@@ -346,8 +346,8 @@ class _BankSheet(Bank):
         turned = math.degrees(2 * slack / body.moment) + FAR if body.moment > slack else math.inf
         speed = body.turns * self.task.speed
         given = None if mass is None else (mass, 0.0)
-        told = (body.moment, slack), given, far, (speed, 0.0), (angle, turned, TURN)
-        yield from cells(COMPENSATORS, lowered_bank(body.name), told, digits=DIGITS, may_lack=True)
+        values = (body.moment, slack), given, far, (speed, 0.0), (angle, turned, TURN)
+        yield from cells(COMPENSATORS, lowered_bank(body.name), values, digits=DIGITS, may_lack=True)
 
     def results(self, slips: Mapping[tuple[str, int], float], drawn: bool) -> Iterator[Expected]:
         """Give the cells of the table of results; where nothing is drawn no hand can err."""
@@ -355,8 +355,8 @@ class _BankSheet(Bank):
             row = f"{lowered_bank(finding.name)}, {self.drafting.word(finding.unit)}"
             size, slack = float(abs(finding.analysis[0])), float(finding.allowed[0])
             slip = by_hand(slips.get((finding.name, 0), math.nan), max(size, slack * 10.0**DIGITS))
-            told = cells(RESULTS, row, [(size, slack), (size, slack), *([slip] * drawn)], digits=DIGITS)
-            for column, cell in enumerate(told):
+            expected = cells(RESULTS, row, [(size, slack), (size, slack), *([slip] * drawn)], digits=DIGITS)
+            for column, cell in enumerate(expected):
                 yield cell._replace(may_lack=column == 2 or size <= 2 * slack)
 
 
@@ -368,5 +368,5 @@ def plan_of(polygon: OrderPolygon) -> str:
 
 def _is_told(quantity: Quantity) -> bool:
     """Tell whether a finding stands in the table of results: a vector of the bank or a static moment."""
-    told = quantity.plan in (HARMONICS, COMPENSATORS) and quantity.name.startswith(("F_", "M_", "mr_"))
-    return told and bool(abs(quantity.analysis[0]) > quantity.allowed[0] / 2)
+    listed = quantity.plan in (HARMONICS, COMPENSATORS) and quantity.name.startswith(("F_", "M_", "mr_"))
+    return listed and bool(abs(quantity.analysis[0]) > quantity.allowed[0] / 2)

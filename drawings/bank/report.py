@@ -164,9 +164,9 @@ class BankNotes(NamedTuple):
     def sums(self) -> Iterator[str]:
         """Say what the polygons of each order come to at phi = 0."""
         for order in self.balance.forces:
-            told = [*self._sums(FORCE, self.balance.forces[order]), *self._sums(MOMENT, self.balance.moments[order])]
-            if told:
-                yield self.drafting.word("order sums", order=order, sums=",  ".join(told))
+            lines = [*self._sums(FORCE, self.balance.forces[order]), *self._sums(MOMENT, self.balance.moments[order])]
+            if lines:
+                yield self.drafting.word("order sums", order=order, sums=",  ".join(lines))
 
     def _sums(self, kind: str, harmonic: Harmonic) -> Iterator[str]:
         unit = self.drafting.word("N" if kind == FORCE else "N*m")
@@ -185,8 +185,8 @@ class BankNotes(NamedTuple):
             f"|{lowered_bank(letters(FORCE, signed))}|" for signed, value in pairs if abs(value) > harmonic.slack
         )
         if summed:
-            told = {"letter": f"{FORCE}_{{max}}", "sum": summed, "size": self._number(harmonic.size)}
-            yield self.drafting.word("order largest", unit=unit, **told)
+            parts = {"letter": f"{FORCE}_{{max}}", "sum": summed, "size": self._number(harmonic.size)}
+            yield self.drafting.word("order largest", unit=unit, **parts)
 
     def vanishing(self) -> Iterator[str]:
         """Say which orders one mechanism has none of, and of which forces and moments are balanced by one another."""
@@ -232,14 +232,14 @@ class BankNotes(NamedTuple):
             yield word("no compensator", order=order)
             return
         for signed, moment, _ in compensator.masses:
-            told = {"force": lowered_bank(letters(FORCE, signed)), "square": square, "moment": number(moment)}
-            yield word("compensator mass", letters=lowered_bank(letters(STATIC, signed)), **told)
+            parts = {"force": lowered_bank(letters(FORCE, signed)), "square": square, "moment": number(moment)}
+            yield word("compensator mass", letters=lowered_bank(letters(STATIC, signed)), **parts)
         yield from self._unequal(compensator)
         if asked.offset and compensator.residual:
             yield word("compensator couple", residual=number(compensator.residual))
         if asked.shafts is not None and compensator.couple:
-            told = {"square": square, "moment": number(compensator.couple)}
-            yield word("couple mass", letters=lowered_bank(couple_letters(order)), **told)
+            parts = {"square": square, "moment": number(compensator.couple)}
+            yield word("couple mass", letters=lowered_bank(couple_letters(order)), **parts)
 
     def _unequal(self, compensator: Compensator) -> Iterator[str]:
         """Say what two vectors of unlike size ask for: the crank itself carries what turns with it alone."""
@@ -260,8 +260,8 @@ class BankNotes(NamedTuple):
     def members(self) -> Iterator[str]:
         """Say where each mechanism of the bank stands."""
         for member in self.balance.task.members:
-            told = {"name": member.name, "crank": self._exact(member.crank), "place": self._exact(1000 * member.place)}
-            yield self.drafting.word("bank member", axis=self._exact(member.axis), **told)
+            parts = {"name": member.name, "crank": self._exact(member.crank), "place": self._exact(1000 * member.place)}
+            yield self.drafting.word("bank member", axis=self._exact(member.axis), **parts)
 
     def _exact(self, value: Fraction) -> str:
         return self._number(float(value))

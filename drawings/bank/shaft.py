@@ -105,7 +105,7 @@ def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
 
 def tall(shown: BankView) -> tuple[float, float]:
     """Give how far cranks, and guides that go past them, reach over the shaft and under it, m."""
-    down = any(seen(shown, shown.crank_at(one)) < 0 or _under(shown, one) for one in shown.members)
+    down = any(seen(shown, shown.crank_at(member)) < 0 or _under(shown, member) for member in shown.members)
     return shown.crank, shown.crank if down else 0.0
 
 
@@ -135,7 +135,7 @@ def _throw(shown: BankView, member: Member, place: Place, hand: Hand) -> Iterato
         return
     corners = (middle - half, middle - half + high, middle + half + high, middle + half)
     states = Statement(Kind.LENGTH, NAME, f"r {member.name}", scale=place.scale.mu)
-    yield stating(states, *(Line(one, other, hand.result) for one, other in pairwise(corners)))
+    yield stating(states, *(Line(corner, other, hand.result) for corner, other in pairwise(corners)))
 
 
 def _guide(shown: BankView, member: Member, place: Place, hand: Hand) -> Line:
@@ -179,11 +179,11 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
 
     Where one is too short for its text there is none: the notes tell all places.
     """
-    hand, told, base = drafting.hand, _texts(shown, drafting), place.on(0j)
-    if any(place.length(abs(where)) < needs(text, hand) for where, text in told.items()):
+    hand, texts, base = drafting.hand, _texts(shown, drafting), place.on(0j)
+    if any(place.length(abs(where)) < needs(text, hand) for where, text in texts.items()):
         return
     sizes = list[Sized]()
-    for where, text in told.items():
+    for where, text in texts.items():
         states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
         sizes.append((complex(place.on(complex(where)).real, base.imag), text, states))
     yield from view.dimensions(

@@ -47,7 +47,7 @@ NOTHING = "—"
 
 def order_table(balance: BankBalance, drafting: Drafting) -> RuledTable:
     """Tell of each order what one mechanism and the bank come to."""
-    lines = [TableRow(*told) for told in order_rows(balance, drafting, DIGITS)]
+    lines = [TableRow(*row) for row in order_rows(balance, drafting, DIGITS)]
     heads = tuple(drafting.word(head) for head in ORDER_HEADS)
     return table(lines, drafting.word("order"), heads, drafting.hand.text)._replace(name=ORDERS)
 
@@ -132,9 +132,9 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
     orders = tuple(_polygon(polygon, drafting) for polygon in polygons(shown, drafting))
     shows = (*_views(shown, drafting), *orders, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
-    told = order_table, compensator_table
+    writers = order_table, compensator_table
     tables = [
-        *(write(shown.balance, drafting) for write in told),
+        *(write(shown.balance, drafting) for write in writers),
         results(comparison, bool(orders), drafting),
     ]
     notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(orders))

@@ -112,8 +112,8 @@ def csv_bytes(bench: Bench) -> bytes:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
     for row in bench.rows:
-        told = (bench.title, *_row(row, bench.accepted).values(), *asdict(bench.machine).values())
-        writer.writerow(map(_as_text, told))
+        values = (bench.title, *_row(row, bench.accepted).values(), *asdict(bench.machine).values())
+        writer.writerow(map(_as_text, values))
     return text.getvalue().encode("utf-8")
 
 
@@ -124,7 +124,7 @@ def _as_text(value: Any) -> Any:
 
 def json_text(bench: Bench) -> str:
     """Write the whole bench as JSON, null where there is nothing to say."""
-    told = {
+    data = {
         "scene": bench.title,
         "machine": asdict(bench.machine),
         "words": list(bench.words),
@@ -132,7 +132,7 @@ def json_text(bench: Bench) -> str:
         "rows": [_row(row, bench.accepted) for row in bench.rows],
         "ratios": [_held(ratio) for ratio in bench.ratios],
     }
-    return json.dumps(told, allow_nan=False, ensure_ascii=False)
+    return json.dumps(data, allow_nan=False, ensure_ascii=False)
 
 
 def _row(row: Row, accepted: float) -> dict[str, Any]:

@@ -48,11 +48,11 @@ STARTED = "start-up: plandraft draw / {}"
 
 def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     """Run a session; `tell` hears what is being timed, and nothing when all is."""
-    there, own = machine(), Session(scene, order, tell)
-    own.run()
+    there, ours = machine(), Session(scene, order, tell)
+    ours.run()
     tell("")
-    words = (*dict.fromkeys(own.words), *_terms(order))
-    return Bench(scene.heading(), there, tuple(own.rows), tuple(own.ratios), words, order.accepted, own.gaps)
+    words = (*dict.fromkeys(ours.words), *_terms(order))
+    return Bench(scene.heading(), there, tuple(ours.rows), tuple(ours.ratios), words, order.accepted, ours.gaps)
 
 
 class Session:
@@ -72,10 +72,10 @@ class Session:
         once: set[str] = set()  # what is the same at any number of positions
         for count, study in zip(counts, studies, strict=True):
             self.tell(f"{count or 'its own'} positions")
-            for technique in (one for one in study.techniques if one not in once):
+            for technique in (name for name in study.techniques if name not in once):
                 self._technique(study, technique, count, once)
         self._series(studies[0])
-        for count in (one for one in counts if one is None or one <= self.order.drawn):
+        for count in (asked for asked in counts if asked is None or asked <= self.order.drawn):
             self.tell("the sheets")
             self._sheets(count)
         if self.order.startup:
@@ -90,7 +90,7 @@ class Session:
 
     def _technique(self, study: Study, technique: str, count: int | None, once: set[str]) -> None:
         """Time and judge a technique at a number of positions; of what is too long, or refused, it is said."""
-        names = [name.format(one) for one in resting([technique]) for name in (CONSTRUCTION, ANALYSIS)]
+        names = [name.format(subject) for subject in resting([technique]) for name in (CONSTRUCTION, ANALYSIS)]
         long = max((self._expected(name, count) for name in names), default=0.0)
         if long > PATIENCE:
             self._left_out((name.format(technique) for name in (CONSTRUCTION, ANALYSIS)), count, _too_long(long))
@@ -127,8 +127,8 @@ class Session:
 
     def _expected(self, name: str, count: int | None) -> float:
         """Give the seconds that a run will take, by how the last two of fewer positions have grown."""
-        own = (row for row in self.rows if row.technique == name and not row.of)
-        known = [(row.positions, row.times.median) for row in own if row.positions and row.times]
+        rows = (row for row in self.rows if row.technique == name and not row.of)
+        known = [(row.positions, row.times.median) for row in rows if row.positions and row.times]
         if count is None or not known:
             return 0.0
         (fewer, before), (last, took) = known[-2:] if len(known) > 1 else ((0, known[0][1]), known[0])
@@ -139,7 +139,7 @@ class Session:
 
     def _series(self, study: Study) -> None:
         """Time and judge what techniques have over counts of their own, and say of which order it is."""
-        for technique in (one for one in study.techniques if one in SERIES):
+        for technique in (name for name in study.techniques if name in SERIES):
             self.tell(f"the series of {technique}")
             make, said = SERIES[technique]
             try:
@@ -179,7 +179,7 @@ def _ratios(rows: Sequence[Row], technique: str) -> Iterator[Ratio]:
     """Hold the roads that answer the same question against each other, side by side."""
     found = {(row.technique, row.positions): row for row in rows}
     for name, under in ((ANALYSIS.format(technique), CONSTRUCTION.format(technique)), *PAIRS):
-        for count in [count for own, count in found if own == name and (under, count) in found]:
+        for count in [count for row_name, count in found if row_name == name and (under, count) in found]:
             first, second, goal = found[name, count], found[under, count], GOALS.get((name, count or 0))
             if goal or (first.times and second.times):
                 note = "" if first.times else first.note

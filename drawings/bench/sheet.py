@@ -67,7 +67,7 @@ def draw(scene: Scene) -> Drawn:
     study = Study(scene)
     study.construct()
     _ = study.comparisons
-    leaves = [(kind, leaf) for kind, own in leaves_of(study).items() for leaf in own]
+    leaves = [(kind, leaf) for kind, group in leaves_of(study).items() for leaf in group]
     return Drawn(study, tuple((kind, leaf, see(svg(lettered(leaf, scene.sheet.lettering)))) for kind, leaf in leaves))
 
 
@@ -88,30 +88,30 @@ Pairs = Iterator[tuple[str, str, float, float]]  # name, whose largest counts, h
 def errors(drawn: Drawn, read: Callable[[hold.Seen, Mapping[Any, Expected]], Pairs]) -> Errors | None:
     """Judge what is read off the sheets of a scene."""
     found: dict[str, float] = {}
-    for kind, leaf, seen in drawn.sheets:
-        alike = [own for other, own, _ in drawn.sheets if other == kind and subject(own) == subject(leaf)]
-        due = {row.key: row for row in sheet_kind(kind).due(drawn.study, alike)}
-        told = [*read(hold.seen(seen.measured, leaf), due)]
+    for kind, leaf, sheet in drawn.sheets:
+        alike = [page for other, page, _ in drawn.sheets if other == kind and subject(page) == subject(leaf)]
+        expected = {row.key: row for row in sheet_kind(kind).due(drawn.study, alike)}
+        readings = [*read(hold.seen(sheet.measured, leaf), expected)]
         most: dict[str, float] = {}
-        for _, whole, _, size in told:
+        for _, whole, _, size in readings:
             most[whole] = max(most.get(whole, 0.0), size)
-        for name, whole, off, _ in told:
+        for name, whole, off, _ in readings:
             found[name] = max(found.get(name, 0.0), off / most[whole] if most[whole] else 0.0)
     return Errors.of(found)
 
 
-def by_ruler(seen: hold.Seen, due: Mapping[Any, Expected]) -> Pairs:
+def by_ruler(read: hold.Seen, expected: Mapping[Any, Expected]) -> Pairs:
     """Compare vectors and points with what they must be."""
-    for key, row, one in _judged(seen, due, (Kind.VECTOR, Kind.POINT)):
-        if isinstance(row.value, complex | float) and isinstance(one.value, complex | float):
-            off = abs(hold.even(complex(one.value - row.value), one))
+    for key, row, reading in _judged(read, expected, (Kind.VECTOR, Kind.POINT)):
+        if isinstance(row.value, complex | float) and isinstance(reading.value, complex | float):
+            off = abs(hold.even(complex(reading.value - row.value), reading))
             yield f"{key[2]} ({key[1]})", key[1], off, abs(row.value)
 
 
-def by_cells(seen: hold.Seen, due: Mapping[Any, Expected]) -> Pairs:
+def by_cells(read: hold.Seen, expected: Mapping[Any, Expected]) -> Pairs:
     """Compare numbers in cells with what they must say, without the signs that are in words."""
-    for key, row, one in _judged(seen, due, (Kind.NUMBER,)):
-        said = number(str(one.value).lstrip("±+"))
+    for key, row, reading in _judged(read, expected, (Kind.NUMBER,)):
+        said = number(str(reading.value).lstrip("±+"))
         if said is not None and isinstance(row.value, complex | float | int):
             true = abs(row.value) if isinstance(row.value, complex) else float(row.value)
             if row.allowed > ROUGH * abs(true):
@@ -121,11 +121,11 @@ def by_cells(seen: hold.Seen, due: Mapping[Any, Expected]) -> Pairs:
 
 
 def _judged(
-    seen: hold.Seen, due: Mapping[Any, Expected], kinds: tuple[Kind, ...]
+    read: hold.Seen, expected: Mapping[Any, Expected], kinds: tuple[Kind, ...]
 ) -> Iterator[tuple[Any, Expected, Read]]:
     """Give what is read of some kinds, with what is due of it; what rounding alone decides is not judged."""
-    known = ((key, due[key], found) for key, found in seen.items() if key[0] in kinds and key in due)
-    yield from ((key, row, one) for key, row, found in known for one in found if np.isfinite(row.allowed))
+    known = ((key, expected[key], found) for key, found in read.items() if key[0] in kinds and key in expected)
+    yield from ((key, row, reading) for key, row, found in known for reading in found if np.isfinite(row.allowed))
 
 
 Hand = Callable[[Drawn], Mapping[tuple[str, int], float]]
@@ -149,17 +149,17 @@ HANDS: Final[Mapping[str, Hand]] = {"linkage": _linkage, "forces": _forces}
 
 def by_hand(drawn: Drawn) -> Iterator[Row]:
     """Give the rows of hands that slip, of the techniques whose figures are known to be drawn by hand."""
-    for technique in (one for one in drawn.study.techniques if one in HANDS):
-        largest = {one.name: one.largest for one in quantities(drawn.study, technique)}
+    for technique in (name for name in drawn.study.techniques if name in HANDS):
+        largest = {quantity.name: quantity.largest for quantity in quantities(drawn.study, technique)}
         found = ((name, off) for (name, _), off in HANDS[technique](drawn).items() if largest.get(name))
         shares: dict[str, float] = {}
         for name, off in found:
             shares[name] = max(shares.get(name, 0.0), off / largest[name] if np.isfinite(off) else 0.0)
-        told = Errors.of(shares)
-        if told is not None:  # an error goes with the slip
+        whole = Errors.of(shares)
+        if whole is not None:  # an error goes with the slip
             for slip in SLIPS:
-                own = Errors(told.worst * slip / SLIP, told.typical * slip / SLIP, told.name)
-                yield Row(BY_HAND.format(technique, slip), None, own, note=HAND_NOTE)
+                scaled = Errors(whole.worst * slip / SLIP, whole.typical * slip / SLIP, whole.name)
+                yield Row(BY_HAND.format(technique, slip), None, scaled, note=HAND_NOTE)
 
 
 def pens(leaf: Leaf, rounds: int) -> tuple[Times, Times]:
@@ -170,8 +170,8 @@ def pens(leaf: Leaf, rounds: int) -> tuple[Times, Times]:
         letters.forget()
         return svg(ready)
 
-    plain, own = interleaved([lambda: plain_pen.svg(ready), ours], rounds, BUDGET)
-    return plain, own
+    plain, timed = interleaved([lambda: plain_pen.svg(ready), ours], rounds, BUDGET)
+    return plain, timed
 
 
 ROOT = Path(__file__).parent.parent.parent  # where the three packages are found, installed or not

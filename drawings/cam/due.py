@@ -221,11 +221,11 @@ class _Cam:
 
     def _dimensions(self) -> Iterator[Expected]:
         cam, numbers = self.values.cam, self.numbers
-        told = {name: numbers.size(name) for name in ("R_0", "e", "S_0", "L")}
-        told["l"] = (MM * (cam.follower.length or 0.0), 0.0)
+        sizes = {name: numbers.size(name) for name in ("R_0", "e", "S_0", "L")}
+        sizes["l"] = (MM * (cam.follower.length or 0.0), 0.0)
         if self.values.found.sharpest is not None:
-            told["ρ_{min}"] = numbers.radius("ρ_min", self.values.found.sharpest)
-        for name, (number, slack) in told.items():
+            sizes["ρ_{min}"] = numbers.radius("ρ_min", self.values.found.sharpest)
+        for name, (number, slack) in sizes.items():
             row = Expected(Kind.LENGTH, SIZES, name, abs(number) / MM, slack / MM, may_lack=True)
             yield from measured(row, number, digits=4)
         for kind, (low, high) in self._limits():

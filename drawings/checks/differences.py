@@ -31,136 +31,136 @@ ARCHED = 2 * QUANTUM
 _BETWEEN = 8  # of an arc: no two of its points are more than an eighth of a turn apart
 
 
-def differences(laid: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
+def differences(leaf: Leaf, sheet: SeenSheet) -> Iterator[Wrong]:
     """Tell where a sheet that was seen is not as it was laid out, of which all strokes are the plainest."""
-    there = seen.written
-    if not any(one.reason in NEVER for one in seen.unseen) and _same_paper(laid, there) and same(laid, there):
+    there = sheet.written
+    if not any(lost.reason in NEVER for lost in sheet.unseen) and _same_paper(leaf, there) and same(leaf, there):
         return
     from drawings.sheet_diff.collate import Hidden, collate  # noqa: PLC0415  (only a difference pays for it)
 
-    lost, hidden = ([Hidden(*one) for one in _unseen(own)] for own in (seen.unseen, veiled(laid)))
-    told = collate(uncovered(_rounded(laid, there)), seen.leaf, lost, hidden)
-    yield from told.whole
-    yield from (one.told for one in told.edits)
-    if told.clean:
-        yield message("wrong.unlike", name=next(_unlike(laid, there), ""))
+    lost, hidden = ([Hidden(*found) for found in _unseen(unseen)] for unseen in (sheet.unseen, veiled(leaf)))
+    collation = collate(uncovered(_rounded(leaf, there)), sheet.leaf, lost, hidden)
+    yield from collation.whole
+    yield from (edit.told for edit in collation.edits)
+    if collation.clean:
+        yield message("wrong.unlike", name=next(_unlike(leaf, there), ""))
 
 
 def _unseen(unseen: Iterable[Unseen]) -> Iterator[tuple[Item, str]]:
-    return ((item, one.reason) for one in unseen for item in inside(one.stroke, one.group))
+    return ((item, hidden.reason) for hidden in unseen for item in inside(hidden.stroke, hidden.group))
 
 
-def _unlike(laid: Leaf, there: Leaf) -> Iterator[str]:
+def _unlike(leaf: Leaf, there: Leaf) -> Iterator[str]:
     """Name the groups that differ in what no line of them shows: their names, titles, data, their order."""
-    even = _even(laid)
-    pairs = zip_longest(laid.groups, there.groups, fillvalue=Group(()))
-    return (own.name or other.name for own, other in pairs if not _same(own, other, even))
+    even = _even(leaf)
+    pairs = zip_longest(leaf.groups, there.groups, fillvalue=Group(()))
+    return (group.name or other.name for group, other in pairs if not _same(group, other, even))
 
 
-def _rounded(laid: Leaf, there: Leaf) -> Leaf:
+def _rounded(leaf: Leaf, there: Leaf) -> Leaf:
     """Give what was laid out as it is rounded where it was written right, so that nothing is told of roundings."""
-    texts = [one for one in flat(there.groups) if isinstance(one, Text)]
-    shapes = [one for one in flat(there.groups) if isinstance(one, Fill | Arc)]
-    even = _even(laid)
+    texts = [stroke for stroke in flat(there.groups) if isinstance(stroke, Text)]
+    shapes = [stroke for stroke in flat(there.groups) if isinstance(stroke, Fill | Arc)]
+    even = _even(leaf)
 
     def rounded(stroke: Stroke) -> Stroke:
         match stroke:
             case Group():
                 return stroke._replace(strokes=tuple(map(rounded, stroke.strokes)))
             case Text():
-                found = next((one for one in texts if _same_place(stroke, one, even)), None)
+                found = next((ink for ink in texts if _same_place(stroke, ink, even)), None)
                 if found is not None:
                     return stroke._replace(at=found.at, rotation=found.rotation)
-                return stroke._replace(at=next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at))
+                return stroke._replace(at=next((ink.at for ink in texts if abs(ink.at - stroke.at) <= even), stroke.at))
             case Fill() | Arc():
-                return next((one for one in shapes if _same(stroke, one, even)), stroke)
+                return next((shape for shape in shapes if _same(stroke, shape, even)), stroke)
             case Polyline((start, end), False):
                 return Line(start, end, stroke.style)
         return stroke
 
-    return laid._replace(groups=tuple(one._replace(strokes=tuple(map(rounded, one.strokes))) for one in laid.groups))
+    return leaf._replace(groups=tuple(part._replace(strokes=tuple(map(rounded, part.strokes))) for part in leaf.groups))
 
 
-def same(laid: Leaf, there: Leaf) -> bool:
+def same(leaf: Leaf, there: Leaf) -> bool:
     """Tell whether two leaves have the same groups, and in them the same strokes, one by one in their order."""
-    even = _even(laid)
-    return len(laid.groups) == len(there.groups) and all(
-        _same(own, other, even) for own, other in zip(laid.groups, there.groups, strict=True)
+    even = _even(leaf)
+    return len(leaf.groups) == len(there.groups) and all(
+        _same(group, other, even) for group, other in zip(leaf.groups, there.groups, strict=True)
     )
 
 
-def _even(laid: Leaf) -> float:
+def _even(leaf: Leaf) -> float:
     """Give how far lettering may begin from where it must, mm."""
-    return TYPESET if laid.lettering == "text" else LETTERED
+    return TYPESET if leaf.lettering == "text" else LETTERED
 
 
-def _same_paper(laid: Leaf, there: Leaf) -> bool:
-    sizes = abs(laid.width - there.width) <= WRITTEN and abs(laid.height - there.height) <= WRITTEN
-    return sizes and (laid.title, laid.description) == (there.title, there.description)
+def _same_paper(leaf: Leaf, there: Leaf) -> bool:
+    sizes = abs(leaf.width - there.width) <= WRITTEN and abs(leaf.height - there.height) <= WRITTEN
+    return sizes and (leaf.title, leaf.description) == (there.title, there.description)
 
 
-def _same(laid: Stroke, there: Stroke, even: float) -> bool:
+def _same(stroke: Stroke, there: Stroke, even: float) -> bool:
     """Tell whether two strokes are one and the same to the eye."""
-    match laid, there:
+    match stroke, there:
         case Text(), Text():
-            return _same_text(laid, there, even)
+            return _same_text(stroke, there, even)
         case Group(), Group():
-            return _same_group(laid, there, even)
+            return _same_group(stroke, there, even)
         case Line(), Line():
-            ends = abs(laid.start - there.start) <= QUANTUM and abs(laid.end - there.end) <= QUANTUM
+            ends = abs(stroke.start - there.start) <= QUANTUM and abs(stroke.end - there.end) <= QUANTUM
         case Circle(), Circle():
-            ends = abs(laid.centre - there.centre) <= QUANTUM and abs(laid.radius - there.radius) <= WRITTEN
+            ends = abs(stroke.centre - there.centre) <= QUANTUM and abs(stroke.radius - there.radius) <= WRITTEN
         case Fill(), Fill():
-            ends = _together(laid.points, there.points) or _together(laid.points[::-1], there.points)
+            ends = _together(stroke.points, there.points) or _together(stroke.points[::-1], there.points)
         case Polyline(), Line():  # a chain of two points is a line
-            ends = _together(laid.points, (there.start, there.end)) and not laid.closed
+            ends = _together(stroke.points, (there.start, there.end)) and not stroke.closed
         case Polyline(), Polyline():
-            ends = _together(laid.points, there.points) and laid.closed == there.closed
+            ends = _together(stroke.points, there.points) and stroke.closed == there.closed
         case Arc(), Arc():
-            ends = _together(_along(laid), _along(there), ARCHED)
+            ends = _together(_along(stroke), _along(there), ARCHED)
         case Curve(), Curve():
-            ends = _same_curve(laid, there)
+            ends = _same_curve(stroke, there)
         case _:
             return False
-    return ends and (laid.style == there.style or _same_style(laid.style, there.style))
+    return ends and (stroke.style == there.style or _same_style(stroke.style, there.style))
 
 
-def _same_group(laid: Group, there: Group, even: float) -> bool:
-    if (laid.name, laid.title) != (there.name, there.title) or laid.data != there.data:
+def _same_group(group: Group, there: Group, even: float) -> bool:
+    if (group.name, group.title) != (there.name, there.title) or group.data != there.data:
         return False
-    if len(laid.strokes) != len(there.strokes):
+    if len(group.strokes) != len(there.strokes):
         return False
-    return all(_same(own, other, even) for own, other in zip(laid.strokes, there.strokes, strict=True))
+    return all(_same(stroke, other, even) for stroke, other in zip(group.strokes, there.strokes, strict=True))
 
 
-def _same_text(laid: Text, there: Text, even: float) -> bool:
+def _same_text(text: Text, there: Text, even: float) -> bool:
     return (
-        laid.runs == there.runs
-        and laid.slanted == there.slanted
-        and _same_place(laid, there, even)
-        and abs(laid.size - there.size) <= 10 * WRITTEN
-        and (laid.style == there.style or _same_style(laid.style, there.style))
+        text.runs == there.runs
+        and text.slanted == there.slanted
+        and _same_place(text, there, even)
+        and abs(text.size - there.size) <= 10 * WRITTEN
+        and (text.style == there.style or _same_style(text.style, there.style))
     )
 
 
-def _same_place(laid: Text, there: Text, even: float) -> bool:
+def _same_place(text: Text, there: Text, even: float) -> bool:
     """Tell whether two texts begin at one place and are turned alike.
 
     A letter's points are rounded, which turns a small one most; its corner, where the text begins, is found from its
     first point, by that turn and at most across its cell.
     """
-    if laid.rotation == there.rotation:
-        return abs(laid.at - there.at) <= even
-    turned = abs(math.radians((laid.rotation - there.rotation + 180) % 360 - 180))
-    return turned <= 4 * NEAR / laid.size and abs(laid.at - there.at) <= even + turned * CELL * laid.size
+    if text.rotation == there.rotation:
+        return abs(text.at - there.at) <= even
+    turned = abs(math.radians((text.rotation - there.rotation + 180) % 360 - 180))
+    return turned <= 4 * NEAR / text.size and abs(text.at - there.at) <= even + turned * CELL * text.size
 
 
-def _same_curve(laid: Curve, there: Curve) -> bool:
-    if laid.closed != there.closed or len(laid.pieces) != len(there.pieces):
+def _same_curve(curve: Curve, there: Curve) -> bool:
+    if curve.closed != there.closed or len(curve.pieces) != len(there.pieces):
         return False
     return all(
-        _together(_spots(own), _spots(other), _rounding(own))
-        for own, other in zip(laid.pieces, there.pieces, strict=True)
+        _together(_spots(piece), _spots(other), _rounding(piece))
+        for piece, other in zip(curve.pieces, there.pieces, strict=True)
     )
 
 
@@ -181,12 +181,12 @@ def _along(arc: Arc | RoundPiece) -> tuple[complex, ...]:
     return tuple(arc.at(k / _BETWEEN) for k in range(_BETWEEN + 1))
 
 
-def _together(laid: Sequence[complex], there: Sequence[complex], within: float = QUANTUM) -> bool:
-    return len(laid) == len(there) and all(abs(a - b) <= within for a, b in zip(laid, there, strict=True))
+def _together(spots: Sequence[complex], there: Sequence[complex], within: float = QUANTUM) -> bool:
+    return len(spots) == len(there) and all(abs(a - b) <= within for a, b in zip(spots, there, strict=True))
 
 
 @lru_cache(maxsize=1024)
-def _same_style(laid: LineStyle, there: LineStyle) -> bool:
+def _same_style(style: LineStyle, there: LineStyle) -> bool:
     """Tell whether two lines are of one pen: width, dashes, colour, filling, ends."""
-    sizes = zip_longest((laid.width, *laid.dash), (there.width, *there.dash), fillvalue=-1.0)
-    return all(abs(a - b) <= WRITTEN for a, b in sizes) and laid[2:] == there[2:]
+    sizes = zip_longest((style.width, *style.dash), (there.width, *there.dash), fillvalue=-1.0)
+    return all(abs(a - b) <= WRITTEN for a, b in sizes) and style[2:] == there[2:]

@@ -74,13 +74,13 @@ HAND = 0.05  # of what a hand may be out: two digits of it are told
 
 
 def cells(
-    table: str, row: str, told: Iterable[Cell], position: int | None = None, digits: int = 0, may_lack: bool = False
+    table: str, row: str, values: Iterable[Cell], position: int | None = None, digits: int = 0, may_lack: bool = False
 ) -> Iterator[Expected]:
     """Give the cells of a row of a table from the left."""
-    for column, cell in enumerate(told):
+    for column, cell in enumerate(values):
         value, allowed, period = (*cell, 0.0)[:3] if isinstance(cell, tuple) else (cell or NOTHING, 0.0, 0.0)
-        own = Expected(Kind.NUMBER, table, cell_name(row, column), value, allowed, position, may_lack)
-        yield own._replace(digits=digits, period=period) if digits or period else own
+        expected = Expected(Kind.NUMBER, table, cell_name(row, column), value, allowed, position, may_lack)
+        yield expected._replace(digits=digits, period=period) if digits or period else expected
 
 
 def by_hand(error: float, most: float) -> Cell:
@@ -89,10 +89,10 @@ def by_hand(error: float, most: float) -> Cell:
 
 
 def phrases(
-    figure: str, told: Iterable[tuple[str, float, float]], digits: int = 0, may_lack: bool = False
+    figure: str, numbers: Iterable[tuple[str, float, float]], digits: int = 0, may_lack: bool = False
 ) -> Iterator[Expected]:
     """Give numbers within sentences by the names of their quantities, each with how far off it may be."""
-    for name, value, allowed in told:
+    for name, value, allowed in numbers:
         yield Expected(Kind.PHRASE, figure, name, value, allowed, may_lack=may_lack, digits=digits)
 
 

@@ -35,61 +35,61 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     """Read all that a sheet states: its marks as they were measured, all else off the ink that states it."""
     found: dict[Key, list[Read]] = {}
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
-    for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
+    for kind, mark in ((kind, mark) for kind, group in marks for mark in group):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
     for curve in measured.profiles:
         found.setdefault((Kind.CURVE, curve.plan, curve.name, None), []).append(
             Read(np.array(curve.places), curve.scale)
         )
     places = frames(leaf)
-    for one in stated(leaf.groups):
-        said = one.states
+    for group in stated(leaf.groups):
+        said = group.states
         if said is not None and said.kind is Kind.PHRASE:
-            for name, number in read_back(said.name, str(read(one, None).value)) or [(said.name, "")]:
+            for name, number in read_back(said.name, str(read(group, None).value)) or [(said.name, "")]:
                 found.setdefault((said.kind, said.figure, name, said.position), []).append(Read(number))
         elif said is not None and said.kind not in FRAMES:
             at = None if said.position is None else str(said.position)
             frame = places.get((said.figure, at)) or places.get((said.figure, None))
             with suppress(StopIteration, IndexError):  # a forger took the ink away: it is told as missing
-                found.setdefault(said.key, []).append(read(one, frame))
+                found.setdefault(said.key, []).append(read(group, frame))
     return found
 
 
 def stated_keys(leaf: Leaf) -> frozenset[Key]:
     """Give the keys of all that a leaf states, without reading any of it."""
-    return frozenset(key for one in groups(leaf.groups) for key in _keys(one))
+    return frozenset(key for group in groups(leaf.groups) for key in _keys(group))
 
 
-def _keys(one: Group) -> Iterator[Key]:
-    if one.data.get("kind") in MARKS:
-        position = one.data.get("position")
+def _keys(group: Group) -> Iterator[Key]:
+    if group.data.get("kind") in MARKS:
+        position = group.data.get("position")
         at = None if position is None else int(position)
-        yield MARKS[one.data["kind"]], one.data["plan"], one.data["name"], at
-    if (said := one.states) is not None and said.kind is Kind.PHRASE:
+        yield MARKS[group.data["kind"]], group.data["plan"], group.data["name"], at
+    if (said := group.states) is not None and said.kind is Kind.PHRASE:
         yield from ((said.kind, said.figure, name, said.position) for name in SLOT.findall(said.name))
     elif said is not None and said.kind not in FRAMES:
         yield said.key
 
 
-def faults(own: Seen, due: Mapping[Key, Expected], only: Collection[Key] = ()) -> Iterator[Wrong]:
+def faults(read: Seen, rows: Mapping[Key, Expected], only: Collection[Key] = ()) -> Iterator[Wrong]:
     """Tell what is read otherwise than the analysis has it, what nobody asked for, and what lacks of `only` some."""
-    for key, found in own.items():
-        row = due.get(key)
+    for key, found in read.items():
+        row = rows.get(key)
         if row is None:
             yield told("stranger_on", key)
         else:
-            yield from (told("differs_on", key) for one in found if not holds(one, row))
-    yield from (told("missing_on", key) for key in only if key not in own and key in due and not due[key].may_lack)
+            yield from (told("differs_on", key) for reading in found if not holds(reading, row))
+    yield from (told("missing_on", key) for key in only if key not in read and key in rows and not rows[key].may_lack)
 
 
-def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator[Wrong]:
+def phrase_faults(lines: Iterable[str], expected: Mapping[Key, Expected]) -> Iterator[Wrong]:
     """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities.
 
     A report tells more than its sheets show: what is due on none of them is not held.
     """
-    for line in (one for one in lines if SLOT.search(template_of(one))):
+    for line in (text for text in lines if SLOT.search(template_of(text))):
         for name, text in read_back(template_of(line), line, markup=False) or [(line, "")]:
-            row = due.get((Kind.PHRASE, NOTES, name, None))
+            row = expected.get((Kind.PHRASE, NOTES, name, None))
             if name == line or (row is not None and not holds(Read(text), row)):
                 yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
 
@@ -100,24 +100,24 @@ def told(how: str, key: Key) -> Wrong:
     return on(how, figure, name=name if position is None else f"{name} ({position})")
 
 
-def holds(found: Read, due: Expected) -> bool:
+def holds(found: Read, expected: Expected) -> bool:
     """Tell whether what was read is what is expected, to the paper's resolution and what both roads may differ by."""
-    value, slack = found.value, due.allowed + 2 * QUANTUM * found.scale
-    match due.value:
-        case _ if due.allowed == math.inf:
+    value, slack = found.value, expected.allowed + 2 * QUANTUM * found.scale
+    match expected.value:
+        case _ if expected.allowed == math.inf:
             return True
         case str() as text:
             return value == text
         case float() | int() | complex() as true if isinstance(value, str):
-            return _reads(value.lstrip("±+"), float(abs(true)) if isinstance(true, complex) else float(true), due)
+            return _reads(value.lstrip("±+"), float(abs(true)) if isinstance(true, complex) else float(true), expected)
         case np.ndarray() as path if isinstance(value, np.ndarray):
-            one, other = even(value, found), even(path, found)
-            return near(one, other, slack) and near(other, one, slack)
+            analytic, other = even(value, found), even(path, found)
+            return near(analytic, other, slack) and near(other, analytic, slack)
         case np.ndarray() as path if not isinstance(value, str):
             return near(np.array([value]), path, slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
             return bool(abs(even(value - true, found)) <= slack)
-    return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
+    return isinstance(value, np.ndarray) and callable(expected.value) and _follows(value, found, expected)
 
 
 def even(values: Spots, found: Read) -> Spots:
@@ -125,25 +125,25 @@ def even(values: Spots, found: Read) -> Spots:
     return values.real + 1j * values.imag * (found.scale / found.up) if found.up and found.scale else values
 
 
-def _reads(text: str, true: float, due: Expected) -> bool:
+def _reads(text: str, true: float, expected: Expected) -> bool:
     """Tell whether a written number is a true one, or a full turn off where that is the same."""
     found = number(text)
-    turns = due.period * round((found - true) / due.period) if due.period and found is not None else 0.0
-    return any(reads(text, true + turns, due.allowed, digits) for digits in {0, due.digits})
+    turns = expected.period * round((found - true) / expected.period) if expected.period and found is not None else 0.0
+    return any(reads(text, true + turns, expected.allowed, digits) for digits in {0, expected.digits})
 
 
-def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
+def _follows(drawn: Complexes, found: Read, expected: Expected) -> bool:
     """Tell whether a graph goes as a function does, from end to end; where that jumps it may be anywhere between."""
-    assert callable(due.value)
-    (low, high), near = due.ends, 2 * QUANTUM * found.scale
+    assert callable(expected.value)
+    (low, high), near = expected.ends, 2 * QUANTUM * found.scale
     if not (abs(drawn.real.min() - low) <= near and abs(drawn.real.max() - high) <= near):
         return False
-    slack = due.allowed + 2 * QUANTUM * found.up
-    left = drawn[~(np.abs(drawn.imag - due.value(np.clip(drawn.real, low, high))) <= slack)]
+    slack = expected.allowed + 2 * QUANTUM * found.up
+    left = drawn[~(np.abs(drawn.imag - expected.value(np.clip(drawn.real, low, high))) <= slack)]
     if not left.size:
         return True
     beside = np.clip(np.add.outer(near * np.array(SIDES), left.real), low, high)
-    true = np.reshape(due.value(beside.ravel()), beside.shape)
+    true = np.reshape(expected.value(beside.ravel()), beside.shape)
     least, most = np.fmin.reduce(true, axis=0), np.fmax.reduce(true, axis=0)  # beside a gap there is one side alone
     return bool(((left.imag >= least - slack) & (left.imag <= most + slack)).all())
 

@@ -47,9 +47,9 @@ class Label(NamedTuple):
 _box = lru_cache(maxsize=4096)(bounds)
 
 
-def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Message]:
+def unlettered(leaf: Leaf, expected: Mapping[Key, str] | None = None) -> Iterator[Message]:
     """Name each mark of a sheet that no letter of its own stands beside: the one that is due, else what it says."""
-    labels, known = dict[str, list[Label]](), due or {}
+    labels, known = dict[str, list[Label]](), expected or {}
     for figure in leaf.groups:
         found = labels_of((figure,))
         yield from strayed(figure, found)
@@ -57,37 +57,37 @@ def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Mes
             labels.setdefault(plain, []).extend(some)
     for key, letter, spots in _marks(leaf.groups):
         _, plan, name, _ = key
-        own = known.get(key) or letter
-        plain = Text(0j, own if "{" in own else with_index(own)).plain
+        wanted = known.get(key) or letter
+        plain = Text(0j, wanted if "{" in wanted else with_index(wanted)).plain
         if not beside(labels.get(plain, ()), spots, WITHIN.get(plan, NEAREST)):
             yield on("letter", plan, name=name)
 
 
 def strayed(figure: Group, labels: Mapping[str, Sequence[Label]]) -> Iterator[Message]:
     """Name each letter of a vector plan that stands beside another mark than its own: an image's, a vector's."""
-    vectors = [(one, line) for one in groups((figure,)) for line in one.strokes[:1] if _is_vector(one, line)]
+    vectors = [(group, line) for group in groups((figure,)) for line in group.strokes[:1] if _is_vector(group, line)]
     if not vectors:
         return
     plan, images = vectors[0][0].data["plan"], dict[str, list[complex]]()
-    for one, line in vectors:
+    for group, line in vectors:
         assert isinstance(line, Line)
-        for name, spot in zip(one.data["name"].split(" "), (line.start, line.end), strict=True):
+        for name, spot in zip(group.data["name"].split(" "), (line.start, line.end), strict=True):
             images.setdefault(Text(0j, with_index(name)).plain, []).append(spot)
     for letter, spots in ((letter, images[letter]) for letter in labels if letter in images):
         if not all(beside((label,), spots, WITHIN.get(plan, NEAREST)) for label in labels[letter]):
             yield on("letter", plan, name=letter)
-    lines = {one.data["name"]: line for one, line in vectors if isinstance(line, Line)}
-    for one in (said for said in stated((figure,)) if said.states and said.states.kind is Kind.LETTER):
-        assert one.states is not None
-        vector, _, name = one.states.name.rpartition(" ")
-        own = lines.get(vector)
-        if own is not None and not beside(_labels(one.strokes), along(own.start, own.end), NEAREST):
+    lines = {group.data["name"]: line for group, line in vectors if isinstance(line, Line)}
+    for group in (said for said in stated((figure,)) if said.states and said.states.kind is Kind.LETTER):
+        assert group.states is not None
+        vector, _, name = group.states.name.rpartition(" ")
+        carrier = lines.get(vector)
+        if carrier is not None and not beside(_labels(group.strokes), along(carrier.start, carrier.end), NEAREST):
             yield on("letter", plan, name=name)
 
 
-def _is_vector(one: Group, line: Stroke) -> bool:
+def _is_vector(group: Group, line: Stroke) -> bool:
     """Tell whether a group is a vector that is named by the letters of both its ends."""
-    return isinstance(line, Line) and one.data.get("kind") == "vector" and " " in one.data["name"]
+    return isinstance(line, Line) and group.data.get("kind") == "vector" and " " in group.data["name"]
 
 
 def labels_of(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
@@ -113,9 +113,9 @@ def distance(labels: Iterable[Label], spots: Iterable[complex]) -> float:
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
     """Give the labels of strokes; a line and a letter alone in a group are a leader (линия-выноска) and its letter."""
     for group in groups((Group(strokes),)):
-        own = group.strokes
-        leader = own[0].start if len(own) == 2 and isinstance(own[0], Line) else None
-        yield from (Label(text, leader) for text in own if isinstance(text, Text))
+        inner = group.strokes
+        leader = inner[0].start if len(inner) == 2 and isinstance(inner[0], Line) else None
+        yield from (Label(text, leader) for text in inner if isinstance(text, Text))
 
 
 def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[Key, str, list[complex]]]:

@@ -126,8 +126,8 @@ def _begun(
 @lru_cache(maxsize=4096)
 def _flat(runs: tuple[Run, ...]) -> float | None:
     """Give how far a lone dash leans, d: it looks alike slanted and upright; None of what does not."""
-    own = [sign for run in runs for sign in signs(run.text)]
-    points = shape(own[0].written).points if len(own) == 1 and own[0].written in notations() else ()
+    spelled = [sign for run in runs for sign in signs(run.text)]
+    points = shape(spelled[0].written).points if len(spelled) == 1 and spelled[0].written in notations() else ()
     heights = {point.imag for point in points}
     return LEAN * heights.pop() if len(heights) == 1 else None
 

@@ -52,23 +52,23 @@ class Read(NamedTuple):
 
 def frames(leaf: Leaf) -> Mapping[Place, Frame]:
     """Read the frames of all figures: of graphs off the lines of their axes, which cross in zero, else off a mark."""
-    found = {(one.data["plan"], one.data.get("position")): _about(one) for one in _poles(leaf) if one.strokes}
+    found = {(group.data["plan"], group.data.get("position")): _about(group) for group in _poles(leaf) if group.strokes}
     axes: dict[str, dict[str, tuple[Line, float]]] = {}
-    for one in stated(leaf.groups):
-        if one.states is not None and one.states.kind is Kind.AXIS and one.states.name == ZERO:
-            (_, figure, _, position), mu = one.states.key, one.states.scale
+    for group in stated(leaf.groups):
+        if group.states is not None and group.states.kind is Kind.AXIS and group.states.name == ZERO:
+            (_, figure, _, position), mu = group.states.key, group.states.scale
             at = None if position is None else str(position)
-            for spot in spots(one.strokes):
+            for spot in spots(group.strokes):
                 found[figure, at] = Frame(spot, 1 + 0j, 1j, mu, mu)
-        elif one.states is not None and one.states.kind is Kind.AXIS:
-            for line in (stroke for stroke in flat((one,)) if isinstance(stroke, Line)):  # none on a forged sheet
-                axes.setdefault(one.states.figure, {})[one.states.name] = line, one.states.scale
-    graphs = {(figure, None): own for figure, own in axes.items() if own.keys() == {ACROSS, UP}}
-    return found | {place: _frame(own[ACROSS], own[UP]) for place, own in graphs.items()}
+        elif group.states is not None and group.states.kind is Kind.AXIS:
+            for line in (stroke for stroke in flat((group,)) if isinstance(stroke, Line)):  # none on a forged sheet
+                axes.setdefault(group.states.figure, {})[group.states.name] = line, group.states.scale
+    graphs = {(figure, None): sides for figure, sides in axes.items() if sides.keys() == {ACROSS, UP}}
+    return found | {place: _frame(sides[ACROSS], sides[UP]) for place, sides in graphs.items()}
 
 
 def _poles(leaf: Leaf) -> Iterator[Group]:
-    return (one for one in groups(leaf.groups) if one.data.get("kind") == "pole")
+    return (group for group in groups(leaf.groups) if group.data.get("kind") == "pole")
 
 
 def _about(pole: Group) -> Frame:
@@ -115,17 +115,17 @@ def _curve(group: Group, frame: Frame | None) -> Complexes:
 
 def _length(group: Group, frame: Frame | None) -> float:
     """Read a dimension between the tips of its two arrows, or the length of a line without any."""
-    tips = [_head(one.points)[0] for one in flat((group,)) if _is_head(one)]
+    tips = [_head(stroke.points)[0] for stroke in flat((group,)) if _is_head(stroke)]
     return abs(tips[1] - tips[0]) * _scale(group) if len(tips) == 2 else abs(_vector(group, frame))
 
 
 def _angle(group: Group, frame: Frame | None) -> float:
     """Read how far arcs about a centre go, to the tips of their arrows."""
     strokes = [*flat((group,))]
-    arcs = [one for one in strokes if isinstance(one, Arc)]
-    about, heads = arcs[0].centre, [_head(one.points) for one in strokes if _is_head(one)]
+    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
+    about, heads = arcs[0].centre, [_head(stroke.points) for stroke in strokes if _is_head(stroke)]
     swept = sum(abs(cmath.phase((tip - about) / (back - about))) for tip, back in heads)
-    swept += sum(one.sweep for one in arcs)
+    swept += sum(arc.sweep for arc in arcs)
     if len(heads) != 2:
         return swept
     turned = abs(cmath.phase((heads[1][0] - about) / (heads[0][0] - about)))
@@ -135,20 +135,20 @@ def _angle(group: Group, frame: Frame | None) -> float:
 def _direction(group: Group, frame: Frame | None) -> complex:
     """Read the way of a straight arrow, a unit vector, or the sense of a bent one, 1 or -1, off its head."""
     strokes = [*flat((group,))]
-    tip, back = next(_head(one.points) for one in strokes if isinstance(one, Fill | Polyline) and len(one.points) == 3)
-    arc = next((one for one in strokes if isinstance(one, Arc)), None)
+    tip, back = next(_head(ink.points) for ink in strokes if isinstance(ink, Fill | Polyline) and len(ink.points) == 3)
+    arc = next((stroke for stroke in strokes if isinstance(stroke, Arc)), None)
     if arc is None:
         return _way(tip - back)
     return complex(math.copysign(1.0, ((back - arc.centre).conjugate() * (tip - arc.centre)).imag))
 
 
-def _is_head(one: Stroke) -> TypeGuard[Fill]:
-    return isinstance(one, Fill) and len(one.points) == 3
+def _is_head(stroke: Stroke) -> TypeGuard[Fill]:
+    return isinstance(stroke, Fill) and len(stroke.points) == 3
 
 
 def _head(points: tuple[complex, ...]) -> tuple[complex, complex]:
     """Give the tip of an arrowhead and the middle of its back: the tip is the corner furthest from the two others."""
-    far = [abs(2 * one - sum(points) + one) for one in points]
+    far = [abs(2 * corner - sum(points) + corner) for corner in points]
     tip = points[far.index(max(far))]
     return tip, (sum(points) - tip) / 2
 
@@ -164,9 +164,9 @@ def _scale(group: Group) -> float:
 
 def spots(strokes: Sequence[Stroke]) -> Iterator[complex]:
     """Give the places of the marks among strokes: the centres of circles, else the ends of lines."""
-    own = [*flat(strokes)]
-    circles = [one.centre for one in own if isinstance(one, Circle)]
-    yield from circles or [end for one in own for end in corners(one)]
+    ink = [*flat(strokes)]
+    circles = [stroke.centre for stroke in ink if isinstance(stroke, Circle)]
+    yield from circles or [end for stroke in ink for end in corners(stroke)]
 
 
 READERS: Final[Mapping[Kind, Callable[[Group, Frame | None], complex | float | str | Complexes]]] = {

@@ -50,52 +50,52 @@ def written(path: Path, leaf: Leaf) -> WrittenSheet:
         return WrittenSheet(leaf, refused)
 
 
-def wrongs(sheets: Sequence[WrittenSheet], due: Mapping[Key, Expected], sheet: SheetTable) -> list[list[Wrong]]:
+def wrongs(sheets: Sequence[WrittenSheet], expected: Mapping[Key, Expected], sheet: SheetTable) -> list[list[Wrong]]:
     """List, for each sheet of a kind, what is wrong with it.
 
     It is held stroke by stroke to what was laid out, and that with all its digits to the analysis. What stands on no
     sheet lacks on those that bear its figure.
     """
-    told = [[*_wrong(one, due, sheet)] for one in sheets]
-    own = [hold.stated_keys(one.leaf) for one in sheets]
-    lost = [row for key, row in due.items() if not row.may_lack and not any(key in keys for keys in own)]
+    faults = [[*_wrong(page, expected, sheet)] for page in sheets]
+    stated = [hold.stated_keys(page.leaf) for page in sheets]
+    lost = [row for key, row in expected.items() if not row.may_lack and not any(key in keys for keys in stated)]
     for row in lost:
-        bearing = [k for k, keys in enumerate(own) if any(key[1] == row.figure for key in keys)]
+        bearing = [k for k, keys in enumerate(stated) if any(key[1] == row.figure for key in keys)]
         for k in bearing or [0]:
-            told[k].append(hold.told("missing_on", row.key))
-    return told
+            faults[k].append(hold.told("missing_on", row.key))
+    return faults
 
 
-def _wrong(one: WrittenSheet, due: Mapping[Key, Expected], sheet: SheetTable) -> Iterator[Wrong]:
-    if isinstance(one.seen, SheetRefused):
-        yield message("check.unmeasured", refusal=one.seen)
+def _wrong(page: WrittenSheet, expected: Mapping[Key, Expected], sheet: SheetTable) -> Iterator[Wrong]:
+    if isinstance(page.seen, SheetRefused):
+        yield message("check.unmeasured", refusal=page.seen)
         return
-    yield from differences(plain(one.leaf, one.seen.leaf.lettering, stating=False), one.seen)
-    yield from measured_wrongs(one.seen.measured, one.leaf, due)
-    yield from block_faults(one.leaf, sheet)
+    yield from differences(plain(page.leaf, page.seen.leaf.lettering, stating=False), page.seen)
+    yield from measured_wrongs(page.seen.measured, page.leaf, expected)
+    yield from block_faults(page.leaf, sheet)
 
 
 def measured_wrongs(
-    measured: Measured, leaf: Leaf, due: Mapping[Key, Expected], only: Iterable[Key] = ()
+    measured: Measured, leaf: Leaf, expected: Mapping[Key, Expected], only: Iterable[Key] = ()
 ) -> Iterator[Wrong]:
     """List what a measured sheet states otherwise than the analysis; of `only` some none may lack."""
     yield from (on("on", miss.key.plan, name=miss.key.name) for miss in check(measured))
-    yield from hold.faults(hold.seen(measured, leaf), due, frozenset(only))
-    yield from unlettered(leaf, {key: row.letter for key, row in due.items()})
+    yield from hold.faults(hold.seen(measured, leaf), expected, frozenset(only))
+    yield from unlettered(leaf, {key: row.letter for key, row in expected.items()})
     yield from marked_scales(leaf)
 
 
-def obscured(seen: SeenSheet) -> list[Message]:
+def obscured(sheet: SeenSheet) -> list[Message]:
     """Tell what is right and badly drawn: lettering that is covered, whatever is off the paper or under a large area.
 
     A line may be short and end under a hinge, an arc be one of those that notch the centre of a cam's roller.
     """
-    leaf = seen.written
-    under = {id(one.stroke): one for one in seen.unseen if one.reason in (COVERED, OUTSIDE)}
-    notches = {of for of, one in under.items() if isinstance(one.stroke, Arc) and one.reason == COVERED}
-    lines = {of for of, one in under.items() if not isinstance(one.stroke, Text)} - notches
-    large = {id(one.stroke) for one in veiled(leaf, small(leaf, SYMBOL), among=lines)} if lines else ()
-    held = [of for of, one in under.items() if isinstance(one.stroke, Text) or of in large]
+    leaf = sheet.written
+    under = {id(unseen.stroke): unseen for unseen in sheet.unseen if unseen.reason in (COVERED, OUTSIDE)}
+    notches = {of for of, unseen in under.items() if isinstance(unseen.stroke, Arc) and unseen.reason == COVERED}
+    lines = {of for of, unseen in under.items() if not isinstance(unseen.stroke, Text)} - notches
+    large = {id(unseen.stroke) for unseen in veiled(leaf, small(leaf, SYMBOL), among=lines)} if lines else ()
+    held = [of for of, unseen in under.items() if isinstance(unseen.stroke, Text) or of in large]
     if not held:
         return []
     from drawings.sheet_diff.edit import Figures, lone  # noqa: PLC0415  (only what is badly drawn pays for it)
@@ -110,9 +110,9 @@ def cramped(figure: str) -> Message:
     return on("cramped", figure)
 
 
-def scale_wrongs(one: WrittenSheet, keys: Mapping[str, str], sheet: SheetTable) -> list[Wrong]:
+def scale_wrongs(page: WrittenSheet, keys: Mapping[str, str], sheet: SheetTable) -> list[Wrong]:
     """List the figures of a sheet that have another scale than is stated; `keys` are those of [sheet.scale]."""
-    return [] if isinstance(one.seen, SheetRefused) else [*scale_faults([(keys, one.seen.measured)], sheet)]
+    return [] if isinstance(page.seen, SheetRefused) else [*scale_faults([(keys, page.seen.measured)], sheet)]
 
 
 def enclosure_wrongs(path: Path, enclosure: Enclosure) -> list[Wrong]:
@@ -122,16 +122,16 @@ def enclosure_wrongs(path: Path, enclosure: Enclosure) -> list[Wrong]:
 
 def first(wrong: Iterable[Wrong]) -> Message | tuple[Wrong, ...]:
     """Name the first of what is wrong, and how much more there is."""
-    own = list(dict.fromkeys(wrong))
-    marks, more = tuple(own[:TOLD]), len(own) - TOLD
+    faults = list(dict.fromkeys(wrong))
+    marks, more = tuple(faults[:TOLD]), len(faults) - TOLD
     return message("check.more", marks=marks, count=more) if more > 0 else marks
 
 
 def agree(comparison: Comparison) -> None:
     """See that both roads find the same within what is allowed, and name the same gaps."""
-    told = disagreement(comparison)
-    if told is not None:
-        raise told
+    failed = disagreement(comparison)
+    if failed is not None:
+        raise failed
 
 
 def disagreement(comparison: Comparison) -> SelfCheckFailed | None:

@@ -55,27 +55,27 @@ def value(text: str) -> float | None:
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
     """Name the figures whose marks or axes are drawn to no written scale: of their letter there, else anywhere."""
     scales = [_told((figure,)) for figure in leaf.groups]
-    everywhere = set(chain(*(own for told in scales for own in told.values())))
-    for figure, told in zip(leaf.groups, scales, strict=True):
-        own = [*groups((figure,))]
-        marks = (one.data for one in own if one.data.get("kind") in _MARKED and one.data["unit"] != PAPER)
+    everywhere = set(chain(*(pairs for stated in scales for pairs in stated.values())))
+    for figure, stated in zip(leaf.groups, scales, strict=True):
+        tree = [*groups((figure,))]
+        marks = (part.data for part in tree if part.data.get("kind") in _MARKED and part.data["unit"] != PAPER)
         drawn = {(data["quantity"], float(data["scale"])) for data in marks}
-        drawn |= {("", one.states.scale) for one in own if one.states is not None and one.states.kind is Kind.AXIS}
+        drawn |= {("", part.states.scale) for part in tree if part.states is not None and part.states.kind is Kind.AXIS}
         for letter, mu in drawn if everywhere else ():
-            if not _written(mu, told.get(letter) or everywhere):
+            if not _written(mu, stated.get(letter) or everywhere):
                 yield message("wrong.scale", text=figure.name)
 
 
 def _told(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
     """Read the scales that figures state: by their letters the symbol, mu or K, and the number."""
-    told: dict[str, set[tuple[str, str]]] = {}
+    stated: dict[str, set[tuple[str, str]]] = {}
     for symbol, letter, size in (found for text in texts(figures) for found in _SCALE.findall(text.plain)):
-        told.setdefault(letter, set()).add((symbol, size.replace(",", ".")))
-    return told
+        stated.setdefault(letter, set()).add((symbol, size.replace(",", ".")))
+    return stated
 
 
-def _written(mu: float, told: Iterable[tuple[str, str]]) -> bool:
-    return any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in told)
+def _written(mu: float, stated: Iterable[tuple[str, str]]) -> bool:
+    return any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in stated)
 
 
 def written_scales(group: Group) -> dict[str, float]:
@@ -102,8 +102,8 @@ def block_faults(leaf: Leaf, sheet: SheetTable) -> Iterator[Wrong]:
     name, number, count = (document[key] for key in ("designation", "sheet", "sheets"))
     gost = [f"{number}"] * (count > 1) + [f"{count}"] * (number == 1)
     block = [group for group in groups(leaf.groups) if group.name in (BLOCK, NUMBERS)]
-    told = [text.plain for group in block if group.name == NUMBERS for text in texts(group.strokes)]
-    if told != (gost if sheet.standard == "GOST" else [f"{number}/{count}"]):
+    numbers = [text.plain for group in block if group.name == NUMBERS for text in texts(group.strokes)]
+    if numbers != (gost if sheet.standard == "GOST" else [f"{number}/{count}"]):
         yield message("wrong.sheet_number", number=number, count=count, kind=leaf.metadata["sheet"])
     if name.replace(" ", "") not in "".join(text.plain for text in texts(block)).replace(" ", ""):
         yield message("wrong.designation", name=name, kind=leaf.metadata["sheet"])

@@ -37,8 +37,8 @@ def _checked(path: Path, originals: Originals | None) -> Checked:
     try:
         source = regular_bytes(path, SHEET_BYTES + 1)
     except OSError as error:
-        told = message("file.read", reason=of_system(error))
-        return Checked((Finding("file", told),), refused=UNREADABLE)
+        fault = message("file.read", reason=of_system(error))
+        return Checked((Finding("file", fault),), refused=UNREADABLE)
     return check(path, source, originals)
 
 
@@ -61,7 +61,7 @@ def lines(path: Path, language: str, checked: Checked) -> Iterator[str]:
     """Tell what a check found, line by line."""
     yield f"{path}: {word(language, _verdict(checked))}"
     findings = [finding.told.worded(language) for finding in checked.findings]
-    yield from (f"  {told}" for told in findings[:TOLD])
+    yield from (f"  {line}" for line in findings[:TOLD])
     if len(findings) > TOLD:
         yield f"  {word(language, 'checked.more', count=len(findings) - TOLD)}"
     yield from (f"  {note.worded(language)}" for note in checked.notes)

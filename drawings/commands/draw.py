@@ -89,8 +89,8 @@ def drawn(path: Path, folder: Path, trace: Trace) -> SheetSet:
         noted(study)
         admit(study.scene)
     with output_folder(folder) as left:
-        for told in chain(left.told(folder), _strangers(study.scene, folder)):
-            _say(study.scene, told)
+        for fault in chain(left.told(folder), _strangers(study.scene, folder)):
+            _say(study.scene, fault)
         return _of_study(study, folder, trace)
 
 
@@ -101,7 +101,7 @@ def _of_study(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with trace.stage("construction"):
         study.construct()
     with trace.stage("analysis"):
-        apart = {name: told for name in study.techniques if (told := disagreement(study.comparison(name)))}
+        apart = {name: failed for name in study.techniques if (failed := disagreement(study.comparison(name)))}
     kinds = [kind for kind in study.scene.sheets if apart.keys().isdisjoint(resting(makers_of(kind)))]
     if not apart:
         return _sheets(study, folder, trace)
@@ -109,7 +109,7 @@ def _of_study(study: Study, folder: Path, trace: Trace) -> SheetSet:
         raise next(iter(apart.values()))
     right = _of_study(Study(study.scene.changed(sheets=tuple(kinds))), folder, trace)
     lost = tuple(kind for kind in study.scene.sheets if kind not in kinds)
-    return right._replace(withheld=(*(_withheld(lost, told.args[0]) for told in apart.values()), *right.withheld))
+    return right._replace(withheld=(*(_withheld(lost, failed.args[0]) for failed in apart.values()), *right.withheld))
 
 
 def _withheld(names: tuple[str, ...], why: object) -> Message:
@@ -147,11 +147,11 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
         contents |= {path: enclosure.content for path, enclosure in enclosures.items()}
     with staged(contents) as beside:
         with trace.stage("measuring"):
-            seen, wrong, due = _held(study, sheets, beside)
-            wrong[report] = [*phrase_faults(told_lines, due)]
+            read, wrong, expected = _held(study, sheets, beside)
+            wrong[report] = [*phrase_faults(told_lines, expected)]
             wrong |= {path: enclosure_wrongs(beside[path], enclosure) for path, enclosure in enclosures.items()}
-            told = tuple(fault for sheet in seen.values() for fault in obscured(sheet))
-            told += tuple(cramped(name) for _, leaf in sheets.values() for name in leaf.cramped)
+            faults = tuple(fault for sheet in read.values() for fault in obscured(sheet))
+            faults += tuple(cramped(name) for _, leaf in sheets.values() for name in leaf.cramped)
         withheld = {path: said for path, said in wrong.items() if said}
         right = {path: content for path, content in contents.items() if path not in withheld}
         if sheets.keys() <= withheld.keys():
@@ -159,8 +159,8 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
         manifest = manifest_of(scene.file, scene.content, right, (path.name for path in withheld))
         for path in publish(folder, manifest, {path: beside[path] for path in right}):
             _say(scene, placed(path, message("file.surplus")))
-    lost = tuple(_withheld((path.name,), message("check.sheet", marks=first(own))) for path, own in withheld.items())
-    return SheetSet(study, leaves, tuple(right), told, lost)
+    lost = tuple(_withheld((path.name,), message("check.sheet", marks=first(why))) for path, why in withheld.items())
+    return SheetSet(study, leaves, tuple(right), faults, lost)
 
 
 def _held(
@@ -171,19 +171,19 @@ def _held(
     from drawings.checks.expected import subject
     from drawings.paper.limits import SheetRefused
 
-    seen = {path: verify.written(beside[path], leaf) for path, (_, leaf) in sheets.items()}
+    held = {path: verify.written(beside[path], leaf) for path, (_, leaf) in sheets.items()}
     wrong: dict[Path, list[Wrong]] = {}
     rows: dict[Key, Expected] = {}
     groups: dict[tuple[str, str], dict[Path, verify.WrittenSheet]] = {}
-    for path, sheet in seen.items():
+    for path, sheet in held.items():
         groups.setdefault((sheets[path][0], subject(sheet.leaf)), {})[path] = sheet
     for (kind, _), group in groups.items():
-        due = {row.key: row for row in sheet_kind(kind).due(study, [sheet.leaf for sheet in group.values()])}
-        wrong |= zip(group, verify.wrongs([*group.values()], due, study.scene.sheet), strict=True)
-        rows |= due
-    for path, sheet in seen.items():
+        expected = {row.key: row for row in sheet_kind(kind).due(study, [sheet.leaf for sheet in group.values()])}
+        wrong |= zip(group, verify.wrongs([*group.values()], expected, study.scene.sheet), strict=True)
+        rows |= expected
+    for path, sheet in held.items():
         wrong[path] += verify.scale_wrongs(sheet, sheet_kind(sheets[path][0]).scales, study.scene.sheet)
-    return {path: sheet.seen for path, sheet in seen.items() if not isinstance(sheet.seen, SheetRefused)}, wrong, rows
+    return {path: sheet.seen for path, sheet in held.items() if not isinstance(sheet.seen, SheetRefused)}, wrong, rows
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:

@@ -38,8 +38,8 @@ def form(path: Path, folder: Path, language: str | None = None) -> tuple[Path, .
     noted(study)
     admit(study.scene)
     with output_folder(folder) as left:
-        for told in left.told(folder):
-            tell(told.worded(study.scene.sheet.language))
+        for fault in left.told(folder):
+            tell(fault.worded(study.scene.sheet.language))
         return _written(study, _laid(study), folder)
 
 

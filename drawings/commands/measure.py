@@ -140,9 +140,9 @@ def lines(measured: Measured, off: Collection[MarkKey], language: str) -> Iterat
         yield f"{names[mark.plan]:<{wide}} {position:>4}  {name:<10} {value:<26} {unit:<6} {sign}".rstrip()
     for profile in measured.profiles:
         within, to = f"{profile.deviation:.2g}", f"{profile.quantum:.1g}"
-        told = word(language, "measure.profile", count=len(profile.pieces), within=within, to=to)
+        line = word(language, "measure.profile", count=len(profile.pieces), within=within, to=to)
         sign = _sign(profile.key, off, language)
-        yield f"{names[profile.plan]:<{wide}} {'':>4}  {mark_name(profile.name, language):<10} {told}  {sign}".rstrip()
+        yield f"{names[profile.plan]:<{wide}} {'':>4}  {mark_name(profile.name, language):<10} {line}  {sign}".rstrip()
     yield from (message("aside.note", note=note).worded(language) for note in measured.notes)
 
 

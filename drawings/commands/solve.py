@@ -25,10 +25,10 @@ def run(options: argparse.Namespace) -> int:
     with trace.stage(options.by):
         found = [study.numbers(technique, options.by) for technique in study.techniques]
     with trace.stage("writing"):
-        told: dict[str, Any] = {}
+        data: dict[str, Any] = {}
         for numbers in found:
-            told |= numbers.plain()
-        print_json(told)
+            data |= numbers.plain()
+        print_json(data)
     if options.trace:
         tell(trace.told(study))
     return GAPS if any(numbers.flawed for numbers in found) else 0

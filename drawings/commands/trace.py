@@ -47,7 +47,7 @@ class Trace:
         plans = [plan for row in study.rows for plan in row.plans]
         made = {key: [plan for plan in plans if (plan in study.made) == there] for key, there in MADE.items()}
         imported = [name for name in LIBRARIES if name in sys.modules]
-        told = {
+        groups = {
             **{key: [term(study.scene.sheet.language, "plan", plan) for plan in plans] for key, plans in made.items()},
             "imported": [self._cost(name, say) for name in imported],
             "left_out": [name for name in LIBRARIES if name not in imported],
@@ -56,7 +56,7 @@ class Trace:
             (
                 *self._stages(study.scene.sheet.language),
                 say("trace.before", ms=f"{1000 * self.before:.0f}"),
-                *(say(f"trace.{key}", names=", ".join(names) or say("trace.nothing")) for key, names in told.items()),
+                *(say(f"trace.{key}", names=", ".join(names) or say("trace.nothing")) for key, names in groups.items()),
             )
         )
 

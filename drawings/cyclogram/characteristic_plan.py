@@ -58,14 +58,14 @@ def measure(bones: Skeletons, drafting: Drafting) -> Picture:
 def draw(study: CyclogramStudy, bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> PositionFigure:
     """Draw it in its spot, its title and its scale over it."""
     pairs = Pairs(bones, room.place(*spot), drafting.hand)
-    layers = [one for one in position_plan.layers(pairs, drafting.language) if one.name not in (NOTCHES, STROKE)]
-    own = Group(tuple(fit_dashes(trim(_notches(study, pairs), pairs.masks))), NOTCHES)
+    layers = [layer for layer in position_plan.layers(pairs, drafting.language) if layer.name not in (NOTCHES, STROKE)]
+    notches = Group(tuple(fit_dashes(trim(_notches(study, pairs), pairs.masks))), NOTCHES)
     ink = Ink()
     ink.draw([line for layer in layers for line in layer.strokes])
     overruns = Group(tuple(_overruns(study.cyclogram, pairs, drafting, ink)), OVERRUNS)
     whole = Group(tuple(stroke(bones, pairs.place, pairs.hand, drafting.language, ink)), STROKE)
     pins = Group(tuple(_pins(bones, pairs)), PINS)  # under the hinges
-    lines = Group((own, pins, *layers, overruns, whole), NAME)
+    lines = Group((notches, pins, *layers, overruns, whole), NAME)
     return PositionFigure(pairs, (position_plan.headed(TITLE, spot, drafting), lines))
 
 
@@ -109,12 +109,12 @@ def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> I
     places = pairs.bones.numbered.points[found.output.point or slide.point]
     for role, extreme in ((ENTRY, BEGIN), (EXIT, END)):
         if found.of(role):
-            ends = [pairs.place.on(complex(places[found.number(one)])) for one in (extreme, role)]
+            ends = [pairs.place.on(complex(places[found.number(named)])) for named in (extreme, role)]
             first, last = sorted(ends, key=lambda pin: (tied(pin.real), pin.imag))
-            one, other = found.of(role)[0], found.of(extreme)[0]
-            text = length(abs(one.place - other.place), drafting.language)
+            station, other = found.of(role)[0], found.of(extreme)[0]
+            text = length(abs(station.place - other.place), drafting.language)
             strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)
-            ink.draw([*strokes, *(_frame(one) for one in strokes if isinstance(one, Text))])
+            ink.draw([*strokes, *(_frame(stroke) for stroke in strokes if isinstance(stroke, Text))])
             yield from strokes
 
 

@@ -38,24 +38,24 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from _table(study, found)
     for leaf in leaves[:1]:
         yield from _plan(study, found, leaf.metadata["characteristic"])
-        for one in measures(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene)):
-            yield one._replace(may_lack=True)
+        for row in measures(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene)):
+            yield row._replace(may_lack=True)
 
 
 def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
     """Give the crank's pins of all positions, and the points of the one in full lines."""
-    own = study.of(CyclogramStudy)
-    mechanism, turned = own.pictured.mechanism, [one.turned for one in found.positions]
+    ours = study.of(CyclogramStudy)
+    mechanism, turned = ours.pictured.mechanism, [position.turned for position in found.positions]
     # The sketch is of the first position of the scene: there the analysis is assembled, and goes on to the others.
-    phi = np.concatenate([own.linkage.turn.phi[:1], found.sense * np.array(turned)])
+    phi = np.concatenate([ours.linkage.turn.phi[:1], found.sense * np.array(turned)])
     motion = study.of(MotionComparison).road.around(phi, 0)
     drive, fixed = mechanism.drive, mechanism.links[FRAME].points
-    places = {name: complex(one.r[1 + shown]) for name, one in motion.points.items()} | dict(fixed)
+    places = {name: complex(point.r[1 + shown]) for name, point in motion.points.items()} | dict(fixed)
     size = max(abs(place) for place in places.values())
     for name, place in places.items():
         if name != drive.pivot:
             yield Expected(Kind.POINT, POSITIONS.plan, name, place, FAR * size, shown)
-    for name, (link, centre) in mass_centres(own.pictured).items():
+    for name, (link, centre) in mass_centres(ours.pictured).items():
         spot = complex(placed(mechanism, motion, link, centre)[1 + shown])
         yield Expected(Kind.POINT, POSITIONS.plan, name, spot, FAR * size, shown)
     for k, pin in enumerate(motion.points[drive.end].r[1:].tolist()):
@@ -66,10 +66,10 @@ def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
 def _table(study: Study, found: Cyclogram) -> Iterator[Expected]:
     """Give the cells of the table: place of the tool, turn of the shaft by both roads, how sharp it is."""
     word = drafting_of(study.scene).word
-    for k, one in enumerate(found.positions):
-        row = f"{k}  {word(f'role {one.role}')}"
-        gone = one.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
-        turned, rests = math.degrees(one.turned), one.role in (BEGIN, END)
-        told = [(gone, LENGTHS), *[(turned, ANGLES, WHOLE)] * 2, INFINITE if rests else (one.condition, FAR)]
-        *first, condition = cells(TABLE, row, told)
+    for k, position in enumerate(found.positions):
+        row = f"{k}  {word(f'role {position.role}')}"
+        gone = position.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
+        turned, rests = math.degrees(position.turned), position.role in (BEGIN, END)
+        values = [(gone, LENGTHS), *[(turned, ANGLES, WHOLE)] * 2, INFINITE if rests else (position.condition, FAR)]
+        *first, condition = cells(TABLE, row, values)
         yield from (*first, condition._replace(digits=3))

@@ -39,18 +39,18 @@ class Stretch(NamedTuple):
     high: float
 
 
-def chart(own: Sequence[Row], begin: float = 0.0) -> Iterator[Expected]:
+def chart(rows: Sequence[Row], begin: float = 0.0) -> Iterator[Expected]:
     """Give the lines of the bar chart, each of a span or a setting angle."""
-    for name, value in true_bars(own, begin):
+    for name, value in true_bars(rows, begin):
         yield Expected(Kind.VECTOR, BARS, name, value, ANGLE)
 
 
-def true_bars(own: Sequence[Row], begin: float) -> Iterator[tuple[str, complex]]:
+def true_bars(rows: Sequence[Row], begin: float) -> Iterator[tuple[str, complex]]:
     """Give the lines that there must be, by their names: across rad, upwards shares of a row."""
-    for k, row in enumerate(own, 1):
-        for number, one in enumerate((one for span in row.spans for one in parts(span, begin)), 1):
-            yield f"{k}.{number}", complex(one.end - one.start, UPPER * (one.high - one.low))
-    for number, row in enumerate((row for row in own if row.setting), 1):
+    for k, row in enumerate(rows, 1):
+        for number, stretch in enumerate((stretch for span in row.spans for stretch in parts(span, begin)), 1):
+            yield f"{k}.{number}", complex(stretch.end - stretch.start, UPPER * (stretch.high - stretch.low))
+    for number, row in enumerate((row for row in rows if row.setting), 1):
         zero, there = (within(turned - begin) for turned in (0.0, row.setting or 0.0))
         yield f"{SETTING}{number}", complex(there - zero)
 
@@ -59,40 +59,40 @@ def machine_rows(found: Cyclogram, cams: Sequence[Cam]) -> tuple[Row, ...]:
     """Give the rows of a machine: its strokes, its tool, its cams, or where there are none when one may move."""
     begin, end = (found.of(role)[0].turned for role in (BEGIN, END))
     strokes = Span(begin, _after(begin, end), "work"), Span(end, _after(end, begin), "idle")
-    own = Row("strokes", strokes), Row("tool", tuple(_tool(found)))
-    return *own, *(cam_rows(cams) or (_feed(found),))
+    machine = Row("strokes", strokes), Row("tool", tuple(_tool(found)))
+    return *machine, *(cam_rows(cams) or (_feed(found),))
 
 
 def cam_rows(cams: Sequence[Cam]) -> tuple[Row, ...]:
     """Give a row for each cam that turns, its phases counted from its setting angle on."""
-    return tuple(Row(one.name, tuple(_phases(one)), one.setting) for one in cams if not one.translates)
+    return tuple(Row(cam.name, tuple(_phases(cam)), cam.setting) for cam in cams if not cam.translates)
 
 
 def parts(span: Span, begin: float) -> Iterator[Stretch]:
     """Cut a span where the chart's abscissa, which begins at a turn, ends."""
     first, size, (low, high) = within(span.start - begin), span.end - span.start, LEVELS[span.kind]
     cuts = [0.0, TURN - first, size] if first + size > TURN + SLIVER else [0.0, size]
-    for one, other in pairwise(cuts):
-        start = first + one - (TURN if one else 0.0)
-        levels = (low + (high - low) * gone / size for gone in (one, other))
-        yield Stretch(span, start, start + other - one, *levels)
+    for cut, other in pairwise(cuts):
+        start = first + cut - (TURN if cut else 0.0)
+        levels = (low + (high - low) * gone / size for gone in (cut, other))
+        yield Stretch(span, start, start + other - cut, *levels)
 
 
 def _phases(cam: Cam) -> Iterator[Span]:
-    lowest = min(level for one in cam.phases for level in (one.level, one.level + one.change))
-    kinds = ["rest" if one.kind == "dwell" and one.level == lowest else one.kind for one in cam.phases]
-    for k, one in enumerate(cam.phases):
-        own = kinds[k]
-        label = own if kinds.count(own) == 1 else f"{own}\N{NO-BREAK SPACE}{kinds[: k + 1].count(own)}"
-        yield Span(cam.setting + one.start, cam.setting + one.end, own, label)
+    lowest = min(level for phase in cam.phases for level in (phase.level, phase.level + phase.change))
+    kinds = ["rest" if phase.kind == "dwell" and phase.level == lowest else phase.kind for phase in cam.phases]
+    for k, phase in enumerate(cam.phases):
+        kind = kinds[k]
+        label = kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
+        yield Span(cam.setting + phase.start, cam.setting + phase.end, kind, label)
 
 
 def _tool(found: Cyclogram) -> Iterator[Span]:
     """Give what the tool does between its places: it works from where it comes to the work to where it leaves it."""
-    places = {role: one[0].turned for role in (BEGIN, ENTRY, EXIT, END, BACK, LEAVE) if (one := found.of(role))}
+    places = {role: stops[0].turned for role in (BEGIN, ENTRY, EXIT, END, BACK, LEAVE) if (stops := found.of(role))}
     at, work = places[BEGIN], (places.get(ENTRY, places[BEGIN]), places.get(EXIT, places[END]))
     over = places.get(BACK, places[END]), places.get(LEAVE, at)
-    turns = sorted(within(one - at) for one in set(places.values()))
+    turns = sorted(within(turned - at) for turned in set(places.values()))
     for start, end in pairwise((*turns, TURN)):
         middle = at + (start + end) / 2
         kind = "cut" if _between(middle, *work) else "back over" if _between(middle, *over) else "overrun"

@@ -34,10 +34,10 @@ class CyclogramNotes(NamedTuple):
             yield self.drafting.word("cyclogram stroke", stroke=self._number(1000 * found.stroke), **strokes)
         else:
             yield self.drafting.word("cyclogram swing", stroke=self._degrees(found.stroke), **strokes)
-        extreme = [(k, one.angle) for k, one in enumerate(found.positions) if one.role == PRESSURE]
+        extreme = [(k, position.angle) for k, position in enumerate(found.positions) if position.role == PRESSURE]
         if extreme:
-            told = ",  ".join(f"α_{{{k}}} = {self._degrees(angle or 0.0)}°" for k, angle in extreme)
-            yield self.drafting.word("cyclogram pressure", angles=told)
+            angles = ",  ".join(f"α_{{{k}}} = {self._degrees(angle or 0.0)}°" for k, angle in extreme)
+            yield self.drafting.word("cyclogram pressure", angles=angles)
 
     def _signs(self) -> tuple[int, int]:
         """Tell whether the working stroke is the slower one."""
@@ -64,7 +64,7 @@ class CyclogramNotes(NamedTuple):
         if self.found.sense < 0:
             yield self.drafting.word("cyclogram clockwise")
         yield self.drafting.word("cyclogram condition")
-        if not all(one.notched for one in self.found.positions):
+        if not all(position.notched for position in self.found.positions):
             yield self.drafting.word("cyclogram by trial")
 
     def _degrees(self, angle: float) -> str:
@@ -77,8 +77,8 @@ class CyclogramNotes(NamedTuple):
 def settings_of(cams: Sequence[Cam], drafting: Drafting, digits: int = 7) -> Iterator[str]:
     """Tell the phases and the setting angle of each cam of a shaft."""
     for row in rows_of_cams(cams):
-        angles = (drafting.number(math.degrees(one.end - one.start), digits) for one in row.spans)
-        spans = (f"φ_{{{one.label}}} = {angle}°" for one, angle in zip(row.spans, angles, strict=True))
+        angles = (drafting.number(math.degrees(span.end - span.start), digits) for span in row.spans)
+        spans = (f"φ_{{{span.label}}} = {angle}°" for span, angle in zip(row.spans, angles, strict=True))
         setting = drafting.number(math.degrees(within(row.setting or 0.0)), digits)
         said = drafting.word("cyclogram cam set", phases=",  ".join(spans), name=row.name, setting=setting)
         yield drafting.letter(said)

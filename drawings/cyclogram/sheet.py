@@ -40,27 +40,27 @@ def characteristic(comparison: CyclogramComparison, drafting: Drafting) -> Ruled
     """Tell all characteristic positions by both roads."""
     found, other = comparison.construction, comparison.analysis
     pairs = zip(found.positions, other.positions, strict=True)
-    lines = [_row(k, one, theirs, found, drafting) for k, (one, theirs) in enumerate(pairs)]
+    lines = [_row(k, position, theirs, found, drafting) for k, (position, theirs) in enumerate(pairs)]
     heads = tuple(drafting.word(head) for head in (HEADS if found.sliding else SWINGS))
     return table(lines, drafting.word("characteristic position"), heads, drafting.hand.text)._replace(name=NAME)
 
 
-def _row(k: int, one: Position, other: Position, found: Cyclogram, drafting: Drafting) -> TableRow:
+def _row(k: int, position: Position, other: Position, found: Cyclogram, drafting: Drafting) -> TableRow:
     language = drafting.language
-    gone = one.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
-    turned = (fixed(round(math.degrees(road.turned), PLACES) % 360, language, PLACES) for road in (one, other))
-    cells = fixed(gone, language, LENGTHS), *turned, condition(one, drafting)
-    return TableRow(name(k, one, drafting), cells)
+    gone = position.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
+    turned = (fixed(round(math.degrees(road.turned), PLACES) % 360, language, PLACES) for road in (position, other))
+    cells = fixed(gone, language, LENGTHS), *turned, condition(position, drafting)
+    return TableRow(name(k, position, drafting), cells)
 
 
-def name(k: int, one: Position, drafting: Drafting) -> str:
+def name(k: int, position: Position, drafting: Drafting) -> str:
     """Write the number of a position and what it is."""
-    return f"{k}  {drafting.word(f'role {one.role}')}"
+    return f"{k}  {drafting.word(f'role {position.role}')}"
 
 
-def condition(one: Position, drafting: Drafting) -> str:
+def condition(position: Position, drafting: Drafting) -> str:
     """Write how many times a share of the stroke moves a share of the turn: without bound where the tool stands."""
-    return INFINITE if one.role in (BEGIN, END) else drafting.number(one.condition, TIMES)
+    return INFINITE if position.role in (BEGIN, END) else drafting.number(position.condition, TIMES)
 
 
 FOREMOST = 1.5  # the plan is the figure from which angles are read
@@ -83,7 +83,7 @@ def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf
 
 def chart_of(study: CyclogramStudy) -> Chart:
     """Give what the charts show; the turn begins at the first extreme."""
-    turned = tuple(one.turned for one in study.cyclogram.positions)
+    turned = tuple(position.turned for position in study.cyclogram.positions)
     return Chart(rows_of(study.cyclogram, study.cams), study.cyclogram.sense, turned, turned[0])
 
 
@@ -95,7 +95,7 @@ def _plan(study: CyclogramStudy, drafting: Drafting) -> Exhibit:
 
 def _charts(study: CyclogramStudy, drafting: Drafting) -> Iterator[Exhibit]:
     chart = chart_of(study)
-    yield from (exhibit(one, chart, drafting) for one in (bar_chart, circular_chart))
+    yield from (exhibit(kind, chart, drafting) for kind in (bar_chart, circular_chart))
 
 
 def _table(comparison: CyclogramComparison, drafting: Drafting) -> Caption:

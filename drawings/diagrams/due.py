@@ -168,18 +168,18 @@ def _followed(pieces: list[Piece], turned: Floats) -> Floats:
 
     Both are those of three neighbours, and take turns as the way between the two is passed.
     """
-    told = np.full(len(turned), np.nan)
+    followed = np.full(len(turned), np.nan)
     for x, y, _ in pieces:
         inside = (turned >= x[0] - FLAT) & (turned <= x[-1] + FLAT)
         at = turned[inside]
         k = np.clip(np.searchsorted(x, at, "right") - 1, 0, len(x) - 2)
         share = (at - x[k]) / (x[k + 1] - x[k])
         if len(x) == 2:
-            told[inside] = y[0] + share * (y[1] - y[0])
+            followed[inside] = y[0] + share * (y[1] - y[0])
             continue
         first, second = np.clip(k - 1, 0, len(x) - 3), np.clip(k, 0, len(x) - 3)
-        told[inside] = (1 - share) * _parabola(x, y, first, at) + share * _parabola(x, y, second, at)
-    return told
+        followed[inside] = (1 - share) * _parabola(x, y, first, at) + share * _parabola(x, y, second, at)
+    return followed
 
 
 def _parabola(x: Floats, y: Floats, k: np.ndarray, at: Floats) -> Floats:

@@ -73,8 +73,8 @@ def _columns(columns: Sequence[Floats], rows: Iterator[str], among: Sequence[Flo
     whole = (np.append(column, others) for column, others in zip(columns, among or columns, strict=True))
     slacks = [(KNOWN + EVEN) * float(np.nanmax(np.abs(column), initial=0.0)) for column in whole]
     for row, values in zip(rows, np.column_stack(columns).tolist(), strict=True):
-        told = (None if math.isnan(value) else (value, slack) for value, slack in zip(values, slacks, strict=True))
-        yield from cells(POSITIONS, row, told, digits=FINE, may_lack=True)
+        pairs = (None if math.isnan(value) else (value, slack) for value, slack in zip(values, slacks, strict=True))
+        yield from cells(POSITIONS, row, pairs, digits=FINE, may_lack=True)
 
 
 class _Value(NamedTuple):
@@ -173,8 +173,8 @@ class _Machine:
         for name, value in (("D", 1j * rim.diameter), ("t", 1j * rim.thickness), ("b", complex(rim.breadth))):
             row = Expected(Kind.VECTOR, SKETCH, name, value, share * abs(value))
             yield from measured(row, 1000 * abs(value), DIGITS)
-        told = ("m", rim.mass, share * rim.mass), ("J", rim.inertia, share * rim.inertia)
-        yield from phrases(SKETCH, told, DIGITS)
+        figures = ("m", rim.mass, share * rim.mass), ("J", rim.inertia, share * rim.inertia)
+        yield from phrases(SKETCH, figures, DIGITS)
 
     @property
     def _share(self) -> float:
@@ -203,9 +203,9 @@ class _Machine:
             yield from self._row(f"{self.drafting.letter(drawn.letter)}{unit}", drawn, true)
         methods, whole = self.comparison.methods, self.comparison.exact.flywheel
         for key, name in METHODS if methods is not None and whole is not None else ():
-            own = _Value("", "", float(getattr(methods, name)), self.slack, 0.0)
+            computed = _Value("", "", float(getattr(methods, name)), self.slack, 0.0)
             true = _Value("", "", whole.whole if whole else 0.0, self.slack, whole.whole if whole else 0.0)
-            yield from self._row(f"J_0 {self.drafting.word(key)}", own, true, alone=True)
+            yield from self._row(f"J_0 {self.drafting.word(key)}", computed, true, alone=True)
 
     def _row(self, row: str, drawn: _Value, true: _Value, alone: bool = False) -> Iterator[Expected]:
         """Give a row of both roads and their difference, per cent; of what is found by analysis `alone` no other."""

@@ -101,12 +101,12 @@ def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> LetteredF
     place, hand, wheel = room.place(*spot), drafting.hand, Outlines(rim)
     title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand)
     under = complex(spot.box.centre.real, spot.box.top - 1.6 * hand.title - 2.6 * hand.text)
-    told = telling(NAME, Text(under, said(rim, drafting), hand.text, "middle", True))
+    label = telling(NAME, Text(under, said(rim, drafting), hand.text, "middle", True))
     sizes = tuple(_sizes(wheel, place, drafting))
     marks = (
         _marked(line, letter, value, spot.scale, hand) for line, (letter, value) in zip(sizes, true(rim), strict=True)
     )
-    lines = (title, told, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
+    lines = (title, label, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
     return LetteredFigure(NAME, lines, partial(_letters, sizes, hand))
 
 

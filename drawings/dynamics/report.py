@@ -121,10 +121,10 @@ class DynamicsNotes(NamedTuple):
         wheel = self.account.flywheel
         if wheel is None:
             return
-        told = {"own": self._slot("J_0^* of links", wheel.own), "present": self._slot("J_0^* of shafts", wheel.present)}
-        told |= {"bare": self._slot("J_0^*", wheel.own + wheel.present), "whole": self._slot("J_0", wheel.whole)}
+        said = {"own": self._slot("J_0^* of links", wheel.own), "present": self._slot("J_0^* of shafts", wheel.present)}
+        said |= {"bare": self._slot("J_0^*", wheel.own + wheel.present), "whole": self._slot("J_0", wheel.whole)}
         key = "flywheel adds" if wheel.needed > 0 else "heavy enough"
-        yield self.drafting.phrase(key, **told, inertia=self._slot("J_fly", wheel.inertia))
+        yield self.drafting.phrase(key, **said, inertia=self._slot("J_fly", wheel.inertia))
 
     def other(self) -> Iterator[str]:
         """Say what flywheel twice and half the fluctuation would ask for, and what the strips leave out."""
@@ -268,8 +268,8 @@ def _shafts(notes: DynamicsNotes) -> Iterator[str]:
     """Tell each rotating mass beside the linkage, reduced to the crank."""
     for shaft in notes.task.shafts:
         numbers = {"inertia": shaft.inertia, "ratio": shaft.ratio, "reduced": shaft.reduced}
-        told = {name: notes.drafting.number(value, DIGITS) for name, value in numbers.items()}
-        yield word(notes.drafting.language, "report.shaft", name=shaft.name, **told)
+        texts = {name: notes.drafting.number(value, DIGITS) for name, value in numbers.items()}
+        yield word(notes.drafting.language, "report.shaft", name=shaft.name, **texts)
 
 
 def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:

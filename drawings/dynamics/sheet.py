@@ -101,8 +101,8 @@ def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
     rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
     sides = [angles, -before, nothing, nothing, nothing, nothing, last]
     both = np.concatenate([rows, sides], axis=1)
-    told = np.array([_even(without_rounding(row)) for row in both])
-    return _Columns(*np.split(told, 2, axis=1))
+    evened = np.array([_even(without_rounding(row)) for row in both])
+    return _Columns(*np.split(evened, 2, axis=1))
 
 
 def _even(row: Floats) -> Floats:

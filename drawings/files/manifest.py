@@ -39,7 +39,7 @@ class Manifest(NamedTuple):
 
     def strangers(self, folder: Path) -> list[str]:
         """Name the files in a folder that are not those of this set, also those that are missing."""
-        return [name for name, told in self.files.items() if digest_of(folder / name) != told]
+        return [name for name, digest in self.files.items() if digest_of(folder / name) != digest]
 
 
 def manifest_name(stem: str) -> str:
@@ -81,7 +81,7 @@ def manifest_beside(sheet: Path) -> Manifest | None:
     words = sheet.name.split("-")
     stems = ("-".join(words[:count]) for count in range(len(words) - 1, 0, -1))
     found = (read_manifest(sheet.parent / manifest_name(stem)) for stem in stems)
-    return next((one for one in found if one is not None and sheet.name in one.files), None)
+    return next((manifest for manifest in found if manifest is not None and sheet.name in manifest.files), None)
 
 
 def digest_of(path: Path) -> str | None:

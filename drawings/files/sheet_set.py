@@ -195,8 +195,8 @@ def placed_sheets(
     folder: Path, stem: str, leaves: Mapping[str, Sequence[Leaf]]
 ) -> Iterator[tuple[Path, tuple[str, Leaf]]]:
     """Give every leaf its file, with its kind."""
-    for kind, own in leaves.items():
-        yield from ((sheet_path(folder, stem, kind, k), (kind, leaf)) for k, leaf in enumerate(own))
+    for kind, group in leaves.items():
+        yield from ((sheet_path(folder, stem, kind, k), (kind, leaf)) for k, leaf in enumerate(group))
 
 
 def sheet_path(folder: Path, stem: str, kind: str, number: int) -> Path:

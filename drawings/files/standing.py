@@ -143,6 +143,6 @@ def _of_set(path: Path, source: bytes, manifest: Manifest) -> Iterator[Flaw]:
     """Tell which files of the set are others than were drawn together, and which are not there."""
     if digest(source) != manifest.files[path.name]:
         yield Flaw("set", message("checked.changed", set=manifest.name))
-    for name, told in manifest.files.items():
-        if name != path.name and (found := digest_of(path.parent / name)) != told:
+    for name, stated in manifest.files.items():
+        if name != path.name and (found := digest_of(path.parent / name)) != stated:
             yield Flaw("set", message("checked.missing" if found is None else "checked.other", name=name))

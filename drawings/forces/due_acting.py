@@ -257,9 +257,9 @@ def branches(load: Force | Moment) -> Iterator[Branch]:
             back = IDLE in during
             sizes = (law.back or law.sizes if back else law.sizes) if law else ()
             found = np.interp(shares, law.travel, sizes) if law else np.ones(len(shares))
-            told = sense * load.size * found
+            force = sense * load.size * found
             card = load.card if isinstance(load, Force) else None
-            yield Branch(back, shares, told if card is None else (told + card.behind) / (1e6 * card.area))
+            yield Branch(back, shares, force if card is None else (force + card.behind) / (1e6 * card.area))
 
 
 def diagrams(loads: Iterable[Force | Moment], strokes: Mapping[Track, OutputStroke]) -> Iterator[Expected]:

@@ -84,48 +84,48 @@ class BlankFigure:
         return *self.lines, Group(tuple(texts))
 
 
-def measure(laid: LaidFigure, drafting: Drafting) -> Picture:
+def measure(figure: LaidFigure, drafting: Drafting) -> Picture:
     """Measure the room of a place: as far about its pole as is known coarsely."""
     hand = drafting.hand
     side, below, above = (share * hand.letter for share in MARGINS)
     margins = Margins(side, below, above + hand.title)
-    width = text_width(Text(0j, laid.heading.title, hand.title))
-    if laid.what == GRAPH:
+    width = text_width(Text(0j, figure.heading.title, hand.title))
+    if figure.what == GRAPH:
         wide, high = (share * hand.letter for share in AXES)
         mid = complex(wide, high) / 2
-        return Picture(f"axes-{laid.name}", wide, high, mid, "l", "mm", margins, width, 0.0, exact=1.0)
-    left, low, right, high = laid.reach
-    middle = _zero(laid) + complex(right - left, high - low) / 2
-    return Picture(laid.name, left + right, low + high, middle, laid.letter, laid.unit, margins, width, 0.0)
+        return Picture(f"axes-{figure.name}", wide, high, mid, "l", "mm", margins, width, 0.0, exact=1.0)
+    left, low, right, high = figure.reach
+    middle = _zero(figure) + complex(right - left, high - low) / 2
+    return Picture(figure.name, left + right, low + high, middle, figure.letter, figure.unit, margins, width, 0.0)
 
 
-def _zero(laid: LaidFigure) -> complex:
+def _zero(figure: LaidFigure) -> complex:
     """Give where the pole lies in the figure's own measure: of a mechanism it is a fixed point of the scene."""
-    x, y = map(float, laid.pole.get("value", "0 0").split()) if laid.what == FRAME else (0.0, 0.0)
+    x, y = map(float, figure.pole.get("value", "0 0").split()) if figure.what == FRAME else (0.0, 0.0)
     return complex(x, y)
 
 
-def draw(laid: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
+def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
     """Draw a place in its spot."""
-    if laid.what == GRAPH:
-        return _graph(laid, fixed, spot, drafting)
+    if figure.what == GRAPH:
+        return _graph(figure, fixed, spot, drafting)
     place, hand = room.place(*spot), drafting.hand
-    head = heading(spot.box, laid.heading.title, drafting.scale(spot.scale), hand)
-    if laid.what == FRAME and fixed.points:
-        marks, off = list(_frame(laid, fixed, place, hand)), OFF + symbols.HINGE * hand.symbol
+    head = heading(spot.box, figure.heading.title, drafting.scale(spot.scale), hand)
+    if figure.what == FRAME and fixed.points:
+        marks, off = list(_frame(figure, fixed, place, hand)), OFF + symbols.HINGE * hand.symbol
         letters = [(place.on(at), name, off) for name, at in fixed.points.items()]
         lines = list(_guides(fixed, room, place, hand))
     else:
-        marks, lines = list(_pole(laid, place)), []
-        letters = [(place.on(0j), laid.pole["name"], OFF)] if laid.pole else []
+        marks, lines = list(_pole(figure, place)), []
+        letters = [(place.on(0j), figure.pole["name"], OFF)] if figure.pole else []
     data = {
         "kind": "place",
-        **laid.of,
+        **figure.of,
         "scale": numeral(spot.scale.mu),
-        "unit": laid.unit,
+        "unit": figure.unit,
     }
     strokes = (*_corners(_box(room, place), hand), *lines, *marks)
-    return BlankFigure((head, Group(strokes, laid.name, data)), tuple(letters), hand)
+    return BlankFigure((head, Group(strokes, figure.name, data)), tuple(letters), hand)
 
 
 def _box(room: Picture, place: Place) -> Field:
@@ -143,29 +143,29 @@ def _corners(box: Field, hand: Hand) -> Iterator[Line]:
             yield from (Line(at, at + CORNER * hand.symbol * way, hand.drafted) for way in (inward, up))
 
 
-def _pole(laid: LaidFigure, place: Place) -> Iterator[Group]:
-    if laid.pole:
+def _pole(figure: LaidFigure, place: Place) -> Iterator[Group]:
+    if figure.pole:
         at = place.on(0j)
-        yield Group((symbols.pole(at),), "", _data(laid, place, "pole", laid.pole["name"], 0j), laid.pole["name"])
+        yield Group((symbols.pole(at),), "", _data(figure, place, "pole", figure.pole["name"], 0j), figure.pole["name"])
 
 
-def _frame(laid: LaidFigure, fixed: Fixed, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _frame(figure: LaidFigure, fixed: Fixed, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the fixed points: hinges with their stands."""
     for name, value in fixed.points.items():
         at = place.on(value)
-        kind = "pole" if name == laid.pole.get("name") else "point"
+        kind = "pole" if name == figure.pole.get("name") else "point"
         radius = symbols.HINGE * hand.symbol
         if name in fixed.hinges:
             yield from symbols.fixed_hinge(at, hand, radius)
         circle = (
             symbols.hinge(at, hand)[0] if name in fixed.hinges else Circle(at, symbols.POINT * hand.symbol, hand.body)
         )
-        yield Group((circle,), "", _data(laid, place, kind, name, value), name)
+        yield Group((circle,), "", _data(figure, place, kind, name, value), name)
 
 
-def _data(laid: LaidFigure, place: Place, kind: str, name: str, value: complex) -> dict[str, str]:
-    place_data = {key: laid.pole[key] for key in ("plan", "quantity", "position") if key in laid.pole}
-    scale = {"unit": laid.unit, "scale": numeral(place.scale.mu)}
+def _data(figure: LaidFigure, place: Place, kind: str, name: str, value: complex) -> dict[str, str]:
+    place_data = {key: figure.pole[key] for key in ("plan", "quantity", "position") if key in figure.pole}
+    scale = {"unit": figure.unit, "scale": numeral(place.scale.mu)}
     return {"kind": kind, "name": name, **place_data, "value": stated(value), **scale}
 
 
@@ -202,27 +202,27 @@ def _across(at: complex, way: complex, box: Field) -> tuple[complex, complex] | 
     return (at + low * way, at + high * way) if low < high else None
 
 
-def _graph(laid: LaidFigure, fixed: Fixed, spot: Spot, drafting: Drafting) -> BlankFigure:
+def _graph(figure: LaidFigure, fixed: Fixed, spot: Spot, drafting: Drafting) -> BlankFigure:
     """Draw bare axes: the abscissa with ticks in the middle of the height, for it is not told what is below zero."""
     hand, box = drafting.hand, spot.box
     wide, high = (share * hand.letter for share in AXES)
     zero = complex(box.centre.real - wide / 2, box.bottom + MARGINS[1] * hand.letter + high / 2)
-    under = ";  ".join(laid.scales) or " "
-    head = heading(box, laid.heading.title, under, hand)
+    under = ";  ".join(figure.scales) or " "
+    head = heading(box, figure.heading.title, under, hand)
     ticks = [symbols.tick(zero + wide * (k + 1) / (fixed.positions + 1), 1 + 0j, hand) for k in range(fixed.positions)]
     axes = (*arrow(zero, zero + wide, hand), *arrow(zero - 0.5j * high, zero + 0.5j * high, hand))
-    data = {"kind": "axes", "plan": laid.name}
-    return BlankFigure((head, Group((*axes, *ticks), f"axes-{laid.name}", data), _axes(laid, zero, hand)), (), hand)
+    data = {"kind": "axes", "plan": figure.name}
+    return BlankFigure((head, Group((*axes, *ticks), f"axes-{figure.name}", data), _axes(figure, zero, hand)), (), hand)
 
 
-def _axes(laid: LaidFigure, zero: complex, hand: Hand) -> Group:
+def _axes(figure: LaidFigure, zero: complex, hand: Hand) -> Group:
     wide, high = (share * hand.letter for share in AXES)
     places: Sequence[tuple[complex, str]] = (
         (zero + complex(1.5, high / 2 - hand.text), "start"), (zero + complex(wide, 0.8 * hand.text), "end"),
     )  # fmt: skip
     texts = (
         Text(at, text, hand.text, "start" if anchor == "start" else "end", True)
-        for (at, anchor), text in zip(places, laid.axes, strict=False)
+        for (at, anchor), text in zip(places, figure.axes, strict=False)
     )
     return Group(tuple(texts))
 
@@ -285,15 +285,15 @@ def _fixed(study: Study) -> Fixed:
     return fixed(linkage.mechanism, len(linkage.turn))
 
 
-def _exhibit(kind: str, laid: LaidFigure, fixed: Fixed, scene: Scene, drafting: Drafting) -> Exhibit:
+def _exhibit(kind: str, figure: LaidFigure, fixed: Fixed, scene: Scene, drafting: Drafting) -> Exhibit:
     """Give the place of a figure, and what it wants on the sheet."""
-    room = measure(laid, drafting)
-    key = key_of(kind, laid.name)
+    room = measure(figure, drafting)
+    key = key_of(kind, figure.name)
     shared = key if key in COMMON and scene.sheet.scales == "common" else ""
-    weight, share = (FOREMOST, SHARE) if laid.what == FRAME else (EVEN, 0.0)
-    together = laid.name.rpartition("-")[0] if laid.what == GRAPH else ""
+    weight, share = (FOREMOST, SHARE) if figure.what == FRAME else (EVEN, 0.0)
+    together = figure.name.rpartition("-")[0] if figure.what == GRAPH else ""
     panel = Panel(room, weight, together, shared, share)
-    return Exhibit(panel, partial(draw, laid, fixed, room, drafting=drafting))
+    return Exhibit(panel, partial(draw, figure, fixed, room, drafting=drafting))
 
 
 def _facts(_: Collection[str]) -> dict[str, Any]:

@@ -79,8 +79,8 @@ def data(scene: Scene) -> list[str]:
     tables = tomllib.loads(_text(scene))
     known = techniques()
     names = dict.fromkeys(name for technique in scene.techniques for name in known[technique].tables)
-    told = [line for name in names if name in tables for line in _lines(name, tables[name])]
-    return [word(scene.sheet.language, "form given"), *told]
+    lines = [line for name in names if name in tables for line in _lines(name, tables[name])]
+    return [word(scene.sheet.language, "form given"), *lines]
 
 
 def _text(scene: Scene) -> str:
@@ -321,8 +321,8 @@ def blank(bands: Iterable[LaidTable], drafting: Drafting) -> tuple[RuledTable, .
 def _whole(name: str, parts: list[LaidTable], drafting: Drafting) -> RuledTable:
     positions = tuple(dict.fromkeys(position for part in parts for position in part.positions))
     rows = dict.fromkeys(row for part in parts for row in part.rows if row)
-    first, told = parts[0], [drafting.word(key) for key in BESIDE]
-    heads = tuple(head for head in first.heads if head not in told)
+    first, beside = parts[0], [drafting.word(key) for key in BESIDE]
+    heads = tuple(head for head in first.heads if head not in beside)
     cells = ("",) * (len(heads) * max(len(positions), 1))
     lines = [TableRow(row, cells) for row in rows]
     return ruled(lines, first.first, heads, first.text, positions)._replace(name=name)

@@ -32,14 +32,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--because", metavar="REASON", help="keep what changed, and list it with this reason")
     options = parser.parse_args(arguments)
     try:
-        told = 0
+        count = 0
         for line in redraw(options.folder, options.because):
             print(line, flush=True)
-            told += 1
+            count += 1
     except (DraftError, OSError) as error:
         print(error, file=sys.stderr)
         return error.exit_code if isinstance(error, DraftError) else FILES
-    return CHANGED if told and not options.because else 0
+    return CHANGED if count and not options.because else 0
 
 
 def redraw(folder: Path, because: str | None = None) -> Iterator[str]:
@@ -72,11 +72,11 @@ def redraw(folder: Path, because: str | None = None) -> Iterator[str]:
 
 def _renewed(folder: Path, paths: Sequence[Path], manifest: Path | None, because: str | None) -> list[str]:
     """Tell what changes of a set; keep all of it, or nothing."""
-    told = [change for path in paths for change in changes(path, folder / path.name)]
-    if told and because:
+    changed = [change for path in paths for change in changes(path, folder / path.name)]
+    if changed and because:
         for path in (*paths, *([manifest] if manifest else ())):
             atomic_files.write(folder / path.name, path.read_bytes())
-    return told
+    return changed
 
 
 def stale(folder: Path, exhibits: Iterable[GalleryScene]) -> list[Path]:

@@ -34,8 +34,8 @@ def differences(fresh: Path, kept: Path) -> Iterator[str]:
     if not kept.exists():
         yield f"{kept.name}: came"
         return
-    told = _of_sheets if kept.suffix == ".svg" else _of_words
-    yield from (f"{kept.name}: {change}" for change in told(fresh.read_text("utf-8"), kept.read_text("utf-8")))
+    compare = _of_sheets if kept.suffix == ".svg" else _of_words
+    yield from (f"{kept.name}: {change}" for change in compare(fresh.read_text("utf-8"), kept.read_text("utf-8")))
 
 
 def _of_sheets(fresh: str, kept: str) -> Iterator[str]:
@@ -149,8 +149,8 @@ def changes(fresh: Path, kept: Path) -> list[str]:
         return others
     ours, theirs = (see(path.read_bytes()).written for path in (kept, fresh))
     found = collate(ours, theirs)
-    told = (*map(str, found.whole), *statements(found.edits))
-    return [f"{kept.name}: {statement}" for statement in told] or [f"{others[0]}; nothing that is seen"]
+    lines = (*map(str, found.whole), *statements(found.edits))
+    return [f"{kept.name}: {statement}" for statement in lines] or [f"{others[0]}; nothing that is seen"]
 
 
 def statements(edits: Iterable[Edit]) -> Iterator[str]:

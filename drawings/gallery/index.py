@@ -131,8 +131,8 @@ def _together(angles: Iterable[Fraction]) -> str:
 
 def _left(balance: BankBalance, found: Mapping[int, Harmonic]) -> str:
     """Write each order of which something is left, in what one cylinder has of it."""
-    told = [_share(harmonic, balance.single[order]) for order, harmonic in found.items() if not harmonic.vanishes]
-    return "; ".join(told) or "none"
+    shares = [_share(harmonic, balance.single[order]) for order, harmonic in found.items() if not harmonic.vanishes]
+    return "; ".join(shares) or "none"
 
 
 def _share(harmonic: Harmonic, single: Harmonic) -> str:

@@ -27,14 +27,14 @@ BESIDE = 3.0  # mm by which a letter must be nearer to what is another's: lanes 
 UPRIGHT = 1e-3  # rad, by which an upright sheet may be turned
 
 
-def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
+def written_scale(sheet: SeenSheet, asked: PlanAsked) -> float | None:
     """Give the scale that is written on a sheet for a plan, true units a mm; None where none is.
 
     The headings of the plan's own group go first, then what the mark itself states where it is written anywhere.
     """
-    marks = [mark for mark in seen.measured.marks if (mark.plan, mark.position) == asked.place]
-    here = [mu for group in _around(seen.leaf, asked) for mu in _scales((group,), asked)]
-    anywhere = _scales(seen.leaf.groups, asked)
+    marks = [mark for mark in sheet.measured.marks if (mark.plan, mark.position) == asked.place]
+    here = [mu for group in _around(sheet.leaf, asked) for mu in _scales((group,), asked)]
+    anywhere = _scales(sheet.leaf.groups, asked)
     stated = marks[0].scale if marks else math.nan
     if here:
         return stated if any(_same(mu, stated) for mu in here) else here[0]
@@ -114,8 +114,8 @@ def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator
         for vector in plan.asked.vectors
         if vector.letter and vector.letters in plan.arrows
     ]
-    seen = [(vector, arrow) for vector, arrow in free if abs(arrow.vector) > 2 * SEEN]
-    for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), along(*arrow)) for vector, arrow in seen]):
+    visible = [(vector, arrow) for vector, arrow in free if abs(arrow.vector) > 2 * SEEN]
+    for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), along(*arrow)) for vector, arrow in visible]):
         for bearer in bearers:
             away = bearer.away(labels, bearer.letter)
             if away > CLOSED and any(_takes(labels, bearer, other) for other in bearers):

@@ -68,11 +68,11 @@ def _heading(graded: Graded, marking: Marking) -> Message:
 
 def with_values(said: Verdict, hints: Hints, language: str) -> str:
     """Tell what is wrong, by how much of what is allowed, and which step to look at again."""
-    told = _told(said, language)
+    text = _told(said, language)
     if said.off is not None and said.allowed is not None:
         off, allowed = f"{said.off:.3g}", f"{said.allowed:.2g}"
-        told = word(language, "grade.off", told=told, off=off, allowed=allowed, unit=said.unit)
-    return _again(said, told, hints, language)
+        text = word(language, "grade.off", told=text, off=off, allowed=allowed, unit=said.unit)
+    return _again(said, text, hints, language)
 
 
 def without_values(said: Verdict, hints: Hints, language: str) -> str:
@@ -87,9 +87,9 @@ def _told(said: Verdict, language: str) -> str:
     return word(language, "grade.vector" if said.name else "grade.whole", where=where, name=said.name, kind=kind)
 
 
-def _again(said: Verdict, told: str, hints: Hints, language: str) -> str:
+def _again(said: Verdict, text: str, hints: Hints, language: str) -> str:
     steps = hints.get(said.name)
-    return word(language, "grade.again", told=told, steps=steps) if steps else told
+    return word(language, "grade.again", told=text, steps=steps) if steps else text
 
 
 def plain(path: Path, graded: Graded, marking: Marking, language: str) -> dict[str, object]:

@@ -77,16 +77,16 @@ def grade(source: bytes, task: SheetTask, by: Allowances) -> Graded:
 
 
 def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
-    seen, onlooker = _seen(source)
-    tables = tables_drawn(seen, task.tables)
-    found = _Found(plans_drawn(seen, onlooker, task.plans), figures_drawn(seen, task.curves), tables)
-    if _is_bare(seen, found, task):
+    sheet, onlooker = _seen(source)
+    tables = tables_drawn(sheet, task.tables)
+    found = _Found(plans_drawn(sheet, onlooker, task.plans), figures_drawn(sheet, task.curves), tables)
+    if _is_bare(sheet, found, task):
         return Graded(UNREAD, reason=message("grade.bare"))
-    said = tuple(_verdicts(seen, found, task, by))
+    said = tuple(_verdicts(sheet, found, task, by))
     if not all(math.isfinite(found.off or 0.0) for found in said):
         return Graded(UNREAD, reason=message("grade.unfinite"))
-    paper = seen.leaf.width, seen.leaf.height
-    scene = str(seen.leaf.metadata.get("scene", ""))
+    paper = sheet.leaf.width, sheet.leaf.height
+    scene = str(sheet.leaf.metadata.get("scene", ""))
     graded = Graded(
         PASS, said, paper=paper, scene=scene, drawn=tuple(plan.bare for plan in found.plans), box=onlooker.box
     )
@@ -98,41 +98,41 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
 def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
     """See what can be read of a sheet, in mm where its page does not say that its units are others."""
     onlooker = Onlooker()
-    seen = see(source, onlooker)
-    if onlooker.boxless and in_millimetres(seen.written):
+    sheet = see(source, onlooker)
+    if onlooker.boxless and in_millimetres(sheet.written):
         onlooker = Onlooker(unit=1.0)
-        seen = see(source, onlooker)
-    return seen._replace(leaf=legible(seen.leaf)), onlooker
+        sheet = see(source, onlooker)
+    return sheet._replace(leaf=legible(sheet.leaf)), onlooker
 
 
-def _is_bare(seen: SeenSheet, found: _Found, task: SheetTask) -> bool:
+def _is_bare(sheet: SeenSheet, found: _Found, task: SheetTask) -> bool:
     """Tell whether a sheet bears neither our marks nor a figure in a place of our form, nor tables to be graded."""
-    if not (seen.measured.marks or form_places(seen.leaf) or every_axes(seen)):
-        lost = any(plan.sheet in alone(found.tables, seen) for plan in task.plans)
-        if lost or not seen.measured.metadata:
+    if not (sheet.measured.marks or form_places(sheet.leaf) or every_axes(sheet)):
+        lost = any(plan.sheet in alone(found.tables, sheet) for plan in task.plans)
+        if lost or not sheet.measured.metadata:
             return True
     others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
     return not found.plans and not found.figures and not answered(found.tables, others)
 
 
-def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -> Iterator[Verdict]:
+def _verdicts(sheet: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -> Iterator[Verdict]:
     """Judge all that is found on a sheet; what its sheet of the task asks for beside is missing."""
     yield from (said for plan in found.plans if (said := plan.unread) is not None)
     read = [plan for plan in found.plans if plan.unread is None]
-    yield from once(tuple(_judged(seen, read, by)))
-    sheets = {plan.asked.sheet for plan in found.plans} | found.figures.keys() | alone(found.tables, seen)
+    yield from once(tuple(_judged(sheet, read, by)))
+    sheets = {plan.asked.sheet for plan in found.plans} | found.figures.keys() | alone(found.tables, sheet)
     there = {plan.asked.place for plan in found.plans}
-    told = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
+    traced = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
     for plan in task.plans:
-        if plan.sheet in sheets and (told or plan.lettered) and plan.place not in there:
+        if plan.sheet in sheets and (traced or plan.lettered) and plan.place not in there:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
-    allowed = partial(allowed_of, by=by, coarse=seen.measured.quantum)
-    vectors, empty = dict(_vectors(read)), empty_axes(seen) if task.curves else frozenset()
+    allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
+    vectors, empty = dict(_vectors(read)), empty_axes(sheet) if task.curves else frozenset()
     yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
     drawn = [figure for figures in found.figures.values() for figure in figures]
     shown = BesideTables(read, drawn, sheets)
-    yield from table_verdicts(found.tables, task.tables, shown, by, seen)
+    yield from table_verdicts(found.tables, task.tables, shown, by, sheet)
 
 
 def _vectors(plans: Sequence[DrawnPlan]) -> Iterator[tuple[str, complex]]:
@@ -150,29 +150,29 @@ def _missing(plan: PlanAsked) -> Iterator[Verdict]:
         yield Verdict(plan.plan, plan.position, vector.name, verdict.MISSING, unit=plan.unit, letters=vector.letters)
 
 
-def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:
+def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:
     """Find the plans that are asked for on a sheet: by its marks, or by their places on our form."""
-    found = (from_marks(plan, seen.measured, written_scale(seen, plan)) for plan in plans)
+    found = (from_marks(plan, sheet.measured, written_scale(sheet, plan)) for plan in plans)
     marked = [plan for plan in found if plan is not None]
     if len(marked) == len(plans) and all(plan.whole for plan in marked):
         return tuple(marked)
-    lines, places = segments(seen.leaf, onlooker.heads), form_places(seen.leaf)
+    lines, places = segments(sheet.leaf, onlooker.heads), form_places(sheet.leaf)
     whole = tuple(redrawn(plan, lines) for plan in marked)
     if not places or any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole
     here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [plan for plan in plans if plan.place not in there and (not here or plan.sheet in here)]
-    by = seen.measured.moved.p
+    by = sheet.measured.moved.p
     upright = abs(by) / by
-    labels, words = spelled_labels(seen.leaf.groups), list(texts(seen.leaf.groups))
+    labels, words = spelled_labels(sheet.leaf.groups), list(texts(sheet.leaf.groups))
     return (*whole, *plans_on_form(left, figures(lines), words, labels, places, upright))
 
 
-def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:
-    labels = spelled_labels(seen.leaf.groups)
+def _judged(sheet: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:
+    labels = spelled_labels(sheet.leaf.groups)
     for plan in drawn:
         beside = [other for other in drawn if other.asked.position == plan.asked.position]
-        may = by.of(plan.asked, scales_beside(plan, beside), seen.measured.quantum)
+        may = by.of(plan.asked, scales_beside(plan, beside), sheet.measured.quantum)
         yield from Judge(plan, may, drawn_places(beside), lacking_places(beside)).verdicts()
-        yield from arrow_verdicts(seen, plan, by)
-        yield from drawing_faults(seen.leaf, labels, plan)
+        yield from arrow_verdicts(sheet, plan, by)
+        yield from drawing_faults(sheet.leaf, labels, plan)

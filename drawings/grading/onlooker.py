@@ -93,10 +93,10 @@ class Onlooker(Observer):
             placed = {name: ended.attributes[name] for name in ("x", "y") if name in ended.attributes}
             self.open[-1].attributes = {**placed, **self.open[-1].attributes}
 
-    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], seen: Ink) -> None:
+    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], ink: Ink) -> None:
         if self.open and (heads := _heads(self.open[-1].attributes)):
             self.heads |= {id(part): heads for part in flat(strokes)}
-        super()._add(outer, strokes, seen)
+        super()._add(outer, strokes, ink)
 
 
 def _begun(text: Opened) -> Mapping[str, str]:

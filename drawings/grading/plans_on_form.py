@@ -49,14 +49,14 @@ def plans_on_form(
     turn: complex = 1 + 0j,
 ) -> Iterator[DrawnPlan]:
     """Find plans by their places: all arrows that are drawn there are of the plan, laid upright by a `turn`."""
-    due = {plan.place: plan for plan in asked if plan.lettered}
+    expected = {plan.place: plan for plan in asked if plan.lettered}
     taken: dict[FormPlace, list[Segment]] = {}
     for joined in figures:
         here = place_of([spot for line in joined for spot in (line.start, line.end)], places)
-        if here is not None and here.plan in due:
+        if here is not None and here.plan in expected:
             taken.setdefault(here, []).extend(joined)
     for here, arrows in taken.items():
-        plan = due[here.plan]
+        plan = expected[here.plan]
         drawn = _drawn(plan, arrows, texts, labels, here, turn)
         free = all(vector.letter for vector in plan.vectors)
         if len(drawn.arrows) >= (max(LEAST, len(plan.vectors) / 2) if free else 1):
@@ -83,10 +83,10 @@ def _drawn(
 
 
 def _both_ways(
-    told: Sequence[Segment], drawn: Mapping[tuple[str, str], Arrow], arrows: Sequence[Segment]
+    known: Sequence[Segment], drawn: Mapping[tuple[str, str], Arrow], arrows: Sequence[Segment]
 ) -> Iterator[str]:
     """Name the vectors beside whose arrows others go back, one of which cannot be meant."""
-    left = [arrow for arrow in arrows if not any(arrow is other for other in told)]
+    left = [arrow for arrow in arrows if not any(arrow is other for other in known)]
     for letters, arrow in drawn.items():
         if abs(arrow.vector) > JOINED and any(_joins(other, arrow.end, arrow.start) for other in left):
             yield " ".join(filter(None, letters))

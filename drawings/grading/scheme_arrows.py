@@ -69,22 +69,22 @@ def _headed(group: Group) -> Complexes | None:
     return path if kind == "force" or ends == [False, True] else None
 
 
-def arrow_verdicts(seen: SeenSheet, plan: DrawnPlan, by: Allowances) -> Iterator[Verdict]:
+def arrow_verdicts(sheet: SeenSheet, plan: DrawnPlan, by: Allowances) -> Iterator[Verdict]:
     """Judge the arrows and arcs of a figure: each has the direction of its force, the sense of its moment.
 
     Of a figure that an editor has taken apart nothing tells which of the arrows of a name are of it.
     """
     asked = plan.asked
-    if asked.ways and not _figures(seen.leaf, *asked.place):
+    if asked.ways and not _figures(sheet.leaf, *asked.place):
         yield Verdict(*asked.place, "", verdict.UNGROUPED)
         return
-    drawn = arrows_on(seen.leaf, *asked.place) if asked.ways else {}
+    drawn = arrows_on(sheet.leaf, *asked.place) if asked.ways else {}
     for name, way in asked.ways.items():
         path = drawn.get(name)
         if path is None:
             kind = verdict.MISSING
         elif isinstance(way, complex):
-            kind = _of_force(name, path, way / plan.turn, max(by.to(name).slip, seen.measured.quantum))
+            kind = _of_force(name, path, way / plan.turn, max(by.to(name).slip, sheet.measured.quantum))
         else:
             wrong = verdict.COUPLE if name.startswith(COUPLE) else verdict.REVERSED
             kind = verdict.RIGHT if sense_of(path) == way else wrong

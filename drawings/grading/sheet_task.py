@@ -84,8 +84,8 @@ def _named(mark: Mark) -> str | Message:
 def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
     """Give the keys of points and of tolerances that are of no quantity of a task, as their tables have them."""
     drawn, cells = list(_drawn(task)), [cell for table in task.tables for cell in table.cells.values()]
-    told = [Verdict(table.name, None, cell.name, RIGHT) for table in task.tables for cell in table.cells.values()]
-    points = {key for quantity in (*drawn, *told) for key in keys_of(quantity)} | {OTHERS}
+    verdicts = [Verdict(table.name, None, cell.name, RIGHT) for table in task.tables for cell in table.cells.values()]
+    points = {key for quantity in (*drawn, *verdicts) for key in keys_of(quantity)} | {OTHERS}
     names = (*(quantity.name for quantity in drawn), *(cell.quantity for cell in cells))
     slips = {key for name in names for key in (name, name.partition("_")[0])}
     idle = [f"points.{key}" for key in marking.points if key not in points]

@@ -152,7 +152,7 @@ _A_MINUTE: Final = tuple(folded(name) for name in ("1/min", "min-1", "1/мин",
 _POWER = re.compile(r"\^?([-+]?\d)")
 
 
-def in_unit(text: str, due: str) -> float | None:
+def in_unit(text: str, expected: str) -> float | None:
     """Give how many of a due unit one that is written is; None where it is not understood, or of another quantity.
 
     Where none is written it is the due one.
@@ -162,7 +162,7 @@ def in_unit(text: str, due: str) -> float | None:
     >>> in_unit("", "N·m"), in_unit("N", "N·m"), round(in_unit("rpm", "rad/s"), 4)
     (1.0, None, 0.1047)
     """
-    written, wanted = _bare(text), _bare(due)
+    written, wanted = _bare(text), _bare(expected)
     if written in ("", wanted):
         return 1.0
     aims = [reading for reading in _readings(wanted) if written not in _A_MINUTE or reading.powers == (0, 0, -1)]

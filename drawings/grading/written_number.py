@@ -144,7 +144,7 @@ _STATED = re.compile(
 _RATIO = re.compile(r"\(?(?:M|М|[Ss]cale|[Мм]асштаб)?\s*(\d+(?:[.,]\d+)?)\s*:\s*(\d+(?:[.,]\d+)?)\)?")
 
 
-def stated_scales(texts: Iterable[Text], due: Mapping[str, str]) -> dict[str, float]:
+def stated_scales(texts: Iterable[Text], expected: Mapping[str, str]) -> dict[str, float]:
     """Give the scales that texts state, true units a mm, by the letters that are due with their units; the first goes.
 
     >>> stated_scales([Text(0j, "μ_{v} = 10 (mm/s)/mm, K_M=2.5·10^{-4} mm/(N·m)")], {"v": "m/s", "M": "N*m"})
@@ -152,7 +152,7 @@ def stated_scales(texts: Iterable[Text], due: Mapping[str, str]) -> dict[str, fl
     """
     found: dict[str, float] = {}
     for text in texts:
-        read = ((letter, next(scales_of(text, letter, unit), None)) for letter, unit in due.items())
+        read = ((letter, next(scales_of(text, letter, unit), None)) for letter, unit in expected.items())
         found = {letter: mu for letter, mu in read if mu is not None} | found
     return found
 
@@ -194,8 +194,8 @@ def _times(written: str, unit: str, inverse: bool) -> float | None:
     Where it has no mm in it, it is of what one mm shows.
     """
     if unit:
-        told = in_unit(written, f"mm/({unit})" if inverse else f"({unit})/mm")
-        return in_unit(written, unit) if told is None and not inverse else told
+        size = in_unit(written, f"mm/({unit})" if inverse else f"({unit})/mm")
+        return in_unit(written, unit) if size is None and not inverse else size
     worth = in_system(written)
     if worth is None or not re.search("mm|мм", written):
         return worth

@@ -49,8 +49,8 @@ class Part(NamedTuple):
 
 def placed(name: str, letters: Iterable[Letter], labels: Labels) -> Iterator[Stroke]:
     """Place the letters of a figure, the largest first."""
-    for one in sorted(letters, key=lambda one: -one.size):
-        yield telling(name, labels.beside(one.at, one.text, one.size, one.gap, one.side))
+    for letter in sorted(letters, key=lambda letter: -letter.size):
+        yield telling(name, labels.beside(letter.at, letter.text, letter.size, letter.gap, letter.side))
 
 
 class Parts(NamedTuple):
@@ -94,11 +94,11 @@ class Pole(NamedTuple):
 
     def part(self, name: str, axes: Axes, hand: Hand) -> Part:
         """Draw the pole, and rays to values that lie apart, each value carried to where it belongs."""
-        at, (letter, own) = axes.zero - self.distance, self.letters
-        size = Dimension(own, at, axes.zero, self.off)
+        at, (letter, text) = axes.zero - self.distance, self.letters
+        size = Dimension(text, at, axes.zero, self.off)
         rays = (line for k in self._drawn(axes) for line in self._ray(k, at, axes, hand))
         base = Line(at, axes.zero, hand.drafted)
-        letters = (Letter(at, letter, hand.letter, LEFT), Letter(size.middle, own, hand.letter, self.side))
+        letters = (Letter(at, letter, hand.letter, LEFT), Letter(size.middle, text, hand.letter, self.side))
         return Part(name, (base, *rays, *size.draw(hand), pole(at)), letters)
 
     def _drawn(self, axes: Axes) -> tuple[int, ...]:

@@ -74,14 +74,14 @@ class Bar(NamedTuple):
     @property
     def ends(self) -> tuple[complex, complex]:
         """The true ends of its line."""
-        one = self.stretch
-        return complex(one.start, self.height(one.low)), complex(one.end, self.height(one.high))
+        stretch = self.stretch
+        return complex(stretch.start, self.height(stretch.low)), complex(stretch.end, self.height(stretch.high))
 
     @property
     def top(self) -> complex:
         """The true place over its middle where its letters begin."""
-        one = self.stretch
-        return complex((one.start + one.end) / 2, self.height(max(one.low, one.high)))
+        stretch = self.stretch
+        return complex((stretch.start + stretch.end) / 2, self.height(max(stretch.low, stretch.high)))
 
 
 def measure(chart: Chart, drafting: Drafting) -> Picture:
@@ -142,8 +142,8 @@ class BarFigure(ChartFigure):
     def _bars(self) -> Iterator[Bar]:
         """Give the stretches of all rows."""
         for k, row in enumerate(self.chart.rows, 1):
-            own = (one for span in row.spans for one in stretches(span, self.chart.begin))
-            yield from (Bar(f"{k}.{number}", -ROW * k, one) for number, one in enumerate(own, 1))
+            bars = (stretch for span in row.spans for stretch in stretches(span, self.chart.begin))
+            yield from (Bar(f"{k}.{number}", -ROW * k, stretch) for number, stretch in enumerate(bars, 1))
 
     def _grid(self) -> Iterator[Stroke]:
         """Rule the rows, and the column of their names."""
@@ -181,30 +181,30 @@ class BarFigure(ChartFigure):
         yield from () if head is None else (head,)
         yield self._text(end - under, "φ, °", "start")
         room = self._wide("330") + 2 * BESIDE
-        told = next((step for step in TOLD if self.place.length(math.radians(step)) >= room), 3 * DEGREES)
+        every = next((step for step in TOLD if self.place.length(math.radians(step)) >= room), 3 * DEGREES)
         for degrees in range(0, 360, DEGREES):
             foot = self._on(self.chart.at(math.radians(degrees)), bottom)
             yield Line(foot - 1j * TICK, foot, hand.other)
-            if degrees % told == 0:
+            if degrees % every == 0:
                 yield self._text(foot - under, str(degrees))
 
     def _bar(self, bar: Bar) -> Iterator[Stroke]:
         """Draw a line where a stretch begins, its course, which can be measured, and its letters over that."""
-        one, ends, told = bar.stretch, bar.ends, self._told(bar)
-        yield Line(self._on(one.start, bar.foot), self._on(one.start, bar.foot + ROW), self.hand.drafted)
+        stretch, ends, words = bar.stretch, bar.ends, self._told(bar)
+        yield Line(self._on(stretch.start, bar.foot), self._on(stretch.start, bar.foot + ROW), self.hand.drafted)
         start, end = map(self.place.on, ends)
-        line = fit_dashes([Line(start, end, course.style_of(one.span, self.hand))])
+        line = fit_dashes([Line(start, end, course.style_of(stretch.span, self.hand))])
         data = Subject(NAME, SYMBOL, None).data("vector", bar.name, ends[1] - ends[0], self.place.scale)
-        letter = told[0] if told else course.doing(one.span, self.drafting)
+        letter = words[0] if words else course.doing(stretch.span, self.drafting)
         yield Group(tuple(line), "", data, Text(0j, letter).plain)
-        for k, text in enumerate(told):
+        for k, text in enumerate(words):
             yield self._text(self.place.on(bar.top) + 1j * (OVER + k * STEP * self.hand.number), text)
 
     def _told(self, bar: Bar) -> tuple[str, ...]:
         """Give the letters that have room over the line of a stretch, from below: its angle, what is done; or none."""
-        one = bar.stretch
-        room = self.place.length(one.end - one.start) - 2 * BESIDE
-        texts = course.angle(one.span, self.drafting), course.doing(one.span, self.drafting)
+        stretch = bar.stretch
+        room = self.place.length(stretch.end - stretch.start) - 2 * BESIDE
+        texts = course.angle(stretch.span, self.drafting), course.doing(stretch.span, self.drafting)
         angle, doing = (self._wide(text) <= room for text in texts)
         # of a small chart two lines have no room in a row
         high = self.place.length(bar.foot + ROW - bar.top.imag) - OVER
@@ -218,28 +218,28 @@ class BarFigure(ChartFigure):
         for k, row in enumerate(chart.settings, 1):
             ends = tuple(complex(x, chart.bottom - LEVEL * k) for x in (zero, chart.at(row.setting or 0.0)))
             data = Subject(NAME, SYMBOL, None).data("vector", f"{SETTING}{k}", ends[1] - ends[0], self.place.scale)
-            start, end = (self.place.on(one) - 1j * (under + hand.number) for one in ends)
+            start, end = (self.place.on(spot) - 1j * (under + hand.number) for spot in ends)
             text = f"{course.name(row, self.drafting)}: {self._setting(row)}"
             heads = (arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol))
             yield Group((Line(start, end, hand.drafted),), "", data, Text(0j, text).plain)
             yield from (head for head in heads if head is not None)
             yield self._over(start, end, text)
-            for one, tip in zip(ends, (start, end), strict=True):
-                yield Line(self._on(one.real, chart.bottom) - 1j * under, tip - 1j, hand.drafted)
+            for spot, tip in zip(ends, (start, end), strict=True):
+                yield Line(self._on(spot.real, chart.bottom) - 1j * under, tip - 1j, hand.drafted)
 
     def _over(self, start: complex, end: complex, text: str) -> Text:
         """Write over the middle of a dimension, or where that is too short before it."""
         if self._wide(text) + 2 * BESIDE <= abs(end - start):
-            own = self._text((start + end) / 2, text)
-            return own._replace(at=own.at + 1j * (BESIDE - text_reach(own)[0]))  # a comma hangs below its line
+            label = self._text((start + end) / 2, text)
+            return label._replace(at=label.at + 1j * (BESIDE - text_reach(label)[0]))  # a comma hangs below its line
         left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - self.hand.number / 2)
         return self._text(left, text, "end")
 
     def _setting(self, row: Row) -> str:
         """Write a setting angle; of one that stands before 0 what it lacks of a whole turn."""
-        told, back = course.setting(row, self.drafting), self.chart.at(0.0) - self.chart.at(row.setting or 0.0)
+        text, back = course.setting(row, self.drafting), self.chart.at(0.0) - self.chart.at(row.setting or 0.0)
         lack = self.drafting.number(math.degrees(back), course.DIGITS)
-        return told if back <= 0 else f"{told} = 360° − {lack}°"
+        return text if back <= 0 else f"{text} = 360° − {lack}°"
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         """Number the positions; a turn ends where it begins."""
@@ -266,8 +266,8 @@ class BarFigure(ChartFigure):
 def _column(rows: Sequence[Row], drafting: Drafting) -> float:
     """Give the width, mm, of the column that bears the names: in two lines what has two words."""
     names = [course.name(row, drafting) for row in rows]
-    lines = (one for name in names for one in min(_ways(name), key=lambda way: max(map(len, way))))
-    return max(_reach(one, drafting.hand) for one in lines) + 2 * BESIDE
+    lines = (line for name in names for line in min(_ways(name), key=lambda way: max(map(len, way))))
+    return max(_reach(line, drafting.hand) for line in lines) + 2 * BESIDE
 
 
 def broken(text: str, room: float, wide: Callable[[str], float]) -> tuple[str, ...]:
@@ -276,8 +276,8 @@ def broken(text: str, room: float, wide: Callable[[str], float]) -> tuple[str, .
     >>> broken("auxiliary mechanism", 12, len), broken("tool", 12, len), broken("mechanism", 8, len)
     (('auxiliary', 'mechanism'), ('tool',), ())
     """
-    one, *others = _ways(text)
-    best = one if wide(text) <= room else min(others, key=lambda way: max(map(wide, way)), default=one)
+    whole, *others = _ways(text)
+    best = whole if wide(text) <= room else min(others, key=lambda way: max(map(wide, way)), default=whole)
     return best if max(map(wide, best)) <= room else ()
 
 

@@ -64,7 +64,7 @@ class CircleFigure(ChartFigure):
     @cached_property
     def lines(self) -> tuple[Group, ...]:
         """All that is drawn before any letter is placed: where angles are counted from, the sense, the rings."""
-        rings = (Group(tuple(self._ring(one)), f"{RING_NAME}-{k}") for k, one in enumerate(self._rings))
+        rings = (Group(tuple(self._ring(ring)), f"{RING_NAME}-{k}") for k, ring in enumerate(self._rings))
         return (Group((self.title, *self._still(), *rings), NAME),)
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
@@ -123,9 +123,9 @@ class CircleFigure(ChartFigure):
             low, high = sorted((sense * span.start, sense * span.end))
             style = self.hand.result if course.moves(span) else self.hand.drafted
             yield Arc(self.place.on(0j), self.place.length(inner + BAND * RING), low, high, style)
-            text, own = course.label(span, self.drafting), ring.told(span)
-            if self._fits(own, text, ring.radius):
-                yield self._along(text, own, ring.radius)
+            text, shown = course.label(span, self.drafting), ring.told(span)
+            if self._fits(shown, text, ring.radius):
+                yield self._along(text, shown, ring.radius)
         if ring.named is not None:
             yield self._along(course.name(ring.row, self.drafting), ring.named, ring.radius)
 

@@ -94,11 +94,11 @@ def swing(curve: GraphCurve) -> GraphCurve:
     return curve._replace(angles=turns[order], values=values[order], stations=stations)
 
 
-def bounded(dense: Any, own: Any) -> Any:
+def bounded(dense: Any, nodes: Any) -> Any:
     """Break a dense curve with gaps where it outgrows its positions: it goes to infinity beside a gap."""
     if not np.isnan(dense).any():
         return dense
-    return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(own), initial=0.0), np.nan, dense)
+    return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(nodes), initial=0.0), np.nan, dense)
 
 
 def measure(curve: GraphCurve, drafting: Drafting) -> Picture:
@@ -130,12 +130,12 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Pa
 
 def _parted(numbers: Sequence[Letter]) -> Sequence[Letter]:
     """Lean numbers without room side by side apart, the left one to the left: they stand in the order of feet."""
-    own = dict.fromkeys(numbers)
-    sides = {one: one.side for one in own}
-    for one, other in pairwise(sorted(own, key=lambda letter: letter.at.real)):
-        if (other.at - one.at).real < text_width(Text(0j, other.text, one.size)) + SPARE * one.size:
-            sides |= {one: one.side * (1 + LEAN), other: other.side * (1 - LEAN)}
-    return [one._replace(side=side) for one, side in sides.items()]
+    letters = dict.fromkeys(numbers)
+    sides = {letter: letter.side for letter in letters}
+    for left, other in pairwise(sorted(letters, key=lambda letter: letter.at.real)):
+        if (other.at - left.at).real < text_width(Text(0j, other.text, left.size)) + SPARE * left.size:
+            sides |= {left: left.side * (1 + LEAN), other: other.side * (1 - LEAN)}
+    return [letter._replace(side=side) for letter, side in sides.items()]
 
 
 def _numbered(curve: GraphCurve, feet: Sequence[complex], length: float, hand: Hand) -> tuple[int, ...]:

@@ -119,8 +119,8 @@ class Graph(NamedTuple):
     def curve(self, x: Floats, y: Floats, style: LineStyle) -> Iterator[Stroke]:
         """Draw a curve, broken at its gaps."""
         for run in stretches(y):
-            own = slice(run[0], run[-1] + 1)
-            yield from fit_dashes([Polyline(self.places(x[own], y[own]), False, style)])
+            part = slice(run[0], run[-1] + 1)
+            yield from fit_dashes([Polyline(self.places(x[part], y[part]), False, style)])
 
     def stated(self, curve: str, strokes: Iterable[Stroke]) -> Group:
         """Give strokes as a curve of the graph, by its name."""

@@ -107,11 +107,11 @@ def outward(ends: Complexes, numbers: Iterable[int], place: Place, hand: Hand) -
         yield Letter(place.on(complex(ends[k])), str(k), hand.number, cmath.phase(away) if away else math.pi / 4)
 
 
-def _point(shown: Hodograph, k: int, told: bool, subject: Subject, place: Place, hand: Hand) -> Stroke:
+def _point(shown: Hodograph, k: int, lettered: bool, subject: Subject, place: Place, hand: Hand) -> Stroke:
     """Mark the end at a position; one that is numbered can be measured."""
     value = complex(shown.ends[k])
     dot = Circle(place.on(value), DOT * hand.symbol, INK)
-    return point(subject._replace(position=k), str(k), value, place, dot) if told else dot
+    return point(subject._replace(position=k), str(k), value, place, dot) if lettered else dot
 
 
 def _told(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:

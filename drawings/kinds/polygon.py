@@ -81,9 +81,9 @@ def margins(points: Sequence[complex], sizes: Margins, hand: Hand) -> Margins:
     return around(sizes, hand, beside, beside, beside)
 
 
-def ends(one: ShownVector, place: Place) -> Segment:
+def ends(vector: ShownVector, place: Place) -> Segment:
     """Give the ends of a vector at its own place on paper."""
-    return place.on(one.at), place.on(one.end)
+    return place.on(vector.at), place.on(vector.end)
 
 
 class Chain(NamedTuple):
@@ -95,9 +95,9 @@ class Chain(NamedTuple):
     def sides(self, subject: Subject, thin: str, letter: Callable[[str], str], place: Place, hand: Hand) -> list[Group]:
         """Draw them, measurable, those of the `thin` kind in thinner lines; what keeps its place lies on top."""
         found = []
-        for one in (*reversed(self.seen), *self.short):
-            style = hand.relative if one.vector.kind == thin else hand.result
-            found.append(one.draw(subject, letter(one.vector.name), place, style, hand.symbol))
+        for side in (*reversed(self.seen), *self.short):
+            style = hand.relative if side.vector.kind == thin else hand.result
+            found.append(side.draw(subject, letter(side.vector.name), place, style, hand.symbol))
         return found
 
 
@@ -108,12 +108,13 @@ def lay(
 
     A letter between two lanes is so many of its sizes `wide`. What is shorter than the `least`, mm, is a point.
     """
-    lengths = {one: place.length(abs(one.value)) for one in vectors}
-    order = sorted(lengths, key=lambda one: (one.kind == thin, -tied(lengths[one])))
-    seen = [one for one in order if tied(lengths[one]) >= SEEN]
-    short = (one for one in lengths if one not in seen and lengths[one] >= least)
+    lengths = {vector: place.length(abs(vector.value)) for vector in vectors}
+    order = sorted(lengths, key=lambda vector: (vector.kind == thin, -tied(lengths[vector])))
+    long = [vector for vector in order if tied(lengths[vector]) >= SEEN]
+    short = (vector for vector in lengths if vector not in long and lengths[vector] >= least)
     return Chain(
-        _lanes(seen, place, box, complex(wide, HIGH), hand), tuple(LaidVector(one, ends(one, place)) for one in short)
+        _lanes(long, place, box, complex(wide, HIGH), hand),
+        tuple(LaidVector(side, ends(side, place)) for side in short),
     )
 
 
@@ -122,13 +123,13 @@ def _lanes(order: Sequence[ShownVector], place: Place, box: Field, room: complex
 
     A letter between two lanes has a room of width + 1j * height, in its sizes.
     """
-    segments = [ends(one, place) for one in order]
+    segments = [ends(vector, place) for vector in order]
     wide, high = room.real * hand.letter, room.imag * hand.letter  # of a letter beside the outermost lane
     top = box.top - 2 * hand.title - hand.text - high
     inside: Box = (box.left + wide, box.bottom + high, box.right - wide, top)
     shifts = parallel_offsets(segments, APART * hand.symbol, room * hand.letter, inside)
     placed = zip(order, segments, shifts, strict=True)
-    return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in placed)
+    return tuple(LaidVector(vector, offset(line, shift), shift) for vector, line, shift in placed)
 
 
 def carriers(arrows: Sequence[LaidVector], place: Place, hand: Hand) -> list[Stroke]:
@@ -147,9 +148,9 @@ def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float
     spots = [end for arrow in arrows for end in arrow.ends]
     middle = sum(spots, 0j) / max(len(spots), 1)
     strokes = []
-    for one, (start, end), shift in sorted(arrows, key=lambda arrow: tied(abs(arrow.ends[1] - arrow.ends[0]))):
+    for vector, (start, end), shift in sorted(arrows, key=lambda arrow: tied(abs(arrow.ends[1] - arrow.ends[0]))):
         outward = shift or tied_spot((start + end) / 2 - middle) or 1j
-        strokes.append(labels.along(start, end, *mark(one.name), BESIDE, cmath.phase(outward)))
+        strokes.append(labels.along(start, end, *mark(vector.name), BESIDE, cmath.phase(outward)))
     return strokes
 
 
@@ -194,7 +195,7 @@ class Polygon(NamedTuple):
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        return [0j, *(end for one in self.vectors for end in (one.at, one.end))]
+        return [0j, *(end for vector in self.vectors for end in (vector.at, vector.end))]
 
     @property
     def subject(self) -> Subject:
@@ -211,21 +212,21 @@ class Polygon(NamedTuple):
             return drafting.word("no vectors")
         parts = [drafting.scale(scale)]
         parts += [drafting.word("closes by itself")] if self.closed else []
-        faint = ", ".join(self.letters.lower(one.name) for one in self.vectors if abs(one.value) < SEEN * scale.mu)
+        faint = ", ".join(self.letters.lower(side.name) for side in self.vectors if abs(side.value) < SEEN * scale.mu)
         parts += [drafting.word("unlettered", names=faint)] if faint else []
         return ";  ".join(parts)
 
     def working(self, drafting: Drafting) -> Working:
         """Write beside it how long its vectors are drawn."""
-        sizes = {self.letters.lower(one.name): abs(one.value) for one in self.vectors}
+        sizes = {self.letters.lower(vector.name): abs(vector.value) for vector in self.vectors}
         return working.segment_working(sizes, self.subject.quantity, self.name, drafting)
 
 
 def measure(shown: Polygon, drafting: Drafting) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
-    hand, own = drafting.hand, shown.sizes
-    paper = margins(shown.points, Margins(own.side, LANE, LANE), hand)
-    least = hand.letter * max(own.least, own.each * min(len(shown.vectors), FEW))
+    hand, sizes = drafting.hand, shown.sizes
+    paper = margins(shown.points, Margins(sizes.side, LANE, LANE), hand)
+    least = hand.letter * max(sizes.least, sizes.each * min(len(shown.vectors), FEW))
     return picture(shown.name, shown.points, shown.scale, paper, heading_width(shown.title, hand), least)
 
 

@@ -146,8 +146,8 @@ class RowPlate(ABC, Generic[Shown]):
 
     def _wide(self, row: Shown) -> float:
         scale = self.drafting.scale(Scale(0.0025, f"{{{row.letter}}}", row.unit))
-        told = (text_width(Text(0j, text, self.hand.text)) for text in self.said(row))
-        return max(wide(self.title(row), f"{scale};  {self.widest}", self.hand), *told, 0.0)
+        widths = (text_width(Text(0j, text, self.hand.text)) for text in self.said(row))
+        return max(wide(self.title(row), f"{scale};  {self.widest}", self.hand), *widths, 0.0)
 
     def pole_letters(self, row: Shown) -> tuple[str, str]:
         """Give the letters of the pole by which a row is drawn from the one above it, and of its distance."""
@@ -156,7 +156,7 @@ class RowPlate(ABC, Generic[Shown]):
 
     def place(self, row: Shown) -> int:
         """Give the place of a row from the top."""
-        return [one.key for one in self.rows].index(row.key)
+        return [shown.key for shown in self.rows].index(row.key)
 
     def room(self, name: str, axis: tuple[str, str], heading: float = 0.0) -> Picture:
         """Give the room of the figure; its scale is that of its axis."""
@@ -187,8 +187,8 @@ class RowFrame(ABC, Generic[Shown]):
         over = field._replace(top=field.top + self.plate.over)
         head = caption(self.plate.title(row), joined(";  ", self.scales_of(row)), over, hand)
         low = complex(over.centre.real, over.top - hand.title - UNDER * hand.text)
-        told = (Text(low, text, hand.text, "middle", True) for text in self.plate.said(row))
-        above, below = (tuple(telling(part.name, one) for one in own) for own in (head.strokes, told))
+        texts = (Text(low, text, hand.text, "middle", True) for text in self.plate.said(row))
+        above, below = (tuple(telling(part.name, stroke) for stroke in strokes) for strokes in (head.strokes, texts))
         return part._replace(lines=(Group((Group(above), *below)), *part.lines))
 
     def scales_of(self, row: Shown) -> Iterator[str]:
@@ -208,14 +208,14 @@ class RowFrame(ABC, Generic[Shown]):
         """Draw each pole beside the derivative of its two rows, and rays to the values that lie apart."""
         hand = self.plate.hand
         for above, row in pairwise(self.plate.rows):
-            distance, own = self.distance(row), above if self.plate.proportions.rises else row
+            distance, shown = self.distance(row), above if self.plate.proportions.rises else row
             if distance is not None:
-                axes, (x, y) = self.axes(own), own.rays
+                axes, (x, y) = self.axes(shown), shown.rays
                 off = 1j * (
-                    OFF * hand.letter + own.span[1] / axes.up.mu
+                    OFF * hand.letter + shown.span[1] / axes.up.mu
                 )  # above the highest ray, where the axis goes on
                 pole = Pole(self.plate.pole_letters(row), distance, x, y, POLE_APART * hand.letter, off)
-                yield pole.part(self.plate.named(f"{own.key}-pole"), axes, hand)
+                yield pole.part(self.plate.named(f"{shown.key}-pole"), axes, hand)
 
     @property
     def argument(self) -> Scale:
@@ -259,16 +259,16 @@ class RowFrame(ABC, Generic[Shown]):
     def scales(self) -> dict[str, Scale]:
         """The scales of the rows: the largest ones together at which all poles stand in the paper beside them."""
         steps = [list(self._steps(row)) for row in self.plate.rows]
-        every = sorted(product(*steps), key=lambda one: one[0].mu * one[1].mu * one[2].mu)
-        fitting = [one for one in every if sum(self._taken(one)) <= self._high] or every
-        best = next((one for one in fitting if not self._astray(one)), None) or min(fitting, key=self._astray)
+        every = sorted(product(*steps), key=lambda scales: scales[0].mu * scales[1].mu * scales[2].mu)
+        fitting = [scales for scales in every if sum(self._taken(scales)) <= self._high] or every
+        best = next((scales for scales in fitting if not self._astray(scales)), None) or min(fitting, key=self._astray)
         return {row.key: scale for row, scale in zip(self.plate.rows, best, strict=True)}
 
     def _astray(self, scales: tuple[Scale, ...]) -> int:
         """Count the poles that would stand badly."""
-        least, most = (one * self.plate.hand.letter for one in self.plate.proportions.pole)
+        least, most = (bound * self.plate.hand.letter for bound in self.plate.proportions.pole)
         poles = (self._pole(k, scales) for k in range(1, len(scales)))
-        return sum(not least <= one <= most for one in poles if one is not None)
+        return sum(not least <= pole <= most for pole in poles if pole is not None)
 
     def _pole(self, k: int, scales: Sequence[Scale]) -> float | None:
         """Give the distance, mm, of the pole between a row and the one above it: integral over derivative and step."""

@@ -40,6 +40,6 @@ def letter_images(
         same = next((known for known in names if abs(known - spot) < SAME), spot)
         names.setdefault(same, {}).update(dict.fromkeys(letters))
     middle = sum(names, 0j) / len(names)
-    for k, (spot, own) in enumerate(names.items()):
+    for k, (spot, shared) in enumerate(names.items()):
         prefer = cmath.phase(spot - middle) if abs(spot - middle) > SAME else math.pi / 4
-        yield labels.beside(spot, ", ".join(map(with_index, own)), size, BESIDE if k else pole, prefer)
+        yield labels.beside(spot, ", ".join(map(with_index, shared)), size, BESIDE if k else pole, prefer)

@@ -131,5 +131,5 @@ def _laid(sizes: Mapping[str, float], factor: ScaleFactor) -> Iterator[tuple[str
 def _read(sizes: Mapping[str, float], unit: str, factor: ScaleFactor) -> Iterator[tuple[str, ...]]:
     drafting = factor.drafting
     for letter, size in sizes.items():
-        told = f"{drafting.number(size, DIGITS)} {drafting.word(unit)}"
-        yield f"{letter} = {factor.true(f'[{letter}]')}", factor.of_drawn(size), told
+        amount = f"{drafting.number(size, DIGITS)} {drafting.word(unit)}"
+        yield f"{letter} = {factor.true(f'[{letter}]')}", factor.of_drawn(size), amount

@@ -63,9 +63,9 @@ class _Figure(NamedTuple):
 
     def legible(self, scale: Scale) -> Rung:
         """Give its rung at a scale; where it cannot be read there, at the next scale at which it can."""
-        own = self.at(scale)
-        if can_be_read(self.picture, own) or not self.rungs:
-            return own
+        rung = self.at(scale)
+        if can_be_read(self.picture, rung) or not self.rungs:
+            return rung
         return next(iter(self.read), self.rungs[-1])
 
 
@@ -82,18 +82,18 @@ def steps_of(panels: Sequence[Panel], room: tuple[float, float], standard: str, 
             rungs = panel.item.ladder(*room, standard).rungs[::-1]
             key = (panel.scale, 0 if panel.scale else k)
             keyed.setdefault(key, []).append(_Figure(panel.item, panel.weight, rungs))
-    return tuple(_steps(own, legible) for own in keyed.values())
+    return tuple(_steps(figures, legible) for figures in keyed.values())
 
 
 def _steps(figures: Sequence[_Figure], legible: bool) -> Steps:
     """Enlarge figures together, as far as the one that needs most paper fits."""
-    sized = [one for one in figures if max(one.picture.wide, one.picture.high)] or figures  # a point has any scale
-    largest = max(sized, key=lambda one: one.rungs[-1].scale.mu if one.rungs else math.inf)
+    sized = [item for item in figures if max(item.picture.wide, item.picture.high)] or figures  # a point has any scale
+    largest = max(sized, key=lambda figure: figure.rungs[-1].scale.mu if figure.rungs else math.inf)
     scales = [rung.scale for rung in largest.rungs]
     every = [
-        {one.picture.name: one.legible(scale) if legible else one.at(scale) for one in figures} for scale in scales
+        {item.picture.name: item.legible(scale) if legible else item.at(scale) for item in figures} for scale in scales
     ]
-    shares = [_mean([can_be_read(one.picture, one.at(scale)) for one in figures]) for scale in scales]
+    shares = [_mean([can_be_read(figure.picture, figure.at(scale)) for figure in figures]) for scale in scales]
     least = min(READ, max(shares, default=READ)) or READ if legible else 0.0  # of one that is never legible no step
     kept = [step for step, share in zip(every, shares, strict=True) if share >= least]
     return Steps(tuple(kept), tuple(tied(_mean([*_sizes(figures, step)])) for step in kept))
@@ -105,14 +105,14 @@ def _mean(values: Sequence[float]) -> float:
 
 def _sizes(figures: Sequence[_Figure], step: Mapping[str, Rung]) -> Iterator[float]:
     """Give the sizes of figures over their weights; a point is as large as it can be."""
-    for one in figures:
-        extent = step[one.picture.name].extent
-        yield extent / one.weight if extent else math.inf
+    for figure in figures:
+        extent = step[figure.picture.name].extent
+        yield extent / figure.weight if extent else math.inf
 
 
 def rungs_of(steps: Sequence[Steps], state: State) -> dict[str, Rung]:
     """Give the scales of all pictures, by their names."""
-    return {name: rung for own, k in zip(steps, state, strict=True) for name, rung in own.rungs[k].items()}
+    return {name: rung for step, k in zip(steps, state, strict=True) for name, rung in step.rungs[k].items()}
 
 
 def sizes_of(stock: Stock, tree: Tree, rungs: Mapping[str, Rung], ends: Mapping[int, Size]) -> dict[int, Size]:
@@ -141,9 +141,9 @@ class Growth:
         every = set[str]().union(*names)
         now = list(state)
         growing = [
-            (own.sizes[now[v]], v)
-            for v, own in enumerate(self.steps)
-            if (own.rungs[0].keys() <= every if only else own.rungs[0].keys() & every)
+            (step.sizes[now[v]], v)
+            for v, step in enumerate(self.steps)
+            if (step.rungs[0].keys() <= every if only else step.rungs[0].keys() & every)
         ]
         heapq.heapify(growing)
         while growing:
@@ -162,13 +162,13 @@ class Growth:
         changed: dict[int, dict[int, Size]] = {}
         for k, tree in enumerate(self.trees):
             if names[k] & rungs.keys():
-                own = {**sizes[k], **self._changed(sizes[k], rungs)}
-                wide, high = natural(tree, own)
+                resized = {**sizes[k], **self._changed(sizes[k], rungs)}
+                wide, high = natural(tree, resized)
                 if wide > self.stock.room[0] + SAME or high > self.stock.room[1] + SAME:
                     return False
-                changed[k] = own
-        for k, own in changed.items():
-            sizes[k] = own
+                changed[k] = resized
+        for k, resized in changed.items():
+            sizes[k] = resized
         now[v] += 1
         return True
 
@@ -176,14 +176,14 @@ class Growth:
         """Give the new sizes of the figures that are drawn at other scales."""
         found: dict[int, Size] = {}
         for k in sizes:
-            one = None if k in self.ends else self.stock.shown[k]
-            if isinstance(one, Picture) and one.name in rungs:
-                found[k] = rungs[one.name].wide, rungs[one.name].high
+            shown = None if k in self.ends else self.stock.shown[k]
+            if isinstance(shown, Picture) and shown.name in rungs:
+                found[k] = rungs[shown.name].wide, rungs[shown.name].high
         return found
 
     def _names(self, tree: Tree) -> set[str]:
         shown = (self.stock.shown[piece.unit] for piece in pieces(tree) if piece.unit not in self.ends)
-        return {one.name for one in shown if isinstance(one, Picture)}
+        return {item.name for item in shown if isinstance(item, Picture)}
 
 
 REACH = 6  # steps that a thing is moved at most at once
@@ -212,7 +212,7 @@ class _Stands(NamedTuple):
 
     def areas(self, n: int) -> Iterator[Area]:
         """Give what it inks in one of them."""
-        return (Area(*own) for own in self.inked[n].tolist())
+        return (Area(*edges) for edges in self.inked[n].tolist())
 
     def reach(self, area: Area) -> Truths:
         """Tell in which of them it inks some of an area."""
@@ -267,15 +267,15 @@ class Arrangement:
         return self._grid.share(self._grid.barest(self._areas(boxes)))
 
     def _areas(self, boxes: Boxes) -> list[Area]:
-        inked = [one for k, box in boxes.items() for one in self.inked(k, box)]
-        return [self._grid.area(one) for one in (*self._taken, *inked)]
+        inked = [ink for k, box in boxes.items() for ink in self.inked(k, box)]
+        return [self._grid.area(field) for field in (*self._taken, *inked)]
 
     def _moved(self, some: tuple[int, ...], boxes: Boxes) -> Boxes:
         """Move some things, if that is worth the way: that way is weighed next which may be the best one."""
         others = {k: box for k, box in boxes.items() if k not in some}
         still, least = self._areas(others), max(self._share(boxes), self.most)
         stands = [self._stands(k, boxes[k], [*others.values()], FEW * (len(some) - 1)) for k in some]
-        far = reduce(np.add.outer, [one.far for one in stands])
+        far = reduce(np.add.outer, [stand.far for stand in stands])
         bound, best = np.where(_meeting(stands), math.inf, self.most + far), {**boxes}
         for bare in self._bare:
             if not any(map(bare.meets, still)):
@@ -283,32 +283,32 @@ class Arrangement:
         while bound.size and bound.min() < least:
             way = np.unravel_index(bound.argmin(), bound.shape)
             pairs = list(zip(stands, way, strict=True))
-            bare = self._grid.barest([*still, *(area for one, n in pairs for area in one.areas(int(n)))])
+            bare = self._grid.barest([*still, *(area for stand, n in pairs for area in stand.areas(int(n)))])
             self._bare[:] = [bare, *self._bare[: KNOWN - 1]]
             self._raise(bound, far, bare, stands)
             if bound[way] < least:
-                moved = {k: one.box(int(n)) for k, (one, n) in zip(some, pairs, strict=True)}
+                moved = {k: stand.box(int(n)) for k, (stand, n) in zip(some, pairs, strict=True)}
                 best, least = {**boxes, **moved}, float(bound[way])
             bound[way] = math.inf
         return best
 
     def _raise(self, bound: Floats, far: Floats, bare: Area, stands: Sequence[_Stands]) -> None:
         """Raise what all ways cost at least that leave a rectangle bare."""
-        met = reduce(np.logical_or.outer, [one.reach(bare) for one in stands])
+        met = reduce(np.logical_or.outer, [stand.reach(bare) for stand in stands])
         np.maximum(bound, self._grid.share(bare) + far, out=bound, where=~met)
 
-    def _stands(self, k: int, own: Field, others: Sequence[Field], few: int) -> _Stands:
+    def _stands(self, k: int, field: Field, others: Sequence[Field], few: int) -> _Stands:
         """Give the boxes that a thing may have beside all others, in its size or in others; in few of these, if any."""
         sizes = self.sizes(k)
         anew = sizes[:: math.ceil(len(sizes) / few) or 1] if few else sizes
-        ways = [((own.width, own.height), SHIFTS), *((size, COARSE if few else SHIFTS) for size in anew)]
-        found = [self._sized(k, own, size, shifts, others) for size, shifts in ways]
+        ways = [((field.width, field.height), SHIFTS), *((size, COARSE if few else SHIFTS) for size in anew)]
+        found = [self._sized(k, field, size, shifts, others) for size, shifts in ways]
         return _Stands(*map(np.concatenate, zip(*found, strict=True)))
 
-    def _sized(self, k: int, own: Field, size: Size, shifts: Cells, others: Sequence[Field]) -> _Stands:
+    def _sized(self, k: int, field: Field, size: Size, shifts: Cells, others: Sequence[Field]) -> _Stands:
         """Give the boxes of one size; what stands in the corners is kept clear of by ink, a heading in the middle."""
         wide, high = size
-        corners: Floats = np.tile((own.left, own.top), 2) + np.tile(shifts, 2) * self._step
+        corners: Floats = np.tile((field.left, field.top), 2) + np.tile(shifts, 2) * self._step
         box = Field(0.0, -high, wide, 0.0)
         boxes: Floats = corners + np.array(box)
         areas: Floats = np.array([*self.inked(k, box)], dtype=float).reshape(-1, 4)  # none of notes without lines
@@ -325,8 +325,8 @@ def _meeting(stands: Sequence[_Stands]) -> Truths | bool:
     """Tell which ways of two things to stand are too near each other."""
     if len(stands) == 1:
         return False
-    one, other = stands
-    return _meet(one.boxes[:, None], np.moveaxis(other.boxes, -1, 0))
+    stand, other = stands
+    return _meet(stand.boxes[:, None], np.moveaxis(other.boxes, -1, 0))
 
 
 def _within(boxes: Floats, room: Field) -> Truths:

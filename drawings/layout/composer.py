@@ -74,7 +74,7 @@ class _Cutting(NamedTuple):
 
     @property
     def areas(self) -> list[float]:
-        return [min(shape.size[0] * shape.size[1] for shape in own) for own in self.shapes]
+        return [min(shape.size[0] * shape.size[1] for shape in group) for group in self.shapes]
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ class _Composer:
         if fewer > count:
             return best
         found = self._found(fewer)
-        return max(best, found, key=lambda one: (-len(one.sheets), one.settled))
+        return max(best, found, key=lambda candidate: (-len(candidate.sheets), candidate.settled))
 
     def _fewest(self) -> int:
         """Count the sheets that are needed at the least scales."""
@@ -136,21 +136,21 @@ class _Composer:
 
     def _found(self, count: int) -> _Set:
         """Find the best set of so many sheets."""
-        sets = (one for state in self._states(self.asked.floors, count) for one in self._sets(state, count))
+        sets = (candidate for state in self._states(self.asked.floors, count) for candidate in self._sets(state, count))
         best = next(sets)
         looked_at = [best]
-        for one in sets:
-            if one.most > best.score:
-                looked_at.append(one)
-                best = max(best, one, key=lambda one: one.score)
-        return _settled(nlargest(SETTLED, looked_at, key=lambda one: one.score))
+        for candidate in sets:
+            if candidate.most > best.score:
+                looked_at.append(candidate)
+                best = max(best, candidate, key=lambda candidate: candidate.score)
+        return _settled(nlargest(SETTLED, looked_at, key=lambda candidate: candidate.score))
 
     def _cutting(self, order: Order, state: State) -> _Cutting:
         if (order, state) not in self.known:
             rungs, stock = rungs_of(self.asked.steps, state), self.asked.stock
             shapes = [stock.shapes(unit, rungs) for unit in order]
-            opening = [stock.opening(own, head_of(self.page)) for own in shapes]
-            sizes, opened = ([[shape.size for shape in own] for own in every] for every in (shapes, opening))
+            opening = [stock.opening(group, head_of(self.page)) for group in shapes]
+            sizes, opened = ([[shape.size for shape in group] for group in every] for every in (shapes, opening))
             slicing = Slicing(sizes, stock.cuts, corner_of(self.page), opened)
             self.known[order, state] = _Cutting(slicing, shapes, opening)
         return self.known[order, state]
@@ -162,7 +162,7 @@ class _Composer:
 
     def _states(self, floors: State, count: int) -> Iterator[State]:
         """Give the scales at the highest level that fits on so many sheets, and those below it."""
-        levels = sorted({size for own in self.asked.steps for size in own.sizes if size < math.inf})
+        levels = sorted({size for step in self.asked.steps for size in step.sizes if size < math.inf})
         states = list(dict.fromkeys([floors, *(self._state(level, floors) for level in levels)]))
         low, high = 0, len(states)
         while high - low > 1:
@@ -171,7 +171,7 @@ class _Composer:
         yield from states[max(low - LOOKS + 1, 0) : low + 1]
 
     def _state(self, level: float, floors: State) -> State:
-        return tuple(max(own.at(level), floor) for own, floor in zip(self.asked.steps, floors, strict=True))
+        return tuple(max(step.at(level), floor) for step, floor in zip(self.asked.steps, floors, strict=True))
 
     def _sets(self, state: State, count: int) -> Iterator[_Set]:
         """Compose the sets that fit at some scales."""
@@ -203,7 +203,7 @@ class _Composer:
     def _stood(self, tree: Tree, rungs: Mapping[str, Rung], last: bool) -> Stood:
         """Stand a sheet, once for all sets that it is one of."""
         shown = (self.asked.stock.shown[piece.unit] for piece in pieces(tree) if piece.unit >= 0)
-        key = tree, tuple(rungs[one.name] for one in shown if isinstance(one, Picture)), last
+        key = tree, tuple(rungs[item.name] for item in shown if isinstance(item, Picture)), last
         if key not in self.sheets:
             self.sheets[key] = Stood(self.asked.stock, self.page, tree, rungs, last)
         return self.sheets[key]
@@ -220,7 +220,7 @@ class _Composer:
         rungs, steps = rungs_of(self.asked.steps, grown), self.asked.steps
         last = len(trees) - 1
         sheets = tuple(self._stood(tree, rungs, self._ends(0 < k == last)) for k, tree in enumerate(trees))
-        size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
+        size = size_of([step.sizes[k] for step, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
         return _Set(sheets, tied(math.log(size) - late))
 
@@ -232,9 +232,9 @@ def _with_others(sheet: Stood) -> Composition:
 def _settled(sets: Sequence[_Set]) -> _Set:
     """Give the best of some sets when all is moved; what one is at most tells whether it need be looked at."""
     best = sets[0]
-    for one in sets[1:]:
-        if one.most > best.settled and one.settled > best.settled:
-            best = one
+    for candidate in sets[1:]:
+        if candidate.most > best.settled and candidate.settled > best.settled:
+            best = candidate
     return best
 
 
@@ -242,8 +242,8 @@ def _least(trees: Iterator[Tree], fault: Callable[[Tree], float]) -> Tree:
     """Give the first tree of the least fault; behind one without any none is looked at."""
     best, least = next(trees), math.inf
     for tree in chain([best], trees):
-        if (own := fault(tree)) < least:
-            best, least = tree, own
+        if (loss := fault(tree)) < least:
+            best, least = tree, loss
         if not least:
             break
     return best

@@ -92,7 +92,7 @@ def plain(*parts: str) -> WrittenEquation:
 
 def listed(*parts: str) -> WrittenEquation:
     """Write statements after one another, a comma after each but the last."""
-    return plain(*(joined("", (one, ",")) for one in parts[:-1]), *parts[-1:])
+    return plain(*(joined("", (part, ",")) for part in parts[:-1]), *parts[-1:])
 
 
 class Passage(NamedTuple):
@@ -106,12 +106,12 @@ class Passage(NamedTuple):
 
     def rows(self, width: float) -> list[Row]:
         """Break the equations at a width, mm, before their signs."""
-        return [row for one in self.equations for row in _broken(one, width, self.size)]
+        return [row for equation in self.equations for row in _broken(equation, width, self.size)]
 
     def block(self) -> TextBlock:
         """Measure the ways to break it, each at the least width for its number of lines."""
-        least = max(_length(whole, self.size) for one in self.equations for whole in _unbroken(one))
-        width = max(_length(one.pieces, self.size) for one in self.equations)
+        least = max(_length(whole, self.size) for equation in self.equations for whole in _unbroken(equation))
+        width = max(_length(equation.pieces, self.size) for equation in self.equations)
         widths: dict[float, float] = {}
         while not widths or width >= max(least, self.narrowest * self.size):
             rows = self.rows(width)
@@ -132,9 +132,9 @@ class Passage(NamedTuple):
         return Group(tuple(strokes), self.name)
 
 
-def _broken(one: WrittenEquation, width: float, size: float) -> Iterator[Row]:
+def _broken(equation: WrittenEquation, width: float, size: float) -> Iterator[Row]:
     row: Row = ()
-    for whole in _unbroken(one):
+    for whole in _unbroken(equation):
         if row and _length((*row, *whole), size) > width:
             yield row
             row = ()
@@ -142,11 +142,11 @@ def _broken(one: WrittenEquation, width: float, size: float) -> Iterator[Row]:
     yield row
 
 
-def _unbroken(one: WrittenEquation) -> Iterator[Row]:
+def _unbroken(equation: WrittenEquation) -> Iterator[Row]:
     """Give what stands on one line; the right side stays with the last term, for "= 0" alone is no line."""
-    kept = 2 if len(one.pieces) > 1 and one.pieces[-1].sign == "=" else 1
-    yield from ((piece,) for piece in one.pieces[:-kept])
-    yield one.pieces[-kept:]
+    kept = 2 if len(equation.pieces) > 1 and equation.pieces[-1].sign == "=" else 1
+    yield from ((piece,) for piece in equation.pieces[:-kept])
+    yield equation.pieces[-kept:]
 
 
 @lru_cache(maxsize=4096)
@@ -173,12 +173,12 @@ def _written(passage: Passage, row: Row, start: complex, hand: Hand) -> Iterator
     """Write one line from its start, each term over its lines."""
     along, size = 0.0, passage.size
     for piece in row:
-        own = list[Stroke]()
+        strokes = list[Stroke]()
         if piece.sign:
-            own.append(Text(start + along + (LAPSE * size if along else 0.0), piece.sign, size, "start", True))
+            strokes.append(Text(start + along + (LAPSE * size if along else 0.0), piece.sign, size, "start", True))
         along += _sign(piece, size, bool(along))
-        own.append(telling(passage.figure, Text(start + along, piece.text, size, "start", True)))
-        yield from own if piece.states is None else (stating(piece.states, *own),)
+        strokes.append(telling(passage.figure, Text(start + along, piece.text, size, "start", True)))
+        yield from strokes if piece.states is None else (stating(piece.states, *strokes),)
         width = _wide(piece.text, size)
         for k in range(piece.under):
             low = start + along - 1j * (UNDER * size + APART * k)

@@ -47,19 +47,19 @@ class Stood:
         units = {k: Occupant(size, False) for k, size in ends.items()}
         for piece in pieces(self.tree):
             if piece.unit not in ends:
-                one = self.stock.shown[piece.unit]
+                item = self.stock.shown[piece.unit]
                 size = self.stock.sizes(piece.unit, self.rungs)[piece.choice]
-                units[piece.unit] = Occupant(size, isinstance(one, Picture), *self._more(one, size))
+                units[piece.unit] = Occupant(size, isinstance(item, Picture), *self._more(item, size))
         boxes = Standing(units, room_of(self.page)).boxes(self.tree)
         return {k: box for k, box in boxes.items() if k not in ends}
 
-    def _more(self, one: Shown, size: Size) -> Size:
+    def _more(self, item: Shown, size: Size) -> Size:
         """Tell how much wider and higher than its size a thing may stand, mm."""
-        if isinstance(one, Picture):
-            return 0.0, (one.taller - 1) * one.high / self.rungs[one.name].scale.mu
-        if isinstance(one, RuledTable):
+        if isinstance(item, Picture):
+            return 0.0, (item.taller - 1) * item.high / self.rungs[item.name].scale.mu
+        if isinstance(item, RuledTable):
             return (WIDER - 1) * size[0], 0.0
-        return (math.inf if isinstance(one, Notes) else 0.0), 0.0
+        return (math.inf if isinstance(item, Notes) else 0.0), 0.0
 
     @cached_property
     def bare(self) -> float:
@@ -68,7 +68,7 @@ class Stood:
 
     def ink(self, boxes: Mapping[int, Field]) -> list[Field]:
         """Give what bears ink where all stands in some boxes, and what the page itself takes."""
-        return [*(part for k, own in boxes.items() for part in self._inked(k, own)), *self.page.taken]
+        return [*(part for k, box in boxes.items() for part in self._inked(k, box)), *self.page.taken]
 
     @cached_property
     def arranged(self) -> Mapping[int, Field]:
@@ -84,9 +84,9 @@ class Stood:
         boxes = dict(self.arranged)
         most = max(bareness(self.ink(boxes), self.page.field), self.most)
         for k in (k for k in boxes if isinstance(self.stock.shown[k], TextBlock | Notes)):
-            taken = [*(own for n, own in boxes.items() if n != k), *self.page.taken]
-            free = (own for own in self._wider(k, boxes[k]) if _free(own, taken, room_of(self.page)))
-            fair = (own for own in free if bareness(self.ink({**boxes, k: own}), self.page.field) <= most)
+            taken = [*(box for n, box in boxes.items() if n != k), *self.page.taken]
+            free = (box for box in self._wider(k, boxes[k]) if _free(box, taken, room_of(self.page)))
+            fair = (box for box in free if bareness(self.ink({**boxes, k: box}), self.page.field) <= most)
             boxes[k] = next(fair, boxes[k])
         return boxes
 
@@ -122,41 +122,41 @@ class Stood:
 
     def _inked(self, k: int, box: Field) -> Iterator[Field]:
         """Give what of a box is inked: lines and letters of a figure, and its heading."""
-        one = self.stock.shown[k]
-        if isinstance(one, Notes):
-            yield from _written(one, box)
+        item = self.stock.shown[k]
+        if isinstance(item, Notes):
+            yield from _written(item, box)
             return
-        if not isinstance(one, Picture):
+        if not isinstance(item, Picture):
             yield box
             return
-        scale, around = self.rungs[one.name].scale, one.margins
-        one = one.filling(Spot(box, scale))
-        middle, wide, high = box.centre.real, one.wide / scale.mu, one.high / scale.mu
+        scale, around = self.rungs[item.name].scale, item.margins
+        item = item.filling(Spot(box, scale))
+        middle, wide, high = box.centre.real, item.wide / scale.mu, item.high / scale.mu
         left, low = middle - wide / 2, box.bottom + around.below
         side, below, above = LETTERED * around.side, LETTERED * around.below, box.top - HEAD - low - high
-        for band in one.bands:
+        for band in item.bands:
             yield Field(
                 left + band.left * wide - side,
                 low + band.low * high - below,
                 left + band.right * wide + side,
                 low + band.high * high + above,
             )
-        yield Field(middle - one.heading / 2, box.top - HEAD, middle + one.heading / 2, box.top)
+        yield Field(middle - item.heading / 2, box.top - HEAD, middle + item.heading / 2, box.top)
 
     def composition(self) -> Composition:
         """Give where everything stands, in the order of the contents."""
         boxes = sorted(self.stands.items())
         shown = [(self.stock.shown[k], box) for k, box in boxes]
         tables = []
-        for one, box in shown:
-            if isinstance(one, RuledTable):
-                setting = one.as_high(box)
-                tables.append(TableSpot(one.widened(setting, box.width), complex(box.left, box.top), setting))
+        for item, box in shown:
+            if isinstance(item, RuledTable):
+                setting = item.as_high(box)
+                tables.append(TableSpot(item.widened(setting, box.width), complex(box.left, box.top), setting))
         return Composition(
-            {one.name: Spot(box, self.rungs[one.name].scale) for one, box in shown if isinstance(one, Picture)},
-            {one.name: box for one, box in shown if isinstance(one, TextBlock)},
+            {item.name: Spot(box, self.rungs[item.name].scale) for item, box in shown if isinstance(item, Picture)},
+            {item.name: box for item, box in shown if isinstance(item, TextBlock)},
             tuple(tables),
-            next((box for one, box in shown if isinstance(one, Notes)), None),
+            next((box for item, box in shown if isinstance(item, Notes)), None),
         )
 
 
@@ -165,7 +165,7 @@ def _free(box: Field, others: Sequence[Field], room: Field) -> bool:
     if box.left < room.left - SAME or box.right > room.right + SAME or box.bottom < room.bottom - SAME:
         return False
     left, bottom, right, top = box.inset(SAME - GAP)
-    return not any(one.left < right and left < one.right and one.bottom < top and bottom < one.top for one in others)
+    return not any(box.left < right and left < box.right and box.bottom < top and bottom < box.top for box in others)
 
 
 def _written(notes: Notes, box: Field) -> Iterator[Field]:
@@ -178,8 +178,8 @@ def _written(notes: Notes, box: Field) -> Iterator[Field]:
 
 def size_of(extents: list[float]) -> float:
     """Give the harmonic mean of the sizes of figures, mm, to which the small ones matter most."""
-    sizes = [one for one in extents if 0 < one < math.inf]
-    return len(sizes) / sum(1 / one for one in sizes) if sizes else 1.0
+    sizes = [extent for extent in extents if 0 < extent < math.inf]
+    return len(sizes) / sum(1 / size for size in sizes) if sizes else 1.0
 
 
 BARE, LAST = 0.13, 0.22  # shares of a sheet that may stay bare, of the last one of a set more
@@ -200,13 +200,13 @@ def most_bare(page: Page, last: bool) -> float:
 
 def fill(ink: Ink, page: Page, last: bool, loose: Sequence[Loose]) -> Iterator[Group]:
     """Write workings where most is bare, until no more is than may be or none of them fits; the ink knows of them."""
-    left, room = {one.block.name: one for one in loose}, room_of(page)
+    left, room = {entry.block.name: entry for entry in loose}, room_of(page)
     most = most_bare(page, last)
     while left:
         bare = ink.bare(page.field)
         if bare.width * bare.height <= most:
             return
-        found = _least([one.block for one in left.values()], bare, room, most)
+        found = _least([entry.block for entry in left.values()], bare, room, most)
         if not found:
             return
         for name, box in found.items():
@@ -218,8 +218,8 @@ def fill(ink: Ink, page: Page, last: bool, loose: Sequence[Loose]) -> Iterator[G
 def _least(blocks: Sequence[TextBlock], bare: Field, room: Field, most: float) -> dict[str, Field]:
     """Take the fewest workings that leave no more bare there than may be, mm2, or else as many as there is room for."""
     inner, share = _common(bare.inset(GAP), room), most / (bare.width * bare.height)
-    some = (*([one] for one in blocks), *(blocks[:k] for k in range(2, len(blocks))))
-    ways = (column(own, inner) for own in some)
+    some = (*([block] for block in blocks), *(blocks[:k] for k in range(2, len(blocks))))
+    ways = (column(chosen, inner) for chosen in some)
     enough = (way for way in ways if way and bareness(way.values(), bare) <= share)
     return next(enough, None) or column(blocks, inner)
 
@@ -230,7 +230,7 @@ def column(blocks: Sequence[TextBlock], bare: Field) -> dict[str, Field]:
     >>> column([TextBlock("a", ((20.0, 10.0),)), TextBlock("b", ((20.0, 30.0),))], Field(0.0, 0.0, 40.0, 30.0))
     {'a': Field(left=10.0, bottom=10.0, right=30.0, top=20.0)}
     """
-    widths = {wide for one in blocks for wide, _ in one.sizes if wide <= bare.width}
+    widths = {wide for block in blocks for wide, _ in block.sizes if wide <= bare.width}
     columns = [_sized(blocks, wide, bare.height) for wide in sorted(widths)]
     ways = [dict(_spread(sizes, bare, apart)) for sizes in columns for apart in (APART, math.inf)]
     return min(ways, key=lambda way: bareness(way.values(), bare), default={})
@@ -239,26 +239,26 @@ def column(blocks: Sequence[TextBlock], bare: Field) -> dict[str, Field]:
 def _sized(blocks: Sequence[TextBlock], width: float, height: float) -> dict[str, Size]:
     """Give the lowest sizes in a width of what has room in a height."""
     sizes, high = dict[str, Size](), -APART
-    for one in blocks:
-        size = min((own for own in one.sizes if own[0] <= width), key=lambda own: own[1], default=None)
+    for block in blocks:
+        size = min((shape for shape in block.sizes if shape[0] <= width), key=lambda shape: shape[1], default=None)
         if size is not None and high + APART + size[1] <= height:
-            sizes[one.name] = size
+            sizes[block.name] = size
             high += APART + size[1]
     return sizes
 
 
 def _spread(sizes: dict[str, Size], bare: Field, most: float) -> Iterator[tuple[str, Field]]:
     """Stand sizes in the middle of what is bare, the spare height between them, no more than that apart."""
-    wide, high = max((own[0] for own in sizes.values()), default=0.0), sum(own[1] for own in sizes.values())
+    wide, high = max((size[0] for size in sizes.values()), default=0.0), sum(size[1] for size in sizes.values())
     apart = min((bare.height - high) / (len(sizes) + 1), most)
     left, top = bare.centre.real - wide / 2, bare.centre.imag + (high + apart * (len(sizes) - 1)) / 2
-    for name, (own, tall) in sizes.items():
-        yield name, Field(left, top - tall, left + own, top)
+    for name, (width, tall) in sizes.items():
+        yield name, Field(left, top - tall, left + width, top)
         top -= tall + apart
 
 
-def _common(one: Field, other: Field) -> Field:
-    return Field(*map(max, one[:2], other[:2]), *map(min, one[2:], other[2:]))
+def _common(first: Field, other: Field) -> Field:
+    return Field(*map(max, first[:2], other[:2]), *map(min, first[2:], other[2:]))
 
 
 def filled(sheet: Stood) -> Stood:
@@ -266,14 +266,14 @@ def filled(sheet: Stood) -> Stood:
     for k in _workings(sheet):
         if not sheet.left:
             break
-        sheet = min((sheet, *_beside(sheet, k)), key=lambda one: one.left)
+        sheet = min((sheet, *_beside(sheet, k)), key=lambda candidate: candidate.left)
     return sheet
 
 
 def _workings(sheet: Stood) -> list[int]:
     """Give the workings of the figures on a sheet, by their numbers."""
     figures = (sheet.stock.shown[k] for k in sheet.boxes)
-    return [k for one in figures if isinstance(one, Picture) for k in sheet.stock.workings.get(one.name, ())]
+    return [k for item in figures if isinstance(item, Picture) for k in sheet.stock.workings.get(item.name, ())]
 
 
 def _beside(sheet: Stood, k: int) -> Iterator[Stood]:
@@ -288,14 +288,14 @@ def _beside(sheet: Stood, k: int) -> Iterator[Stood]:
     yield from (min(ways, key=lambda way: way.bare),) if ways else ()
 
 
-def _cut_off(sheet: Stood, tree: Tree, own: Piece, ends: Mapping[int, Size]) -> Iterator[Tree]:
+def _cut_off(sheet: Stood, tree: Tree, figure: Piece, ends: Mapping[int, Size]) -> Iterator[Tree]:
     """Give the trees in which a working is cut off from a part of a tree that shows its figure."""
     numbers = [piece.unit for piece in pieces(tree)]
     shown = [sheet.stock.shown[k] for k in numbers if k not in ends]
-    if not any(isinstance(one, Picture) and own.unit in sheet.stock.workings.get(one.name, ()) for one in shown):
+    if not any(isinstance(item, Picture) and figure.unit in sheet.stock.workings.get(item.name, ()) for item in shown):
         return
     if len(shown) == len(numbers):
-        yield from (Cut(True, tree, own), Cut(True, own, tree), Cut(False, tree, own))
+        yield from (Cut(True, tree, figure), Cut(True, figure, tree), Cut(False, tree, figure))
     if isinstance(tree, Cut) and not tree.tied:
-        yield from (tree._replace(first=one) for one in _cut_off(sheet, tree.first, own, ends))
-        yield from (tree._replace(second=one) for one in _cut_off(sheet, tree.second, own, ends))
+        yield from (tree._replace(first=part) for part in _cut_off(sheet, tree.first, figure, ends))
+        yield from (tree._replace(second=part) for part in _cut_off(sheet, tree.second, figure, ends))

@@ -92,9 +92,9 @@ class _Cells:
 
     def bare(self, field: Field) -> Field:
         rows, columns = self._covered(field)
-        own = self._map[rows, columns]
-        high, wide = (side // COARSE for side in own.shape)
-        cells = own[: high * COARSE, : wide * COARSE].reshape(high, COARSE, wide, COARSE)
+        window = self._map[rows, columns]
+        high, wide = (side // COARSE for side in window.shape)
+        cells = window[: high * COARSE, : wide * COARSE].reshape(high, COARSE, wide, COARSE)
         coarse = np.any(np.any(cells > 0, axis=1), axis=2)
         left, low, right, top = barest(coarse)
         start, step = complex(columns.start, rows.start) * CELL, COARSE * CELL

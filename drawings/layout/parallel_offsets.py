@@ -21,16 +21,16 @@ ABREAST = math.sin(math.radians(1)), 3.0  # lines at less than a degree are not 
 THROUGH = 0.5  # mm: a line so near the middle of all runs through it
 
 
-def merging(one: Segment, other: Segment) -> bool:
+def merging(line: Segment, other: Segment) -> bool:
     """Tell whether two lines run so near each other for so long that they are read as one.
 
     >>> merging((0j, 50 + 0j), (10 + 0.3j, 40 + 0.3j)), merging((0j, 50 + 0j), (0j, 30 + 30j))
     (True, False)
     """
-    along, beside = one[1] - one[0], other[1] - other[0]
+    along, beside = line[1] - line[0], other[1] - other[0]
     shorter = min(abs(along), abs(beside))
     near = min(NEAR, NEAR * shorter / SHORT)
-    run = min(_beside(one, other, near), _beside(other, one, near))
+    run = min(_beside(line, other, near), _beside(other, line, near))
     slope, most = ABREAST
     abreast = abs((along.conjugate() * beside).imag) < slope * abs(along) * abs(beside)
     return tied(run - SHARE * shorter) > 0 or (abreast and tied(run) > most)
@@ -99,20 +99,20 @@ def _roomy(segment: Segment, before: Sequence[Segment], room: float) -> bool:
     """Tell whether a line leaves each of those beside it, and itself, a side for its letter."""
     every = [segment, *before]
     return not any(
-        len({_left(one, other) for other in every if other is not one and _abreast(one, other, room)}) > 1
-        for one in every if one is segment or _abreast(one, segment, room)
+        len({_left(line, other) for other in every if other is not line and _abreast(line, other, room)}) > 1
+        for line in every if line is segment or _abreast(line, segment, room)
     )  # fmt: skip
 
 
-def _abreast(one: Segment, other: Segment, room: float) -> bool:
+def _abreast(line: Segment, other: Segment, room: float) -> bool:
     """Tell whether a line has another nearer than a letter's room for most of its length: one just so far is not."""
-    return tied(_beside(one, other, room - MARGIN) - abs(one[1] - one[0]) / 2) > 0
+    return tied(_beside(line, other, room - MARGIN) - abs(line[1] - line[0]) / 2) > 0
 
 
-def _left(one: Segment, other: Segment) -> bool:
+def _left(line: Segment, other: Segment) -> bool:
     """Tell whether the middle of a line is to the left of another."""
-    along = one[1] - one[0]
-    return tied((along.conjugate() * (sum(other) / 2 - one[0])).imag) > 0
+    along = line[1] - line[0]
+    return tied((along.conjugate() * (sum(other) / 2 - line[0])).imag) > 0
 
 
 def _outward(segment: Segment, middle: complex) -> complex:
@@ -134,24 +134,24 @@ def _crowd(segment: Segment, before: Sequence[Segment]) -> int:
     return sum(_abreast(segment, other, APART) for other in before)
 
 
-def _beside(one: Segment, other: Segment, near: float) -> float:
+def _beside(line: Segment, other: Segment, near: float) -> float:
     """Give the length for which a line is nearer to another than `near`: its part in the other's rounded strip.
 
     >>> _beside((0j, 8 + 0j), (0j, 4 + 0j), 1.0), _beside((0j, 8 + 0j), (2 - 4j, 2 + 4j), 1.0)
     (5.0, 2.0)
     """
-    along = one[1] - one[0]
+    along = line[1] - line[0]
     length = abs(along)
-    inside = [*_between(one, other, near), *(span for end in other for span in _around(one, end, near))]
+    inside = [*_between(line, other, near), *(span for end in other for span in _around(line, end, near))]
     if not inside:
         return 0.0
     low, high = min(span[0] for span in inside), max(span[1] for span in inside)  # the strip is convex
     return length * max(min(high, 1.0) - max(low, 0.0), 0.0)
 
 
-def _around(one: Segment, centre: complex, near: float) -> list[tuple[float, float]]:
+def _around(line: Segment, centre: complex, near: float) -> list[tuple[float, float]]:
     """Give the shares of a line between which it is nearer to a place than `near`."""
-    along, away = one[1] - one[0], one[0] - centre
+    along, away = line[1] - line[0], line[0] - centre
     size, across = abs(along), (along.conjugate() * away).imag
     left = (near * size) ** 2 - across**2
     if size == 0 or left <= 0:
@@ -160,13 +160,13 @@ def _around(one: Segment, centre: complex, near: float) -> list[tuple[float, flo
     return [(middle - half, middle + half)]
 
 
-def _between(one: Segment, other: Segment, near: float) -> list[tuple[float, float]]:
+def _between(line: Segment, other: Segment, near: float) -> list[tuple[float, float]]:
     """Give the shares of a line between which it lies in the strip of another, `near` to both sides, ends square."""
     size = abs(other[1] - other[0])
     if size == 0:
         return []
     along = (other[1] - other[0]) / size
-    first, last = ((end - other[0]) * along.conjugate() for end in one)
+    first, last = ((end - other[0]) * along.conjugate() for end in line)
     low, high = -math.inf, math.inf
     for start, end, least, most in ((first.real, last.real, 0.0, size), (first.imag, last.imag, -near, near)):
         if start == end:

@@ -167,8 +167,8 @@ def _crossed(lines: Sequence[Sequence[complex]], low: float, high: float) -> Ban
 
 def _joined(bands: Iterator[Band]) -> Iterator[Band]:
     for (left, right), alike in groupby(bands, key=lambda band: (band.left, band.right)):
-        own = list(alike)
-        yield Band(own[0].low, own[-1].high, left, right)
+        stack = list(alike)
+        yield Band(stack[0].low, stack[-1].high, left, right)
 
 
 def _band(hull: Sequence[complex], low: float, high: float) -> Band:
@@ -180,10 +180,10 @@ def _band(hull: Sequence[complex], low: float, high: float) -> Band:
 def _sides(line: Sequence[complex], low: float, high: float) -> Iterator[float]:
     """Give the abscissas of the points of a line between two heights, and of where it crosses these."""
     yield from (point.real for point in line if low <= point.imag <= high)
-    for one, other in pairwise(line):
+    for corner, other in pairwise(line):
         for y in (low, high):
-            if (one.imag - y) * (other.imag - y) < 0:
-                yield (one + (other - one) * (y - one.imag) / (other.imag - one.imag)).real
+            if (corner.imag - y) * (other.imag - y) < 0:
+                yield (corner + (other - corner) * (y - corner.imag) / (other.imag - corner.imag)).real
 
 
 def _hull(points: set[complex]) -> list[complex]:
@@ -322,5 +322,5 @@ def picture(
     left, right = min(v.real for v in values), max(v.real for v in values)
     bottom, top = min(v.imag for v in values), max(v.imag for v in values)
     middle = complex(left + right, bottom + top) / 2
-    own = Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)
-    return own._replace(bands=outline(values))
+    drawn = Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)
+    return drawn._replace(bands=outline(values))

@@ -102,23 +102,23 @@ class _Fitting:
         notes = () if contents.notes is None else (contents.notes,)
         self.shown = [*(panel.item for panel in contents.panels), *contents.tables, *notes]
         self.workings: dict[str, tuple[int, ...]] = {}
-        for one in contents.workings:
-            self.workings[one.of] = (*self.workings.get(one.of, ()), len(self.shown))
-            self.shown.append(one.block)
+        for working in contents.workings:
+            self.workings[working.of] = (*self.workings.get(working.of, ()), len(self.shown))
+            self.shown.append(working.block)
 
     def request(self) -> Request:
-        read, every = (steps_of(self.contents.panels, self.room, self.page.standard, own) for own in (True, False))
+        read, every = (steps_of(self.contents.panels, self.room, self.page.standard, clear) for clear in (True, False))
         pairs = [self._readable(*pair) for pair in zip(read, every, strict=True)]
-        steps = tuple(own for own, _ in pairs)
+        steps = tuple(step for step, _ in pairs)
         floors = self._raised(steps, tuple(floor for _, floor in pairs))
         rungs = rungs_of(steps, floors)
         first = len(self.contents.panels)
-        figures = [one for unit in groups(self.contents) for one in self._apart(unit, rungs)]
-        tables = [one for k in range(len(self.contents.tables)) for one in self._pieces(first + k)]
+        figures = [part for unit in groups(self.contents) for part in self._apart(unit, rungs)]
+        tables = [piece for k in range(len(self.contents.tables)) for piece in self._pieces(first + k)]
         notes = [first + len(self.contents.tables)] if self.contents.notes is not None else []
         many = further(figures, tables, notes) if len(figures) <= FEW else []
-        own = tuple(orders(figures, tables, notes))
-        return Request(self._stock, own, steps, floors, tuple(many), self.contents.followed)
+        arranged = tuple(orders(figures, tables, notes))
+        return Request(self._stock, arranged, steps, floors, tuple(many), self.contents.followed)
 
     @property
     def _stock(self) -> Stock:
@@ -126,19 +126,19 @@ class _Fitting:
 
     def _readable(self, read: Steps, every: Steps) -> tuple[Steps, int]:
         """Give the steps at which figures can be read, or else all, from the largest on at which each fits a sheet."""
-        for own in (read, every):
-            fitting = [k for k, step in enumerate(own.rungs) if all(self._alone(*one) for one in step.items())]
+        for ladder in (read, every):
+            fitting = [k for k, step in enumerate(ladder.rungs) if all(self._alone(*entry) for entry in step.items())]
             if fitting:
-                return own, 0 if own is read else fitting[-1]
+                return ladder, 0 if ladder is read else fitting[-1]
         raise SheetError(self._refused(every))
 
     def _refused(self, every: Steps) -> Message:
         """Say which figure has no room even at its least scale, and how much room there is, mm."""
         wide, high = self.room
-        pictures = [one.item for one in self.contents.panels if isinstance(one.item, Picture)]
-        large = (one.name for one in pictures if not one.ladder(wide, high, self.page.standard).rungs)
+        pictures = [panel.item for panel in self.contents.panels if isinstance(panel.item, Picture)]
+        large = (picture.name for picture in pictures if not picture.ladder(wide, high, self.page.standard).rungs)
         least = every.rungs[0] if every.rungs else {}
-        name = next((one for one, rung in least.items() if not self._alone(one, rung)), None) or next(large)
+        name = next((wanted for wanted, rung in least.items() if not self._alone(wanted, rung)), None) or next(large)
         field = {"width": f"{wide:.0f}", "height": f"{high:.0f}"}
         return message("refused.alone", format=self.page.name, figure=name, **field)
 
@@ -156,8 +156,8 @@ class _Fitting:
         if isinstance(unit, int) or self._stands(self._stock.shapes(unit, rungs)):
             yield unit
         else:
-            for one in unit:
-                yield from self._apart(one, rungs)
+            for part in unit:
+                yield from self._apart(part, rungs)
 
     def _pieces(self, k: int) -> Iterator[int]:
         """Part a table that no sheet holds by its rows; its parts are shown as tables of their own."""
@@ -190,7 +190,7 @@ class _Fitting:
         for panel in self.contents.panels:
             if panel.share and isinstance(panel.item, Picture):
                 name = panel.item.name
-                v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
+                v = next(v for v, step in enumerate(steps) if name in step.rungs[0])
                 rungs = [step[name] for step in steps[v].rungs]
                 area = panel.share * field.width * field.height
                 large = [k for k, rung in enumerate(rungs) if tied(rung.wide * rung.high - area) >= 0]

@@ -43,8 +43,8 @@ class Stock:
         """Give what sizes a unit can take where pictures have some scales."""
         if isinstance(unit, int):
             return [Shape(size, Piece(unit, k)) for k, size in enumerate(self.sizes(unit, rungs))]
-        inner = [self.shapes(one, rungs) for one in unit]
-        slicing = Slicing([[shape.size for shape in own] for own in inner], self.cuts)
+        inner = [self.shapes(part, rungs) for part in unit]
+        slicing = Slicing([[shape.size for shape in group] for group in inner], self.cuts)
         last = len(unit) - 1
         return [
             Shape((float(wide), float(high)), nested(slicing.run(0, last).tree(k), inner, tied=self.close(unit)))
@@ -57,30 +57,32 @@ class Stock:
 
     def _leaves(self, shape: Shape, head: Size) -> bool:
         """Tell whether a figure's heading is clear of the upper left corner."""
-        one = self.shown[next(pieces(shape.tree)).unit]
+        item = self.shown[next(pieces(shape.tree)).unit]
         alone = isinstance(shape.tree, Piece) or shape.tree.tied
-        return alone and isinstance(one, Picture) and one.open and (shape.size[0] - one.heading) / 2 >= head[0] + CLEAR
+        return (
+            alone and isinstance(item, Picture) and item.open and (shape.size[0] - item.heading) / 2 >= head[0] + CLEAR
+        )
 
     def sizes(self, k: int, rungs: Mapping[str, Rung]) -> Sequence[Size]:
         """Give the sizes that one thing can have."""
-        one = self.shown[k]
-        return [(rungs[one.name].wide, rungs[one.name].high)] if isinstance(one, Picture) else self._lettered[k]
+        item = self.shown[k]
+        return [(rungs[item.name].wide, rungs[item.name].high)] if isinstance(item, Picture) else self._lettered[k]
 
     @cached_property
     def _lettered(self) -> Mapping[int, Sequence[Size]]:
         """The sizes of all lettering, by its numbers."""
-        return {k: self._written(one) for k, one in enumerate(self.shown) if not isinstance(one, Picture)}
+        return {k: self._written(item) for k, item in enumerate(self.shown) if not isinstance(item, Picture)}
 
-    def _written(self, one: TextBlock | RuledTable | Notes) -> Sequence[Size]:
-        if isinstance(one, TextBlock):
-            return one.sizes
-        if isinstance(one, RuledTable):
-            return [one.size(setting) for setting in one.settings()]
-        return one.sizes(self.room[0])
+    def _written(self, item: TextBlock | RuledTable | Notes) -> Sequence[Size]:
+        if isinstance(item, TextBlock):
+            return item.sizes
+        if isinstance(item, RuledTable):
+            return [item.size(setting) for setting in item.settings()]
+        return item.sizes(self.room[0])
 
     def close(self, unit: tuple[Unit, ...]) -> bool:
         """Tell whether all lettering of a unit belongs to its picture."""
-        return all(isinstance(one, int) and isinstance(self.shown[one], TextBlock) for one in unit[1:])
+        return all(isinstance(part, int) and isinstance(self.shown[part], TextBlock) for part in unit[1:])
 
 
 def under(shape: Shape, head: Size) -> Shape:
@@ -94,8 +96,8 @@ def nested(
 ) -> Tree:
     """Put the trees of units in the tree that they are the pieces of: one opens a sheet, behind them is the corner."""
     if isinstance(tree, Piece):
-        own = inner if opening is None else opening
-        return own[tree.unit][tree.choice].tree if tree.unit < len(inner) else Piece(CORNER, 0)
+        choices = inner if opening is None else opening
+        return choices[tree.unit][tree.choice].tree if tree.unit < len(inner) else Piece(CORNER, 0)
     first, second = nested(tree.first, inner, opening, tied), nested(tree.second, inner, None, tied)
     return Cut(tree.beside, first, second, tied and not tree.beside)
 

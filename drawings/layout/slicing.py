@@ -99,12 +99,12 @@ class Cuts:
 
     def number(self, sizes: Sequence[Size]) -> int:
         """Give the number by which units of these sizes are known."""
-        own = tuple(sizes)
-        if own not in self._numbers:
-            k = self._numbers[own] = len(self._numbers)
-            self._least.append(min(((wide + GAP) * (high + GAP) for wide, high in own), default=math.inf))
-            self._runs[k,] = self._own(own)
-        return self._numbers[own]
+        key = tuple(sizes)
+        if key not in self._numbers:
+            k = self._numbers[key] = len(self._numbers)
+            self._least.append(min(((wide + GAP) * (high + GAP) for wide, high in key), default=math.inf))
+            self._runs[k,] = self._own(key)
+        return self._numbers[key]
 
     def run(self, units: tuple[int, ...]) -> Shapes:
         """Give the sizes of a run of units, by their numbers."""
@@ -112,8 +112,8 @@ class Cuts:
             self._runs[units] = self._join(units)
         return self._runs[units]
 
-    def _own(self, own: Sequence[Size]) -> Shapes:
-        wide, high = np.array(own, float).reshape(-1, 2).T
+    def _own(self, sizes: Sequence[Size]) -> Shapes:
+        wide, high = np.array(sizes, float).reshape(-1, 2).T
         return self._kept(wide, high, (0, 0), {})
 
     def _join(self, units: tuple[int, ...]) -> Shapes:

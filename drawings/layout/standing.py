@@ -100,9 +100,9 @@ def barest(inked: Inked) -> Area:
 
 def _largest(areas: Sequence[Area]) -> Area:
     """Find the largest bare rectangle of a grid, of which areas behind the first, the whole, are taken."""
-    ys = sorted({edge for own in areas for edge in (own.bottom, own.top)})
-    xs = sorted({edge for own in areas for edge in (own.left, own.right)})
-    row, column = ({edge: k for k, edge in enumerate(own)} for own in (ys, xs))
+    ys = sorted({edge for area in areas for edge in (area.bottom, area.top)})
+    xs = sorted({edge for area in areas for edge in (area.left, area.right)})
+    row, column = ({edge: k for k, edge in enumerate(edges)} for edges in (ys, xs))
     taken = np.zeros((len(ys) - 1, len(xs) - 1), dtype=bool)
     for left, bottom, right, top in areas[1:]:
         taken[row[bottom] : row[top], column[left] : column[right]] = True
@@ -117,8 +117,8 @@ def _rectangle(taken: Inked, xs: Edges, ys: Edges) -> Area:
     stepped = np.ones(taken.shape, dtype=bool)  # columns as high as the one before are one with it
     stepped[:, 1:] = heights[:, 1:] != heights[:, :-1]
     for k in np.flatnonzero(closing).tolist():
-        own, edges = heights[k, stepped[k]].tolist(), [*starts[stepped[k]].tolist(), xs[-1]]
-        best = max(best, _under(own, edges, ys[k + 1]), key=lambda one: one.size)
+        tall, edges = heights[k, stepped[k]].tolist(), [*starts[stepped[k]].tolist(), xs[-1]]
+        best = max(best, _under(tall, edges, ys[k + 1]), key=lambda area: area.size)
     return best
 
 
@@ -198,10 +198,10 @@ class Standing:
     def _cells(self, tree: Cut, cell: Field) -> tuple[Field, Field]:
         """Cut a cell: each part has what it needs, and of what is spare as its figures ask."""
         axis = 0 if tree.beside else 1
-        own, other = natural(tree.first, self.sizes)[axis], natural(tree.second, self.sizes)[axis]
+        taken, other = natural(tree.first, self.sizes)[axis], natural(tree.second, self.sizes)[axis]
         asks = self._asks(tree.first, axis), self._asks(tree.second, axis)
-        spare = (cell.width, cell.height)[axis] - own - other - GAP
-        first = own + spare * (asks[0] / sum(asks) if sum(asks) else 0.0)
+        spare = (cell.width, cell.height)[axis] - taken - other - GAP
+        first = taken + spare * (asks[0] / sum(asks) if sum(asks) else 0.0)
         if tree.beside:
             return cell._replace(right=cell.left + first), cell._replace(left=cell.left + first + GAP)
         return cell._replace(bottom=cell.top - first), cell._replace(top=cell.top - first - GAP)
@@ -232,7 +232,7 @@ class Standing:
 
     def _edges(self, cell: Field) -> tuple[bool, bool, bool, bool]:
         """Tell on which sides a cell ends at the room's: left, bottom, right, top."""
-        left, bottom, right, top = (abs(own - edge) <= SAME * 100 for own, edge in zip(cell, self.room, strict=True))
+        left, bottom, right, top = (abs(side - edge) <= SAME * 100 for side, edge in zip(cell, self.room, strict=True))
         return left, bottom, right, top
 
     def _level(self, stands: Sequence[Stand]) -> list[Stand]:
@@ -255,15 +255,15 @@ class Standing:
         if isinstance(tree, Piece):
             yield tree.unit, box
             return
-        own, other = natural(tree.first, self.sizes), natural(tree.second, self.sizes)
-        yield from self._split(tree.first, _middle(own[0], box._replace(bottom=box.top - own[1])))
+        first, other = natural(tree.first, self.sizes), natural(tree.second, self.sizes)
+        yield from self._split(tree.first, _middle(first[0], box._replace(bottom=box.top - first[1])))
         yield from self._split(tree.second, _middle(other[0], box._replace(top=box.bottom + other[1])))
 
 
 def _share(spare: float, near: bool, far: bool) -> float:
     """Give the spare paper on the near side, mm: beside the frame more than between two figures."""
-    own, other = (EDGE if edge else 1.0 for edge in (near, far))
-    return spare * own / (own + other)
+    here, other = (EDGE if edge else 1.0 for edge in (near, far))
+    return spare * here / (here + other)
 
 
 def _middle(wide: float, box: Field) -> Field:

@@ -175,8 +175,8 @@ def table(
 ) -> RuledTable:
     """Measure a table."""
     cells = (_written(cell, _widest) for line in lines for cell in line.cells)
-    cell = max(text_width(Text(0j, one, text)) for one in (*heads, *cells))
-    names = max(text_width(Text(0j, one, text)) for one in (first, *(line.name for line in lines)))
+    cell = max(text_width(Text(0j, entry, text)) for entry in (*heads, *cells))
+    names = max(text_width(Text(0j, name, text)) for name in (first, *(line.name for line in lines)))
     return RuledTable(tuple(lines), positions, text, names + text, max(cell, CELL * text) + text, first, heads)
 
 

@@ -34,11 +34,11 @@ def told(comparison: Comparison, parts: Sequence[Quantity] = (), given: Collecti
     """
     found: list[Quantity] = []
     for order in ORDERS[1:]:
-        own = [one for one in comparison.of(order.plan) if np.nanmax(np.abs(one.construction), initial=0.0) > 0]
-        points = [one for one in own if one.unit == order.point.unit]
-        beside = [one for one in parts if one.plan == order.plan and _is_something(one)]
-        found += [*points, *_new(beside, points), *(one for one in own if one not in points)]
-    return [one for one in found if one.name not in given]
+        of_plan = [row for row in comparison.of(order.plan) if np.nanmax(np.abs(row.construction), initial=0.0) > 0]
+        points = [row for row in of_plan if row.unit == order.point.unit]
+        beside = [row for row in parts if row.plan == order.plan and _is_something(row)]
+        found += [*points, *_new(beside, points), *(row for row in of_plan if row not in points)]
+    return [row for row in found if row.name not in given]
 
 
 def _is_something(part: Quantity) -> bool:
@@ -48,9 +48,9 @@ def _is_something(part: Quantity) -> bool:
 
 def _new(parts: Sequence[Quantity], points: Sequence[Quantity]) -> list[Quantity]:
     """Leave out a normal part that is the whole acceleration of a point."""
-    known, whole = {one.name for one in parts}, {one.name for one in points}
+    known, whole = {row.name for row in parts}, {row.name for row in points}
     return [
-        one for one in parts if not (one.name.replace("^n", "") in whole and one.name.replace("^n", "^t") not in known)
+        row for row in parts if not (row.name.replace("^n", "") in whole and row.name.replace("^n", "^t") not in known)
     ]
 
 
@@ -61,7 +61,7 @@ def row_by_hand(finding: Quantity, name: str, positions: tuple[int, ...], langua
 
 def label(same: Sequence[Quantity], language: str) -> str:
     """Name findings of a motion that are one as the table does, with their unit: "v_{D} = v_{S5}, m/s"."""
-    names = (one.name.split("_", 1) for one in same)
+    names = (row.name.split("_", 1) for row in same)
     letters = " = ".join(letter(language, f"{symbol}_{{{index}}}") for symbol, index in names)
     return f"{letters}, {word(language, same[0].unit)}"
 

@@ -119,7 +119,7 @@ def gap(left: str, right: str) -> float:
     (1.0, 1.0, 1.0, 2.0, 2.0)
     """
     pair = left[0], right[0]
-    if not (any(one.isalpha() for one in pair) and all(one.isalpha() or one in _STOPS for one in pair)):
+    if not (any(letter.isalpha() for letter in pair) and all(letter.isalpha() or letter in _STOPS for letter in pair)):
         return GAP
     room = min(a + b for a, b in zip(_profiles(left)[1], _profiles(right)[0], strict=True))
     return GAP / 2 if tied(room) >= GAP / 2 else GAP
@@ -212,8 +212,8 @@ def _profiles(letter: str) -> tuple[Profile, Profile]:
     body = glyph(letter)
     left, right = [math.inf] * _STRIPS, [math.inf] * _STRIPS
     for point in _samples(body):
-        own = int((point.imag - _LOWEST) / _STRIP + MARGIN)
-        strip = min(own, _STRIPS - 1)  # a tower of accents is as high as it may be
+        place = int((point.imag - _LOWEST) / _STRIP + MARGIN)
+        strip = min(place, _STRIPS - 1)  # a tower of accents is as high as it may be
         left[strip] = min(left[strip], point.real - MIDDLE.real)
         right[strip] = min(right[strip], body.width - point.real - MIDDLE.real)
     return _widened(left), _widened(right)

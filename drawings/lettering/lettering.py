@@ -151,5 +151,5 @@ def _levelled(pieces: tuple[Run, ...]) -> Iterator[tuple[str, int]]:
     """Give letters with their levels; a raised sign in a subscript stays in it."""
     for text, run_level in pieces:
         for sign in letters(text):
-            letter, own = level(sign)
-            yield letter, run_level or own
+            letter, raised = level(sign)
+            yield letter, run_level or raised

@@ -71,8 +71,8 @@ def slotted(before: str, quantity: str, number: str, after: str = "") -> Phrase:
 
 def joined(between: str, parts: Iterable[str]) -> Phrase:
     """Join phrases and words to one phrase."""
-    own = [*parts]
-    return Phrase(between.join(own), between.join(map(template_of, own)))
+    pieces = [*parts]
+    return Phrase(between.join(pieces), between.join(map(template_of, pieces)))
 
 
 def template_of(text: str) -> str:
@@ -83,7 +83,7 @@ def template_of(text: str) -> str:
 def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
     """Give lettering of a figure as what it states, where its content is a phrase with slots."""
     contents = (content,) if content else (text.content for text in texts((stroke,)))
-    template = " ".join(template_of(one) for one in contents if isinstance(one, str))
+    template = " ".join(template_of(part) for part in contents if isinstance(part, str))
     return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 

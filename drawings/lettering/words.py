@@ -25,8 +25,8 @@ def word(language: str, key: str, **values: object) -> str:
     >>> word("ru", "velocities", position=2), word("ru", "rad/s")
     ('План скоростей, положение 2', 'рад/с')
     """
-    own = words.words(language)
-    found = next(name for name in (*(f"{group}.{key}" for group in GROUPS), key) if name in own)
+    catalogue = words.words(language)
+    found = next(name for name in (*(f"{group}.{key}" for group in GROUPS), key) if name in catalogue)
     return words.word(language, found, **values)
 
 

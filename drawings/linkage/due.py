@@ -110,8 +110,8 @@ class _Linkage:
         """
         out, found = self.study.output, self.extremes
         for slide in other_sliders(self.study.mechanism, out) if EXTREMES in self.study.plans else ():
-            told = self.comparison.road.extremes(Output(slide.slider, slide.point))
-            yield from self._stroke(f"H_{slide.point}", told) if told is not None else ()
+            extremes = self.comparison.road.extremes(Output(slide.slider, slide.point))
+            yield from self._stroke(f"H_{slide.point}", extremes) if extremes is not None else ()
         if found is None:
             return
         if (guide := frame_slide(self.study.mechanism, out.link)) is not None:
@@ -151,11 +151,11 @@ class _Linkage:
             named = f"{size}, {'m' if found.sliding else 'rad'}"
             yield from phrases(NOTES, [(named, found.stroke, slack)], may_lack=True)
             ratio = 2 * math.pi / (math.pi - found.overlap) ** 2 if found.overlap < math.pi else math.inf
-            told = ("θ", math.degrees(found.overlap), math.degrees(turned)), ("K", found.ratio, ratio * turned)
-            yield from phrases(NOTES, told, may_lack=rests > 2)
+            figures = ("θ", math.degrees(found.overlap), math.degrees(turned)), ("K", found.ratio, ratio * turned)
+            yield from phrases(NOTES, figures, may_lack=rests > 2)
         for group in self.study.groups:
-            seen = interval(self.study.sweep, group, self.study.nodes)
-            angles = ("low", seen.low), ("high", seen.high)
+            pressure = interval(self.study.sweep, group, self.study.nodes)
+            angles = ("low", pressure.low), ("high", pressure.high)
             rows = ((f"{name} {group.label}", math.degrees(angle), 0.0) for name, angle in angles)
             yield from phrases(NOTES, rows, may_lack=True)
 
@@ -180,8 +180,8 @@ class _Linkage:
         hand = MotionByHand(self.study, self.comparison, self.masses)
         scales = {name: mu for leaf in self.leaves for name, mu in leaf.metadata["scales"].items()}
         errors = hand.on_sheet(positions, scales)
-        told = value_table.told(self.comparison, self._vectors.parts, hand.given)
-        for same in alike(told, self.study.mechanism, self.masses):
+        findings = value_table.told(self.comparison, self._vectors.parts, hand.given)
+        for same in alike(findings, self.study.mechanism, self.masses):
             row, first = value_table.label(same, self.drafting.language), same[0]
             lost = not is_something(first)
             for k in positions:
@@ -192,10 +192,10 @@ class _Linkage:
                 yield from cells(VALUES, row, told_by, k, may_lack=lost)
 
 
-def named(told: Sequence[Quantity], language: str) -> dict[str, Quantity]:
+def named(findings: Sequence[Quantity], language: str) -> dict[str, Quantity]:
     """Give findings of velocities and accelerations by their letters as they are read."""
     plans = [order.plan for order in ORDERS[1:]]
-    return {_letter(finding, language): finding for finding in told if finding.plan in plans}
+    return {_letter(finding, language): finding for finding in findings if finding.plan in plans}
 
 
 def _letter(finding: Quantity, language: str) -> str:

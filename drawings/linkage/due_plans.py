@@ -49,8 +49,8 @@ class VectorPlans:
             yield Expected(Kind.VECTOR, plan, name, value, slack, k, may_lack=name not in must)
         for where, vector, letter in self._letters:
             if where == plan and (Kind.LETTER, plan, f"{vector} {letter}", k) in self.keys:
-                told = Text(0j, self.drafting.letter(with_index(letter))).plain
-                yield Expected(Kind.LETTER, plan, f"{vector} {letter}", told, 0.0, k, may_lack=True)
+                text = Text(0j, self.drafting.letter(with_index(letter))).plain
+                yield Expected(Kind.LETTER, plan, f"{vector} {letter}", text, 0.0, k, may_lack=True)
 
     def _values(self, plan: str, k: int) -> dict[str, complex]:
         """Give the vectors of the equations of a plan, by the names of their ends."""
@@ -188,9 +188,9 @@ class VectorPlans:
                 if name == VELOCITIES.plan:
                     yield start, end, f"v_{index}"
                 else:
-                    laid = written.coriolis(pin, host, pair)
-                    yield start, laid, f"a^k_{index}"
-                    yield from ((begin, end, f"a^r_{index}") for begin in (laid, start))
+                    middle = written.coriolis(pin, host, pair)
+                    yield start, middle, f"a^k_{index}"
+                    yield from ((begin, end, f"a^r_{index}") for begin in (middle, start))
 
     def _made(self, plan: str) -> Plan:
         """Give a plan as it was constructed: which images share a letter."""

@@ -160,9 +160,9 @@ class VectorEquations:
         size = self._abs(plan, part)
         unit = {V: VELOCITIES.link.unit, A: ACCELERATIONS.link.unit}[plan]
         ratio = f"{formula.number(size)} / {formula.number(leg.length)}"
-        told = formula.quantity(abs(rate) if size else 0.0, unit)
+        amount = formula.quantity(abs(rate) if size else 0.0, unit)
         sense = "at rest" if not size else "counter-clockwise" if rate > 0 else "clockwise"
-        line = inline(formula.letter(f"{symbol}_{leg.link}"), f"{letter} / {self._arm(leg)}", ratio, told)
+        line = inline(formula.letter(f"{symbol}_{leg.link}"), f"{letter} / {self._arm(leg)}", ratio, amount)
         return f"{line}, {word(self.language, f'way.{sense}')}" if size else line
 
     def _similar(self, dyad: Dyad) -> Iterator[str]:
@@ -191,14 +191,14 @@ class VectorEquations:
         if mu is not None and value:
             scale = formula.letter(f"μ_{SYMBOL[plan]}")
             ratio = f"{formula.number(abs(value))} / {formula.number(mu)}"
-            told = formula.quantity(abs(value) / mu, "mm")
-            yield inline(formula.segment(start, end), f"{letter} / {scale}", ratio, told)
+            amount = formula.quantity(abs(value) / mu, "mm")
+            yield inline(formula.segment(start, end), f"{letter} / {scale}", ratio, amount)
 
     def _spin(self, leg: VectorSum) -> float:
         """Give the size of a link's angular velocity, rad/s; one that is but rounding is none."""
         omega = abs(self.sums.omega(leg.link))
-        seen = self._seen(V, leg.velocity[1]) if leg.turns else omega > NOTHING * self.plans.fastest
-        return omega if seen else 0.0
+        visible = self._seen(V, leg.velocity[1]) if leg.turns else omega > NOTHING * self.plans.fastest
+        return omega if visible else 0.0
 
     def _part(self, name: str, leg: VectorSum) -> str:
         return self.formula.letter(f"a^{name}_{{{leg.relative}}}")
@@ -232,11 +232,11 @@ def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, Sc
     found: dict[int, dict[str, Scale]] = {}
     for leaf in (leaf for sheets in leaves.values() for leaf in sheets):
         for mark in groups(leaf.groups):
-            told = mark.data
-            if told.get("plan") in (POSITIONS.plan, V, A) and "position" in told and "scale" in told:
-                letter = "l" if told["plan"] == POSITIONS.plan else told["quantity"]
-                scale = Scale(float(told["scale"]), letter, told["unit"])
-                found.setdefault(int(told["position"]), {})[told["plan"]] = scale
+            data = mark.data
+            if data.get("plan") in (POSITIONS.plan, V, A) and "position" in data and "scale" in data:
+                letter = "l" if data["plan"] == POSITIONS.plan else data["quantity"]
+                scale = Scale(float(data["scale"]), letter, data["unit"])
+                found.setdefault(int(data["position"]), {})[data["plan"]] = scale
     return found
 
 
@@ -316,9 +316,9 @@ def _lettered(written: VectorEquations, group: Dyad) -> Iterator[str]:
 
 def _scales(study: LinkageStudy, scales: Mapping[str, Scale]) -> Iterator[str]:
     formula = Formula(drafting_of(study.scene))
-    told = [_scale(scales[plan], formula) for plan in PLANS if plan in scales]
-    if told:
-        yield word(study.language, "report.scales", scales=", ".join(told)) + "\n"
+    lines = [_scale(scales[plan], formula) for plan in PLANS if plan in scales]
+    if lines:
+        yield word(study.language, "report.scales", scales=", ".join(lines)) + "\n"
 
 
 def _scale(scale: Scale, formula: Formula) -> str:
@@ -330,8 +330,8 @@ def _scale(scale: Scale, formula: Formula) -> str:
 def _numbers(study: LinkageStudy, written: VectorEquations) -> Iterator[str]:
     drive = study.mechanism.drive
     yield word(written.language, "report.primary", link=drive.link)
-    told = written.of_point(drive.end) if drive.pushed else chain(*map(written.crank, _primary(study, written.sums)))
-    yield from map("- {}".format, told)
+    lines = written.of_point(drive.end) if drive.pushed else chain(*map(written.crank, _primary(study, written.sums)))
+    yield from map("- {}".format, lines)
     for group in study.groups:
         yield word(written.language, "report.numbers_of_group", group=group.label)
         yield from map("- {}".format, written.numbers(cast(Dyad, group)))

@@ -53,7 +53,7 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str, by_h
         found = interval(study.sweep, group, study.nodes)
         low, high = (fixed(float(np.degrees(angle)), language) for angle in (found.low, found.high))
         if low != high:
-            ends = {end: slotted("", f"{end} {group.label}", told) for end, told in (("low", low), ("high", high))}
+            ends = {end: slotted("", f"{end} {group.label}", angle) for end, angle in (("low", low), ("high", high))}
             said.append(phrase(language, "pressure", group=group.label, **ends))
     said += [*_gaps(comparison, language), *_why(study, comparison)]
     both = accord(comparison.findings, comparison.kappa, language)
@@ -66,8 +66,8 @@ def accord(findings: Sequence[Quantity], kappa: Floats, language: str) -> list[s
     if not len(known):
         return []
     worst = next(int(k) for k in known if kappa[k] >= ALIKE * np.max(kappa[known]))
-    told = number(float(kappa[worst]), language, 2)
-    return [word(language, "accord", share=share(findings), position=worst, kappa=told)]
+    text = number(float(kappa[worst]), language, 2)
+    return [word(language, "accord", share=share(findings), position=worst, kappa=text)]
 
 
 def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
@@ -96,8 +96,8 @@ def lengths(study: LinkageStudy, language: str) -> list[str]:
     given = study.form.mechanism.lengths
     if not 0 < len(given) <= MOST_LENGTHS:
         return []
-    told = (f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items())
-    return [word(language, "lengths", lengths=",  ".join(told))]
+    texts = (f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items())
+    return [word(language, "lengths", lengths=",  ".join(texts))]
 
 
 def _gaps(comparison: MotionComparison, language: str) -> list[str]:
@@ -175,12 +175,12 @@ def _greatest(study: LinkageStudy, motion: Motion) -> Iterator[str]:
 def _of(study: LinkageStudy, motion: Motion, order: Order) -> Iterator[str]:
     """Tell the greatest of one order: of the output's point, or of its link where it has none."""
     out, language = study.output, study.language
-    told = order.point if out.point else order.link
+    lettered = order.point if out.point else order.link
     values = motion.points[out.point] if out.point else motion.links[out.link]
     found = greatest(values[order.number])
     if found is not None:
-        size, unit = number(found[0], language, DIGITS), word(language, told.unit)
-        parts = {"letter": f"{told.symbol}_{out.point or out.link}", "size": size, "unit": unit}
+        size, unit = number(found[0], language, DIGITS), word(language, lettered.unit)
+        parts = {"letter": f"{lettered.symbol}_{out.point or out.link}", "size": size, "unit": unit}
         yield words.word(language, "report.greatest", **parts, position=found[1])
 
 

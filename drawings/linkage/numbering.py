@@ -205,8 +205,8 @@ def _crank_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     every, further = _rings(bones, place, hand, wide)
     listed = _listed(bones, places, wide, place, hand)
     for station, text in zip(places, texts, strict=True):
-        seen = station.column is not None and station.column % every == 0 and station.column in listed
-        if not (station.extreme or _is_shown(bones, station) or seen):
+        in_column = station.column is not None and station.column % every == 0 and station.column in listed
+        if not (station.extreme or _is_shown(bones, station) or in_column):
             continue
         spot = place.on(station.crank)
         gap = CRANK_GAP + (pairs.clear(end) if _is_shown(bones, station) else 0.0)

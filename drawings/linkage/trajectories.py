@@ -58,10 +58,10 @@ def phases(pairs: Pairs, language: str) -> tuple[StrokeArc, ...]:
     extremes, centre, crank = study.travel.extremes, pairs.bones.pivot(pairs.place), pairs.bones.crank(pairs.place)
     radius = _radius(crank, pairs.hand.symbol)
     names = (f"φ_{{{word(language, index)}}}" for index in INDICES)
-    told = zip(names, extremes.phi, extremes.angles, strict=True)
+    ends = zip(names, extremes.phi, extremes.angles, strict=True)
     return tuple(
         StrokeArc(name, TurnArrow(centre, radius, phi, study.sense * arc), crank, sized(name, arc, language))
-        for name, phi, arc in told
+        for name, phi, arc in ends
     )
 
 

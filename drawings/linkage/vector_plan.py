@@ -293,8 +293,8 @@ def _plan_lines(shown: VectorDiagram, scale: Scale | None, drafting: Drafting) -
             continue
         segment = with_index(arrow.start.name) + with_index(arrow.end.name)
         for letter in _letters_of(shown, arrow, point.symbol):
-            told = f"{drafting.number(size, DIGITS)} {drafting.word(point.unit)}"
-            yield f"{drafting.letter(with_index(letter))} = {factor.true(segment)}", factor.of_drawn(size), told
+            amount = f"{drafting.number(size, DIGITS)} {drafting.word(point.unit)}"
+            yield f"{drafting.letter(with_index(letter))} = {factor.true(segment)}", factor.of_drawn(size), amount
 
 
 def _letters_of(shown: VectorDiagram, arrow: PlanArrow, symbol: str) -> Iterator[str]:

@@ -112,12 +112,12 @@ class Drafting(NamedTuple):
 
     def letter(self, markup: str) -> str:
         """Write a letter as courses of the sheet's language do; a phrase stays one."""
-        own = letter(self.language, markup)
-        return Phrase(own, letter(self.language, markup.template)) if isinstance(markup, Phrase) else own
+        text = letter(self.language, markup)
+        return Phrase(text, letter(self.language, markup.template)) if isinstance(markup, Phrase) else text
 
     def scale(self, *scales: Scale) -> str:
         """Write scales as the sheet does."""
-        return ";  ".join(one.written(self.language, self.notation) for one in scales)
+        return ";  ".join(scale.written(self.language, self.notation) for scale in scales)
 
     def true(self, segment: str, letter: str) -> str:
         """Write in letters how a true size is read off a segment at the scale of a letter."""

@@ -29,16 +29,16 @@ def flat(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
 
 def groups(strokes: Iterable[Stroke]) -> Iterator[Group]:
     """Give the groups, each before those within it."""
-    left = [one for one in strokes if isinstance(one, Group)][::-1]
+    left = [stroke for stroke in strokes if isinstance(stroke, Group)][::-1]
     while left:
         group = left.pop()
         yield group
-        left += [one for one in group.strokes[::-1] if isinstance(one, Group)]
+        left += [stroke for stroke in group.strokes[::-1] if isinstance(stroke, Group)]
 
 
 def group_named(strokes: Iterable[Stroke], name: str) -> Group | None:
     """Give the first group of a name, if there is one."""
-    return next((one for one in groups(strokes) if one.name == name), None)
+    return next((group for group in groups(strokes) if group.name == name), None)
 
 
 def texts(strokes: Iterable[Stroke]) -> Iterator[Text]:
@@ -53,7 +53,7 @@ def stating(statement: Statement, *strokes: Stroke) -> Group:
 
 def stated(strokes: Iterable[Stroke]) -> Iterator[Group]:
     """Give the groups that state something, each before those within it."""
-    return (one for one in groups(strokes) if one.states is not None)
+    return (group for group in groups(strokes) if group.states is not None)
 
 
 def unstated(leaf: Leaf) -> Leaf:
@@ -65,7 +65,7 @@ def unstated(leaf: Leaf) -> Leaf:
     True
     """
     return leaf._replace(
-        groups=tuple(one for group in leaf.groups for one in _written(group) if isinstance(one, Group))
+        groups=tuple(stroke for group in leaf.groups for stroke in _written(group) if isinstance(stroke, Group))
     )
 
 
@@ -73,11 +73,11 @@ def _written(stroke: Stroke) -> Iterator[Stroke]:
     if not isinstance(stroke, Group):
         yield stroke
         return
-    own = (one for part in stroke.strokes for one in _written(part))
+    strokes = (inner for part in stroke.strokes for inner in _written(part))
     if stroke.states is not None and not (stroke.name or stroke.data or stroke.title):
-        yield from own
+        yield from strokes
     else:
-        yield Group(tuple(own), stroke.name, stroke.data, stroke.title)
+        yield Group(tuple(strokes), stroke.name, stroke.data, stroke.title)
 
 
 PLACES = 6

@@ -72,9 +72,9 @@ def pieces(text: Text) -> Iterator[Text]:
         if not plain.strip():
             continue
         size, rise = (index_size(text.size), _RISES[level] * text.size) if level else (text.size, 0.0)
-        own = text._replace(content=(Run(plain.strip()),), size=size, anchor="start")
+        piece = text._replace(content=(Run(plain.strip()),), size=size, anchor="start")
         through = text._replace(content=(*text.runs[:k], Run(plain.rstrip(), level)))
-        yield own._replace(at=start + complex(text_width(through) - text_width(own), rise) * turn)
+        yield piece._replace(at=start + complex(text_width(through) - text_width(piece), rise) * turn)
 
 
 def longest(text: Text) -> float:
@@ -120,13 +120,13 @@ def legal(text: str) -> str:
 
 def own_ids(groups: Iterable[Group]) -> None:
     """Refuse groups whose names no file can hold, or that share one."""
-    seen = set(_RESERVED)
+    used = set(_RESERVED)
     for name in (group.name for group in within(groups) if group.name):
         if not _NAME.fullmatch(name):
             raise SheetError(f"{name!r} cannot name a group: a letter, then letters, digits, '_', '-', '.'")
-        if name in seen:
+        if name in used:
             raise SheetError(f"two groups of a sheet are named {name!r}")
-        seen.add(name)
+        used.add(name)
 
 
 def data_of(group: Group) -> Attributes:
@@ -216,10 +216,10 @@ def _describe(root: ElementTree.Element, leaf: Leaf) -> None:
 def _group(group: Group, leaf: Leaf) -> Any:
     data = data_of(group)
     bearer = BEARERS.get(group.data.get("kind", ""))
-    own = {"id": legal(group.name)} if group.name else {}
+    attributes = {"id": legal(group.name)} if group.name else {}
     if "kind" in group.data:
-        own["class"] = legal(group.data["kind"])
-    element = _element(container.Group, own if bearer else own | data)
+        attributes["class"] = legal(group.data["kind"])
+    element = _element(container.Group, attributes if bearer else attributes | data)
     if group.title:
         element.set_desc(title=legal(group.title))
     parts = [_one(stroke, leaf) for stroke in group.strokes] if data else list(_merged(group.strokes, leaf))
@@ -297,12 +297,12 @@ def _letters(stroke: Text, height: float) -> Any:
 def _text(stroke: Text, height: float) -> Any:
     """Leave a text to the viewer's fonts: one element, or a group of one for each level, and either says it all."""
     data = {"data-text": legal(stroke.plain), "aria-label": legal(stroke.plain)}
-    own = [_run(piece, height) for piece in pieces(stroke)]
-    if len(own) == 1:
-        own[0].attribs.update(data)
-        return own[0]
+    drawn = [_run(piece, height) for piece in pieces(stroke)]
+    if len(drawn) == 1:
+        drawn[0].attribs.update(data)
+        return drawn[0]
     group = _element(container.Group, data)
-    group.elements.extend(own)
+    group.elements.extend(drawn)
     return group
 
 
@@ -314,15 +314,15 @@ def _run(stroke: Text, height: float) -> Any:
     """
     free = GAP / 2 * stroke.size / 10
     place = _at(("x", "y"), stroke.at - free * cmath.rect(1, math.radians(stroke.rotation)), height)
-    own = place | {"font-family": FONTS, "font-size": number(EM * stroke.size)}
+    attributes = place | {"font-family": FONTS, "font-size": number(EM * stroke.size)}
     length = text_width(stroke) + 2 * free
     narrow = min(1.0, length / longest(stroke))
-    own |= {"textLength": number(round(tied(length / narrow), 2)), "lengthAdjust": "spacingAndGlyphs"}
+    attributes |= {"textLength": number(round(tied(length / narrow), 2)), "lengthAdjust": "spacingAndGlyphs"}
     if stroke.slanted:
-        own["font-style"] = "italic"
+        attributes["font-style"] = "italic"
     if transforms := list(_transforms(stroke, place, narrow)):
-        own["transform"] = " ".join(transforms)
-    element = _element(text.Text, own | _style(stroke.style))
+        attributes["transform"] = " ".join(transforms)
+    element = _element(text.Text, attributes | _style(stroke.style))
     element.text = legal(stroke.plain)
     return element
 
@@ -342,14 +342,14 @@ def _at(names: tuple[str, str], point: complex, height: float) -> Attributes:
 
 @lru_cache(maxsize=256)
 def _style(style: LineStyle) -> Attributes:
-    own = {"fill": legal(style.fill), "stroke": legal(style.colour)}
+    attributes = {"fill": legal(style.fill), "stroke": legal(style.colour)}
     if style.colour != "none":
-        own |= {"stroke-width": number(style.width), "stroke-linejoin": "round"}
+        attributes |= {"stroke-width": number(style.width), "stroke-linejoin": "round"}
     if style.cap != "butt":
-        own["stroke-linecap"] = legal(style.cap)
+        attributes["stroke-linecap"] = legal(style.cap)
     if style.dash:
-        own["stroke-dasharray"] = numbers(",".join(["%s"] * len(style.dash)), style.dash)
-    return own
+        attributes["stroke-dasharray"] = numbers(",".join(["%s"] * len(style.dash)), style.dash)
+    return attributes
 
 
 def _element(kind: Callable[..., Any], attributes: Attributes) -> Any:

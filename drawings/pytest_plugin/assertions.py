@@ -56,9 +56,9 @@ def picture(source: bytes, paper: tuple[float, float], spots: Sequence[WrongPlac
 def _tile(number: int, spot: WrongPlace, height: float) -> str:
     """Draw one place, with what it is under it."""
     x, y = GAP + number % ACROSS * (TILE + GAP), GAP + number // ACROSS * (TILE + UNDER + GAP)
-    told = textwrap.wrap(spot.told, LETTERS, max_lines=LINES, placeholder="…")
+    rows = textwrap.wrap(spot.told, LETTERS, max_lines=LINES, placeholder="…")
     lines = "".join(
-        f'<text x="{x:g}" y="{y + TILE + 1.5 * LETTER * (k + 1):g}">{safe(line)}</text>' for k, line in enumerate(told)
+        f'<text x="{x:g}" y="{y + TILE + 1.5 * LETTER * (k + 1):g}">{safe(line)}</text>' for k, line in enumerate(rows)
     )
     box = f'x="{x:g}" y="{y:g}" width="{TILE:g}" height="{TILE:g}"'
     return (

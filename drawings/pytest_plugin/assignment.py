@@ -47,10 +47,10 @@ def alone(path: Path, reading: Callable[[bytes], Answer]) -> Answer | Graded:
 def held(source: bytes, path: Path, originals: Originals) -> OnPaper:
     """Hold a sheet against the one that the scene gives."""
     try:
-        seen = see(source).leaf
+        leaf = see(source).leaf
     except SheetRefused:  # of which the check tells
         return OnPaper(check(path, source, originals), (0.0, 0.0))
-    return OnPaper(check(path, source, originals), (seen.width, seen.height))
+    return OnPaper(check(path, source, originals), (leaf.width, leaf.height))
 
 
 def by_its_marks(source: bytes) -> Graded:

@@ -175,8 +175,8 @@ class HandedSheet:
         changed = self.path.stat().st_mtime_ns if self.path.exists() else 0
         read = _read(self.path, changed, scene)
         if read.reason is not None:
-            told = message("accept.rejected", sheet=self.path.name, reason=read.reason)
-            raise NotDrawnError(told.worded(self.language))
+            fault = message("accept.rejected", sheet=self.path.name, reason=read.reason)
+            raise NotDrawnError(fault.worded(self.language))
         return read.drawn
 
 

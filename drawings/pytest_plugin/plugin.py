@@ -27,12 +27,12 @@ ENDS = ("passed", "failed", "error", "xfailed", "xpassed")
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Take the scene, the sheets that are handed in and the folder of pictures."""
     group = parser.getgroup("plandraft", "plandraft: sheets that are handed in")
-    for name, told in (
+    for name, text in (
         ("scene", "the scene that is set"),
         ("sheets", "a sheet that is handed in, or a folder of them"),
     ):
-        group.addoption(f"--plandraft-{name}", action="append" if name == "sheets" else None, metavar="PATH", help=told)
-        parser.addini(f"plandraft_{name}", told, type="paths", default=[])
+        group.addoption(f"--plandraft-{name}", action="append" if name == "sheets" else None, metavar="PATH", help=text)
+        parser.addini(f"plandraft_{name}", text, type="paths", default=[])
     group.addoption("--plandraft-report", metavar="DIR", help="folder for pictures of what is wrong (default: none)")
     group.addoption(
         "--plandraft-silent", action="store_true", help="tell what is wrong without values, as to a student"
@@ -136,8 +136,8 @@ def pytest_terminal_summary(terminalreporter: Any) -> None:
     """Tell how many sheets were handed in, and which of them no test answers for."""
     if asked := _asked(terminalreporter):
         left = _left(terminalreporter)
-        told = f"; not answered for: {', '.join(left)}" if left else ""
-        terminalreporter.write_line(f"plandraft: {len(asked)} handed in, {len(asked) - len(left)} answered for{told}")
+        text = f"; not answered for: {', '.join(left)}" if left else ""
+        terminalreporter.write_line(f"plandraft: {len(asked)} handed in, {len(asked) - len(left)} answered for{text}")
 
 
 def _left(reporter: Any) -> list[str]:
@@ -152,12 +152,12 @@ def _asked(reporter: Any) -> list[str]:
     """
     if any(getattr(reporter.config.option, name, False) for name in LISTED):
         return []
-    due = reporter.config.option.plandraft_sheets or _answered(reporter)
-    return [str(path) for path in _sheets(reporter.config)] if due else []
+    wanted = reporter.config.option.plandraft_sheets or _answered(reporter)
+    return [str(path) for path in _sheets(reporter.config)] if wanted else []
 
 
 def _answered(reporter: Any) -> set[str]:
     """Give the sheets that a test ran to its end for."""
     ends = (report for name in ENDS for report in reporter.stats.get(name, ()))
-    told = (pair for report in ends for pair in getattr(report, "user_properties", ()))
-    return {str(value) for name, value in told if name == ANSWERED}
+    pairs = (pair for report in ends for pair in getattr(report, "user_properties", ()))
+    return {str(value) for name, value in pairs if name == ANSWERED}

@@ -48,17 +48,17 @@ def shapes() -> Mapping[Signature, tuple[LetterShape, ...]]:
     """Give all letters that are seen, without accents, by the kinds of their strokes."""
     found: dict[Signature, list[LetterShape]] = {}
     for letter in notations():
-        one = shape(letter)
-        if one.signature and one.letter == letter and not unicodedata.combining(letter):
-            found.setdefault(one.signature, []).append(one)
-    return {signature: tuple(own) for signature, own in found.items()}
+        letter_shape = shape(letter)
+        if letter_shape.signature and letter_shape.letter == letter and not unicodedata.combining(letter):
+            found.setdefault(letter_shape.signature, []).append(letter_shape)
+    return {signature: tuple(letters) for signature, letters in found.items()}
 
 
 @cache
 def accented(signature: Signature) -> tuple[LetterShape, ...]:
     """Give the letters with an accent whose strokes are of these kinds."""
-    accents = [shape(one) for one in notations() if unicodedata.combining(one)]
-    bases = [one for own in shapes().values() for one in own]
+    accents = [shape(accent) for accent in notations() if unicodedata.combining(accent)]
+    bases = [base for group in shapes().values() for base in group]
     pairs = ((base, accent) for accent in accents for base in bases if base.letter.isalpha())
     return tuple(_stacked(base, accent) for base, accent in pairs if base.signature + accent.signature == signature)
 
@@ -85,10 +85,10 @@ def shape(letter: str) -> LetterShape:
     width, _, drawn = notation.partition(":")
     strokes = [tuple(_pieces(stroke)) for stroke in drawn.split("|") if stroke.strip()]
     signature = tuple(
-        "".join("l" if len(piece) == 1 else "c" for piece in own[1:]) + "z" * stroke.rstrip().endswith("z")
-        for own, stroke in zip(strokes, drawn.split("|"), strict=False)
+        "".join("l" if len(piece) == 1 else "c" for piece in points[1:]) + "z" * stroke.rstrip().endswith("z")
+        for points, stroke in zip(strokes, drawn.split("|"), strict=False)
     )
-    return LetterShape(letter, float(width), signature, tuple(p + _MIDDLE for own in strokes for q in own for p in q))
+    return LetterShape(letter, float(width), signature, tuple(p + _MIDDLE for path in strokes for q in path for p in q))
 
 
 def _pieces(stroke: str) -> Iterator[tuple[complex, ...]]:
@@ -183,7 +183,7 @@ def folded(plain: str) -> str:
 @cache
 def width(space: str) -> int:
     """Give the width of a space, in thin ones."""
-    return sum(_SPACES[one] for one in space)
+    return sum(_SPACES[sign] for sign in space)
 
 
 @lru_cache(maxsize=4096)
@@ -224,39 +224,39 @@ def _seen(letter: str) -> tuple[str, int]:
     return "".join((body, *accents)), 0
 
 
-def picked(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fonts: bool = False) -> tuple[Run, ...]:
+def picked(glyphs: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fonts: bool = False) -> tuple[Run, ...]:
     """Give letters as they are said to be, if they look so, or else as they are seen; each with its level as seen.
 
     In a viewer's fonts spaces have no width of their own, and are as they are said to be.
     """
-    return _picked(tuple(seen), (0, *spaces[1:]), said, fonts)
+    return _picked(tuple(glyphs), (0, *spaces[1:]), said, fonts)
 
 
 @lru_cache(maxsize=4096)  # a sheet says the same in many places, and what was laid out is read as its file is
-def _picked(seen: tuple[tuple[str, int], ...], spaces: tuple[int, ...], said: str, fonts: bool) -> tuple[Run, ...]:
-    return tuple(_runs(_signs_of(seen, spaces, said, fonts)))
+def _picked(glyphs: tuple[tuple[str, int], ...], spaces: tuple[int, ...], said: str, fonts: bool) -> tuple[Run, ...]:
+    return tuple(_runs(_signs_of(glyphs, spaces, said, fonts)))
 
 
 @lru_cache(maxsize=4096)
 def regular(runs: tuple[Run, ...]) -> tuple[Run, ...]:
     """Give runs as the eye sees them: signs that are raised by themselves where they stand, no spaces at the ends."""
-    own = [(sign.seen, run.level or sign.level) for run in runs for sign in signs(run.text)]
+    glyphs = [(sign.seen, run.level or sign.level) for run in runs for sign in signs(run.text)]
     plain = "".join(run.text for run in runs)
-    return picked(own, [sign.thin for sign in signs(plain)], plain)
+    return picked(glyphs, [sign.thin for sign in signs(plain)], plain)
 
 
-def _signs_of(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fonts: bool) -> tuple[Sign, ...]:
-    own = signs(said.lstrip(" \u00a0\u2009\u202f"))
-    alike = len(own) == len(seen) and all(
+def _signs_of(glyphs: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fonts: bool) -> tuple[Sign, ...]:
+    expected = signs(said.lstrip(" \u00a0\u2009\u202f"))
+    alike = len(expected) == len(glyphs) and all(
         sign.seen == letter and (fonts or sign.thin == space)
-        for sign, (letter, _), space in zip(own, seen, spaces, strict=True)
+        for sign, (letter, _), space in zip(expected, glyphs, spaces, strict=True)
     )
     if not alike:
         return tuple(
             Sign(letter, letter, level, " " * (space // 2) + "\u2009" * (space % 2))
-            for (letter, level), space in zip(seen, spaces, strict=True)
+            for (letter, level), space in zip(glyphs, spaces, strict=True)
         )
-    return tuple(_as_said(sign, level) for sign, (_, level) in zip(own, seen, strict=True))
+    return tuple(_as_said(sign, level) for sign, (_, level) in zip(expected, glyphs, strict=True))
 
 
 def _as_said(sign: Sign, level: int) -> Sign:

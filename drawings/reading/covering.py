@@ -190,39 +190,39 @@ def _area(order: int, corners: tuple[complex, ...], radius: float) -> _Area:
     )
 
 
-def corners(one: Stroke) -> Iterator[complex]:
+def corners(stroke: Stroke) -> Iterator[complex]:
     """Give the corners of an outline, round ones in facets."""
-    match one:
+    match stroke:
         case Line(start, end):
             yield from (start, end)
         case Polyline() | Fill():
-            yield from one.points
-            if isinstance(one, Polyline) and one.closed:
-                yield one.points[0]
+            yield from stroke.points
+            if isinstance(stroke, Polyline) and stroke.closed:
+                yield stroke.points[0]
         case Arc():
-            yield from (one.at(k / _FACETS) for k in range(_FACETS + 1))
+            yield from (stroke.at(k / _FACETS) for k in range(_FACETS + 1))
         case Circle(centre, radius):
             yield from (centre + cmath.rect(radius, math.tau * k / _FACETS) for k in range(_FACETS + 1))
         case Curve():
-            yield from (piece.at(k / _FACETS) for piece in one.pieces for k in range(_FACETS))
-            yield one.pieces[-1].at(1.0)
+            yield from (piece.at(k / _FACETS) for piece in stroke.pieces for k in range(_FACETS))
+            yield stroke.pieces[-1].at(1.0)
 
 
-def _spots(one: Stroke) -> list[complex]:
+def _spots(stroke: Stroke) -> list[complex]:
     """Give places by which a stroke is looked at: the middles of its parts, of lettering of each letter."""
-    match one:
+    match stroke:
         case Line(start, end):
             return [start + (end - start) * share for share in _SHARES]
         case Arc():
-            return [one.at(share) for share in _SHARES]
+            return [stroke.at(share) for share in _SHARES]
         case Circle(centre, radius):
             return [centre + cmath.rect(radius, math.tau * share) for share in _SHARES]
         case Polyline() | Fill():
-            return _thinned([(a + b) / 2 for a, b in pairwise(corners(one))])
+            return _thinned([(a + b) / 2 for a, b in pairwise(corners(stroke))])
         case Curve():
-            return _thinned([piece.at(share) for piece in one.pieces for share in _SHARES])
+            return _thinned([piece.at(share) for piece in stroke.pieces for share in _SHARES])
         case Text():
-            return list(_letters(one))
+            return list(_letters(stroke))
     return []
 
 
@@ -238,12 +238,12 @@ def _letters(text: Text) -> Iterator[complex]:
     turn, pen = cmath.rect(1, math.radians(text.rotation)), text.size / 10
     middle, along = text.at + _MIDDLE * pen * turn, 0.0
     for run in text.runs:
-        own = pen if run.level == 0 else pen * 0.7
+        thick = pen if run.level == 0 else pen * 0.7
         for letter in run.text:
             width = _width(letter)
             if not letter.isspace():
-                yield middle + turn * (along + width * own / 2)
-            along += (width + _GAP) * own
+                yield middle + turn * (along + width * thick / 2)
+            along += (width + _GAP) * thick
 
 
 @cache

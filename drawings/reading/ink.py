@@ -80,8 +80,8 @@ def _clear(look: Look, fill: str) -> bool:
 def _left(look: Look) -> float:
     """Give the share of what is under a filling that shows through it."""
     paint = look.fill.lower()
-    own = _alpha(paint) if _HEX.fullmatch(paint) else 1.0
-    return 1 - own * share(look.fill_opacity) * look.shade
+    alpha = _alpha(paint) if _HEX.fullmatch(paint) else 1.0
+    return 1 - alpha * share(look.fill_opacity) * look.shade
 
 
 @lru_cache(maxsize=256)
@@ -112,7 +112,7 @@ def _dash(text: str, scale: float) -> tuple[float, ...]:
     if text.strip(SPACE) in (_NONE, ""):
         return ()
     lengths = numbers(re.sub(r"(?<=[0-9.])px", "", text))
-    return tuple(one * scale for one in lengths) if sum(lengths) > 0 else ()
+    return tuple(length * scale for length in lengths) if sum(lengths) > 0 else ()
 
 
 def _cap(text: str) -> Literal["butt", "round"]:
@@ -129,8 +129,8 @@ def _blended(paint: str, share_left: float) -> str:
         colour = "#" + "".join(f"{min(int(part), 255):02x}" for part in match.groups())
     if not _HEX.fullmatch(colour):
         return "#ffffff"
-    parts, own = _parts(colour), _alpha(colour) * share_left
-    return "#" + "".join(f"{round(255 + (part - 255) * own):02x}" for part in parts) if own > 0 else _NONE
+    parts, alpha = _parts(colour), _alpha(colour) * share_left
+    return "#" + "".join(f"{round(255 + (part - 255) * alpha):02x}" for part in parts) if alpha > 0 else _NONE
 
 
 def _parts(colour: str) -> tuple[int, int, int]:

@@ -75,9 +75,9 @@ def chains(path: str) -> list[tuple[list[complex], bool]] | None:
     if _CHAINS.fullmatch(path) is None:
         return None
     found = []
-    for own in path[1:].split("M"):
-        flat = list(map(float, own.rstrip("Z").replace("L", " ").split(" ")))
-        found.append((list(map(complex, flat[::2], flat[1::2])), own[-1] == "Z"))
+    for part in path[1:].split("M"):
+        flat = list(map(float, part.rstrip("Z").replace("L", " ").split(" ")))
+        found.append((list(map(complex, flat[::2], flat[1::2])), part[-1] == "Z"))
     return found
 
 
@@ -122,8 +122,8 @@ def _ellipse(start: complex, end: complex, radii: complex, tilt: float, flags: t
     turn = cmath.rect(1, math.radians(tilt))
 
     def pressed(point: complex) -> complex:
-        own = point / turn
-        return complex(own.real / radii.real, own.imag / radii.imag)
+        local = point / turn
+        return complex(local.real / radii.real, local.imag / radii.imag)
 
     def stretched(point: complex) -> complex:
         return turn * complex(point.real * radii.real, point.imag * radii.imag)
@@ -187,7 +187,7 @@ _ALONG = attrgetter("along")
 def written(rows: Sequence[PathLetters], said: str, ink: LineStyle) -> Text:
     """Read letters as one text; those that are none are unread in it."""
     first = rows[0].places[0]
-    off = [PathLetters(tuple([one - first + _FAR for one in places]), unit, drawn) for places, unit, drawn in rows]
+    off = [PathLetters(tuple([place - first + _FAR for place in places]), unit, drawn) for places, unit, drawn in rows]
     at, runs, size, anchor, slanted, rotation, _ = _written(tuple(off), said)
     return Text(first + at, runs, size, anchor, slanted, rotation, ink)
 
@@ -195,13 +195,13 @@ def written(rows: Sequence[PathLetters], said: str, ink: LineStyle) -> Text:
 @lru_cache(maxsize=4096)  # a sheet writes the same in many places
 def _written(rows: tuple[PathLetters, ...], said: str) -> Text:
     """Read letters by how far they are from the first, as a text that begins from there."""
-    letters = [(one - _FAR, pen, own) for at, pen, drawn in rows for one, own in zip(at, drawn, strict=True)]
+    letters = [(corner - _FAR, pen, glyph) for at, pen, drawn in rows for corner, glyph in zip(at, drawn, strict=True)]
     size = 10 * max(row.unit for row in rows)
     stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
     spaces = (0, *_spaces(row, size))
-    seen = [(one[0] if space >= 0 else UNREAD, one[5]) for one, space in zip(row, spaces, strict=True)]
-    runs = picked(seen, [max(space, 0) for space in spaces], said)
-    low = next((one[2] for one in row if one[5] == 0), 0.0)
+    glyphs = [(letter[0] if space >= 0 else UNREAD, letter[5]) for letter, space in zip(row, spaces, strict=True)]
+    runs = picked(glyphs, [max(space, 0) for space in spaces], said)
+    low = next((letter[2] for letter in row if letter[5] == 0), 0.0)
     at = stance.turn * complex(row[0][1], low)
     return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation)
 
@@ -223,23 +223,23 @@ def _lows(letters: Sequence[_Turned], size: float) -> list[float]:
     fewest: list[float] = []
     for place, unit, known in letters:
         if unit * 10 == size:
-            own = [(place + one.corner).imag for one in known]
-            if len(own) <= 1:
-                return own
-            fewest = own if not fewest or len(own) < len(fewest) else fewest
+            lows = [(place + reading.corner).imag for reading in known]
+            if len(lows) <= 1:
+                return lows
+            fewest = lows if not fewest or len(lows) < len(fewest) else fewest
     return fewest
 
 
 def _askew(letters: Sequence[_Letter], size: float) -> _Line | None:
     """Set letters on a line of writing in another direction: by that of one letter first, then by all together."""
     # As far as any two are apart: a lowered letter may be written last and stand between.
-    loose = ASKEW * max(abs(one - other) for one, _, _ in letters for other, _, _ in letters) + EVEN
+    loose = ASKEW * max(abs(corner - other) for corner, _, _ in letters for other, _, _ in letters) + EVEN
     for angle in angles([(glyph.trail, unit) for _, unit, glyph in letters]):
-        rough = _straight([_turned_back(one, angle, 2 * NEAR) for one in letters], size, loose)
+        rough = _straight([_turned_back(letter, angle, 2 * NEAR) for letter in letters], size, loose)
         if rough is None or rough[0].rotation:
             continue
         finer = angle + _slope(rough[1], size)
-        line = _straight([_turned_back(one, finer, 2 * NEAR) for one in letters], size, 4 * EVEN)
+        line = _straight([_turned_back(letter, finer, 2 * NEAR) for letter in letters], size, 4 * EVEN)
         if line is not None and line[0].rotation == 0:
             return Stance(math.degrees(finer) % 360, line[0].slanted), line[1]
     return None
@@ -254,7 +254,7 @@ def _turned_back(letter: _Letter, angle: float, near: float) -> _Letter:
 
 def _slope(row: Sequence[_Set], size: float) -> float:
     """Give the angle (rad) by which a line of writing rises yet: between its first letter and its last."""
-    low = [one.rise - dict(_RISES)[one.level] * size for one in row]
+    low = [letter.rise - dict(_RISES)[letter.level] * size for letter in row]
     return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
@@ -284,7 +284,7 @@ def _unread(letters: Sequence[_Letter]) -> _Line:
     row = []
     for place, unit, glyph in letters:
         found = glyph.known.get(stance, ())
-        name, corner, width = next(((one[0], one[2], one[3]) for one in found), (UNREAD, 0j, 0.0))
+        name, corner, width = next(((reading[0], reading[2], reading[3]) for reading in found), (UNREAD, 0j, 0.0))
         spot = place * stance.turn.conjugate() + corner
         row.append(_Set(name, spot.real, spot.imag, width, unit))
     return stance, sorted(row, key=_ALONG)
@@ -350,7 +350,7 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | N
         return None
     p, q, t = place
     spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))
-    return PathLetters(tuple([p * one + q * one.conjugate() + t for one in spots]), style.width, glyphs)
+    return PathLetters(tuple([p * spot + q * spot.conjugate() + t for spot in spots]), style.width, glyphs)
 
 
 def any_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | None:
@@ -373,13 +373,13 @@ def _longest(left: Sequence[PenTrack], unit: float) -> Glyph:
     """Find the letter of the most strokes that a row of tracks begins with; an editor rounds it once more."""
     trails = [_trail(left[:count]) for count in range(min(_MOST, len(left)), 0, -1)]
     looked_up = ((trail, readings(trail, unit, 2 * NEAR)) for trail in trails)
-    trail, found = next((one for one in looked_up if one[1]), (trails[-1], {}))
+    trail, found = next((pair for pair in looked_up if pair[1]), (trails[-1], {}))
     return Glyph(trail, found)
 
 
-def _trail(own: Sequence[PenTrack]) -> Trail:
+def _trail(tracks: Sequence[PenTrack]) -> Trail:
     """Give tracks on paper as one trail from their first point."""
-    first = own[0].start if own else 0j
+    first = tracks[0].start if tracks else 0j
     # A straight piece has one point after its start, an arc two, a cubic three.
-    signature = tuple("".join("lac"[len(piece) - 1] for piece in track.pieces) + "z" * track.closed for track in own)
-    return Trail(signature, tuple(point - first for track in own for point in track.points))
+    signature = tuple("".join("lac"[len(piece) - 1] for piece in track.pieces) + "z" * track.closed for track in tracks)
+    return Trail(signature, tuple(point - first for track in tracks for point in track.points))

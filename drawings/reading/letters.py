@@ -59,26 +59,26 @@ class Trail(NamedTuple):
 @lru_cache(maxsize=16384)
 def readings(trail: Trail, unit: float, near: float = NEAR) -> Mapping[Stance, Sequence[LetterReading]]:
     """Give by stances what letters a trail may be that a pen of a width in mm has drawn; nothing if it is none."""
-    own = tuple(_of(trail, unit, near, False)) or tuple(_of(trail, unit, near, True))
-    return {stance: [one for one in own if one.stance is stance] for stance in dict.fromkeys(one.stance for one in own)}
+    fit = tuple(_of(trail, unit, near, False)) or tuple(_of(trail, unit, near, True))
+    return {stance: [way for way in fit if way.stance is stance] for stance in dict.fromkeys(way.stance for way in fit)}
 
 
 def angles(trails: Sequence[tuple[Trail, float]]) -> Iterator[float]:
     """Give the angles (rad) at which the largest of some trails, with its pen, is a letter; readable ones first."""
-    trail, unit = max(trails, key=lambda one: max(map(abs, one[0].points)))
-    own = (*_stood(trail.signature, False), *_stood(trail.signature, True))
-    found = (_angle(points, trail, unit) for letter, points in own if letter.stance in STANCES[:2])
-    yield from sorted(dict.fromkeys(one for one in found if one is not None), key=abs)
+    trail, unit = max(trails, key=lambda pair: max(map(abs, pair[0].points)))
+    stood = (*_stood(trail.signature, False), *_stood(trail.signature, True))
+    found = (_angle(points, trail, unit) for letter, points in stood if letter.stance in STANCES[:2])
+    yield from sorted(dict.fromkeys(angle for angle in found if angle is not None), key=abs)
 
 
-def _angle(own: Sequence[complex], trail: Trail, unit: float) -> float | None:
+def _angle(corners: Sequence[complex], trail: Trail, unit: float) -> float | None:
     """Give the angle at which a trail is a letter of some points, if it is: that of its farthest one."""
-    far = max(range(len(own)), key=lambda k: abs(own[k]))
-    if own[far] == 0 or trail.points[far] == 0:
+    far = max(range(len(corners)), key=lambda k: abs(corners[k]))
+    if corners[far] == 0 or trail.points[far] == 0:
         return None
-    turn = trail.points[far] / own[far]
+    turn = trail.points[far] / corners[far]
     turn *= unit / abs(turn)
-    fits = all(abs(turn * point - seen) <= 2 * NEAR for point, seen in zip(own, trail.points, strict=True))
+    fits = all(abs(turn * point - spot) <= 2 * NEAR for point, spot in zip(corners, trail.points, strict=True))
     return cmath.phase(turn) if fits else None
 
 
@@ -86,7 +86,7 @@ def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[Lette
     last, off = trail.points[-1] / unit if unit and trail.points else 0j, near / unit if unit else 0.0
     for found, points in _stood(trail.signature, accents):
         if abs(points[-1] - last) <= off and all(
-            abs(point * unit - seen) <= near for point, seen in zip(points, trail.points, strict=True)
+            abs(point * unit - spot) <= near for point, spot in zip(points, trail.points, strict=True)
         ):
             yield found._replace(corner=found.corner * unit, width=found.width * unit)
 
@@ -94,8 +94,8 @@ def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[Lette
 @cache
 def _stood(signature: Signature, accents: bool) -> tuple[tuple[LetterReading, tuple[complex, ...]], ...]:
     """Give the letters of a signature in all stances, d: what each is, and its points from the first one."""
-    own = accented(signature) if accents else shapes().get(signature, ())
-    return tuple(_standing(letter, stance) for stance in STANCES for letter in own)
+    letters = accented(signature) if accents else shapes().get(signature, ())
+    return tuple(_standing(letter, stance) for stance in STANCES for letter in letters)
 
 
 def _standing(letter: LetterShape, stance: Stance) -> tuple[LetterReading, tuple[complex, ...]]:

@@ -72,7 +72,7 @@ def called(data: Mapping[str, str]) -> Message:
     'vector v_B 3 (velocities)'
     """
     kind, plan = data.get("kind", ""), data.get("plan", "")[:LONGEST]
-    names = " ".join(own for name in NAMES if (own := data.get(name, "")[:LONGEST]))
+    names = " ".join(part for name in NAMES if (part := data.get(name, "")[:LONGEST]))
     if not plan:
         return message("unreadable.bare_mark", kind=kind, names=names)
     return message("unreadable.mark", kind=kind, names=names, plan=plan)

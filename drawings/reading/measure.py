@@ -140,9 +140,9 @@ def measure_file(path: Path) -> Measured:
 def measure(source: bytes, witness: Witness | None = None) -> Measured:
     """Measure a sheet; one that cannot be trusted to be read right is refused with the reason."""
     sheet = read(source, witness)
-    told = sheet.metadata.get("format", FORMAT)
-    if not isinstance(told, int) or told > FORMAT:
-        raise SheetRefused("format", format=repr(told)[:_SAID], known=FORMAT)
+    version = sheet.metadata.get("format", FORMAT)
+    if not isinstance(version, int) or version > FORMAT:
+        raise SheetRefused("format", format=repr(version)[:_SAID], known=FORMAT)
     _once(sheet.marks)
     moved = _moved([mark for mark in sheet.marks if mark.kind == "corner"])
     marks = [_moved_back(mark, moved) for mark in sheet.marks]
@@ -170,19 +170,19 @@ def check(measured: Measured, tolerance: float | None = None, expected: Iterable
         right = abs(mark.value - mark.stated) <= allowed
         if not right:
             wrong.append(Mismatch(mark.key, mark.value, mark.stated, allowed))
-    seen = {mark.key for mark in (*measured.marks, *measured.profiles)}
-    return wrong + [Mismatch(key, None, None, 0.0) for key in expected if key not in seen]
+    known = {mark.key for mark in (*measured.marks, *measured.profiles)}
+    return wrong + [Mismatch(key, None, None, 0.0) for key in expected if key not in known]
 
 
 def _once(marks: Iterable[SheetMark]) -> None:
     """One mark for each name: a fan of arrows must not pass because one of them is right."""
-    seen: set[tuple[str | int | None, ...]] = set()
+    met: set[tuple[str | int | None, ...]] = set()
     for mark in marks:
         names = ("value",) if mark.kind == "corner" else ("plan", "quantity", "name")
-        own = (mark.kind, _position(mark), *(mark.data.get(name, "") for name in names))
-        if own in seen:
+        key = (mark.kind, _position(mark), *(mark.data.get(name, "") for name in names))
+        if key in met:
             raise SheetRefused("twice", who=mark.who)
-        seen.add(own)
+        met.add(key)
 
 
 def _moved(corners: list[SheetMark]) -> Affine:
@@ -212,8 +212,8 @@ def _moved_back(mark: SheetMark, moved: Affine) -> SheetMark:
 def _vector(mark: SheetMark) -> MeasuredVector:
     scale = _scale(mark)
     start, end = mark.points
-    own = (_text(mark, "plan"), _text(mark, "quantity"), _text(mark, "name"), _position(mark))
-    return MeasuredVector(*own, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale, start, end)
+    key = (_text(mark, "plan"), _text(mark, "quantity"), _text(mark, "name"), _position(mark))
+    return MeasuredVector(*key, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale, start, end)
 
 
 def _profile(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole], moved: Affine) -> MeasuredProfile:
@@ -226,9 +226,9 @@ def _point(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> Me
     plan, position = _place(mark)
     pole = _pole(mark, poles)
     (at,), scale = mark.points, _scale(mark)
-    own = (plan, _text(mark, "quantity"), _text(mark, "name"), position)
+    key = (plan, _text(mark, "quantity"), _text(mark, "name"), position)
     value = (at - pole[0]) * scale + pole[1]
-    return MeasuredPoint(*own, value, _stated(mark), mark.data.get("unit", ""), scale, at)
+    return MeasuredPoint(*key, value, _stated(mark), mark.data.get("unit", ""), scale, at)
 
 
 def _pole(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> _Pole:

@@ -42,10 +42,10 @@ def outlines(tag: str, attributes: Mapping[str, str], place: Affine, style: Line
         return
     p, q, t = place
     for points, closed in plain:
-        own = tuple([p * one + q * one.conjugate() + t for one in points])
-        if not max(map(abs, own)) <= REACH:
-            own = tuple(map(_checked, own))
-        yield _chain(own, closed, style)
+        moved = tuple([p * point + q * point.conjugate() + t for point in points])
+        if not max(map(abs, moved)) <= REACH:
+            moved = tuple(map(_checked, moved))
+        yield _chain(moved, closed, style)
 
 
 def stroke(track: PenTrack, style: LineStyle) -> Stroke:
@@ -60,10 +60,10 @@ def stroke(track: PenTrack, style: LineStyle) -> Stroke:
     return Curve(tuple(merged(pieces(_spots(track)))), track.closed, style)
 
 
-def merged(own: Iterable[Piece]) -> Iterator[Piece]:
+def merged(pieces: Iterable[Piece]) -> Iterator[Piece]:
     """Give pieces of a curve, arcs that go on about one centre in one sense as one."""
     before: Piece | None = None
-    for piece in own:
+    for piece in pieces:
         if isinstance(before, RoundPiece) and isinstance(piece, RoundPiece) and _goes_on(before, piece):
             before = RoundPiece(before.start, before.centre, _on_to(before, piece))
             continue
@@ -74,17 +74,17 @@ def merged(own: Iterable[Piece]) -> Iterator[Piece]:
         yield before
 
 
-def _on_to(one: RoundPiece, after: RoundPiece) -> float:
+def _on_to(before: RoundPiece, after: RoundPiece) -> float:
     """Give the sweep of an arc to the end of the one that goes on from it, so that no rounding adds up."""
-    sweep = one.sweep + after.sweep
-    return sweep + cmath.phase((after.end - one.centre) / (one.start - one.centre) * cmath.exp(-1j * sweep))
+    sweep = before.sweep + after.sweep
+    return sweep + cmath.phase((after.end - before.centre) / (before.start - before.centre) * cmath.exp(-1j * sweep))
 
 
-def _goes_on(one: RoundPiece, after: RoundPiece) -> bool:
+def _goes_on(before: RoundPiece, after: RoundPiece) -> bool:
     """Tell whether an arc goes on from another: both ends of either are rounded, which turns a short one most."""
-    chord = min(abs(piece.end - piece.start) for piece in (one, after))
-    off = abs(after.centre - one.centre)
-    return one.sweep * after.sweep > 0 and off <= _CENTRES * (1 + one.radius / chord if chord else 1)
+    chord = min(abs(piece.end - piece.start) for piece in (before, after))
+    off = abs(after.centre - before.centre)
+    return before.sweep * after.sweep > 0 and off <= _CENTRES * (1 + before.radius / chord if chord else 1)
 
 
 @lru_cache(maxsize=256)

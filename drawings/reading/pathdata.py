@@ -259,7 +259,7 @@ def _arguments(path: str, place: int, letter: str) -> tuple[list[float], int]:
     together = _TOGETHER.get(letter.upper())
     found = together.match(path, place) if together else None
     if found is not None and found.end() - place <= NUMERAL_LENGTH:
-        return [_finite(one) for one in found.groups()], found.end()
+        return [_finite(text) for text in found.groups()], found.end()
     values: list[float] = []
     for index in range(_ARGUMENTS[letter.upper()]):
         if letter in "Aa" and index in _FLAGS:

@@ -143,8 +143,8 @@ class _Reader:
         if len(attributes) > limits.ELEMENT_ATTRIBUTES:
             raise OverLimit("attributes", limit=limits.ELEMENT_ATTRIBUTES)
         space, _, tag = name.rpartition(" ")
-        if (own := attributes.get("id")) is not None:
-            self._name(own)
+        if (identity := attributes.get("id")) is not None:
+            self._name(identity)
         if self.sheet is None:
             self._open(space, tag, attributes)
         else:
@@ -152,20 +152,20 @@ class _Reader:
         if self.witness is not None:
             self.witness.enter(self.frames[-1], attributes)
 
-    def _name(self, own: str) -> None:
-        if own in self.ids:
-            raise SheetRefused("id", name=own[:LONGEST])
-        self.ids.add(own)
+    def _name(self, name: str) -> None:
+        if name in self.ids:
+            raise SheetRefused("id", name=name[:LONGEST])
+        self.ids.add(name)
 
     def _open(self, space: str, tag: str, attributes: Mapping[str, str]) -> None:
         if (space, tag) != (_SVG, "svg"):
             raise SheetRefused("root", tag=tag[:_SAID], space=_SVG)
-        own = presented(Look(), tag, said(attributes))
-        if "transform" in own.properties:
+        look = presented(Look(), tag, said(attributes))
+        if "transform" in look.properties:
             raise SheetRefused("root_transform")
         paper = viewport(attributes) if self.witness is None else self.witness.opened(attributes)
         self.sheet = ReadSheet(paper, notes=list(paper.notes))
-        self.frames.append(Frame(tag, paper.placing, own.look, None))
+        self.frames.append(Frame(tag, paper.placing, look.look, None))
 
     def _enter(self, name: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         if tag in _TELLING or self.hearing:
@@ -191,16 +191,16 @@ class _Reader:
             self.left_aside.add(tag)
             sheet.notes.append(message("aside.element", tag=tag))
         refusal = outer.refusal
-        own, look, moved = presented(outer.look, tag, telling_look)
+        properties, look, moved = presented(outer.look, tag, telling_look)
         if tag == "svg":
             refusal = refusal or message("unreadable.nested")
         elif moved:
             refusal = refusal or message("unreadable.moved", by=moved)
-        if own.get("transform", "none") == "none":
+        if properties.get("transform", "none") == "none":
             return Frame(tag, outer.to_paper, look, refusal, telling_look)
-        moving = transform(own["transform"])
-        if "transform-origin" in own:
-            moving = about(pair(own["transform-origin"].replace("px", "")), moving)
+        moving = transform(properties["transform"])
+        if "transform-origin" in properties:
+            moving = about(pair(properties["transform-origin"].replace("px", "")), moving)
         if moving.singular:
             look = look._replace(gone=look.gone or message("gone.scaled"))
         return Frame(tag, outer.to_paper.after(moving), look, refusal, telling_look)

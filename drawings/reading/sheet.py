@@ -61,25 +61,25 @@ def joined(parts: Sequence[Typeset], said: str, ink: LineStyle) -> Text:
     row = sorted(parts, key=lambda part: (part.at / turn).real)
     low = next((part.at / turn).imag for part in row if part.size == size)
     signs = [(sign, level) for plain, level in _levels(row, turn, low, size) for sign in alphabet.signs(plain)]
-    seen = [(sign.seen, level or sign.level) for sign, level in signs]
-    runs = alphabet.picked(seen, [sign.thin for sign, _ in signs], said, fonts=True)
+    shown = [(sign.seen, level or sign.level) for sign, level in signs]
+    runs = alphabet.picked(shown, [sign.thin for sign, _ in signs], said, fonts=True)
     at = turn * complex((row[0].at / turn).real, low)
     return Text(at, runs, round(size, 4), "start", first.slanted, first.rotation, ink)
 
 
 def _levels(row: Sequence[Typeset], turn: complex, low: float, size: float) -> Iterator[tuple[str, int]]:
     """Give parts and their levels, and the spaces between them where they are apart."""
-    before = [""] + [" " if _apart(one, after, turn, size) else "" for one, after in pairwise(row)]
+    before = [""] + [" " if _apart(text, after, turn, size) else "" for text, after in pairwise(row)]
     for part, space in zip(row, before, strict=True):
         yield space + part.plain, _level(((part.at / turn).imag - low) / size)
 
 
-def _apart(one: Typeset, after: Typeset, turn: complex, size: float) -> bool:
-    return ((after.at - one.at) / turn).real - one.length > _WORDS * size
+def _apart(before: Typeset, after: Typeset, turn: complex, size: float) -> bool:
+    return ((after.at - before.at) / turn).real - before.length > _WORDS * size
 
 
 def _level(rise: float) -> int:
-    return next((level for level, own in _RISES.items() if abs(rise - own) <= _EVEN), 0)
+    return next((level for level, raised in _RISES.items() if abs(rise - raised) <= _EVEN), 0)
 
 
 # What each may say without any effect; editors write many of them so.
@@ -110,9 +110,9 @@ def effect(said: Said) -> str:
     'mix-blend-mode'
     """
     style = declarations(said)
-    own = next((name for name in _NEVER if name in dict(said)), "") or unfollowed(style)
+    fault = next((name for name in _NEVER if name in dict(said)), "") or unfollowed(style)
     others = ((name, text) for name, text in (*said, *style.items()) if name != "style")
-    return own or next((name for name, text in others if not _idle(name, text.strip(SPACE).lower())), "")
+    return fault or next((name for name, text in others if not _idle(name, text.strip(SPACE).lower())), "")
 
 
 def _idle(name: str, value: str) -> bool:
@@ -132,8 +132,8 @@ def unread(frame: Frame) -> str:
     """Name what of an element the eye cannot read; "" if there is nothing."""
     if frame.tag in UNREAD or frame.tag == "svg":
         return f"<{frame.tag}>"
-    own = effect(frame.said) if frame.tag else ""
-    return own and f"<{frame.tag} {own}>"
+    fault = effect(frame.said) if frame.tag else ""
+    return fault and f"<{frame.tag} {fault}>"
 
 
 @lru_cache(maxsize=1024)
@@ -178,14 +178,14 @@ class Observer:
 
     def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
         """See an element begin."""
-        one = Opened(frame, attributes)
-        self.open.append(one)
+        element = Opened(frame, attributes)
+        self.open.append(element)
         if len(self.open) == 1:
-            self.root = one
+            self.root = element
         elif what := unread(frame):
             self._leave_aside(what)
         if frame.tag in SHAPES:
-            self._draw(one)
+            self._draw(element)
 
     def hear(self, text: str) -> None:
         """Take the characters within the innermost element."""
@@ -194,96 +194,101 @@ class Observer:
 
     def leave(self) -> None:
         """See the innermost element end."""
-        one = self.open.pop()
-        if one.frame.tag in SHAPES and not one.strokes:
+        element = self.open.pop()
+        if element.frame.tag in SHAPES and not element.strokes:
             return
-        match one.frame.tag:
+        match element.frame.tag:
             case "g":
-                self._close(one)
+                self._close(element)
             case "text":
-                self._typeset(one)
+                self._typeset(element)
             case "title" if self.open:
-                self.open[-1].title = "".join(one.heard)
+                self.open[-1].title = "".join(element.heard)
             case "desc" if len(self.open) == 1:
-                self.description = "".join(one.heard)
-            case _ if one.strokes and self.open:  # a link, or what no viewer knows
-                self._close(one)
+                self.description = "".join(element.heard)
+            case _ if element.strokes and self.open:  # a link, or what no viewer knows
+                self._close(element)
 
-    def _draw(self, one: Opened) -> None:
+    def _draw(self, element: Opened) -> None:
         """Take a shape: as letters where it is one path of them, or else as lines."""
         try:
-            seen = ink_of(one.frame)
-            if not self._letter(one, seen):
-                self._line(one, seen)
+            ink = ink_of(element.frame)
+            if not self._letter(element, ink):
+                self._line(element, ink)
         except SheetRefused:
-            self._leave_aside(f"<{one.frame.tag}>")
+            self._leave_aside(f"<{element.frame.tag}>")
 
-    def _line(self, one: Opened, seen: Ink) -> None:
-        own = outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style)
-        strokes = tuple(map(cornered, own))
+    def _line(self, element: Opened, ink: Ink) -> None:
+        outline = outlines(element.frame.tag, element.attributes, element.frame.to_paper, ink.style)
+        strokes = tuple(map(cornered, outline))
         outer = self.open[-2]
-        data = _data(one.attributes) if one.attributes.get("data-kind") in KINDS else {}
+        data = _data(element.attributes) if element.attributes.get("data-kind") in KINDS else {}
         if not data:
-            self._add(outer, strokes, seen)
+            self._add(outer, strokes, ink)
         elif outer.frame.tag == "g" and not outer.strokes and not outer.data:
             outer.data = data
-            self._add(outer, strokes, seen)
+            self._add(outer, strokes, ink)
         else:
-            self._add(outer, (Group(strokes, one.attributes.get("id", ""), data),), seen)
+            self._add(outer, (Group(strokes, element.attributes.get("id", ""), data),), ink)
 
-    def _letter(self, one: Opened, seen: Ink) -> bool:
+    def _letter(self, element: Opened, ink: Ink) -> bool:
         """Take a path as letters, if it is one of them; those of several pens are one text with its levels."""
-        path, outer = one.attributes.get("d", ""), self.open[-2]
-        if one.frame.tag != "path" or not path or not pen_of_letters(seen.style):
+        path, outer = element.attributes.get("d", ""), self.open[-2]
+        if element.frame.tag != "path" or not path or not pen_of_letters(ink.style):
             return False
-        said = one.attributes.get(_SAID, outer.attributes.get(_SAID))
-        letters = plain_letters(path, one.frame.to_paper, seen.style)
+        said = element.attributes.get(_SAID, outer.attributes.get(_SAID))
+        letters = plain_letters(path, element.frame.to_paper, ink.style)
         if letters is None and said is not None:
-            letters = any_letters(path, one.frame.to_paper, seen.style)
-        if letters is None or (said is None and not all(one.known for one in letters.glyphs)):
+            letters = any_letters(path, element.frame.to_paper, ink.style)
+        if letters is None or (said is None and not all(glyph.known for glyph in letters.glyphs)):
             return False
         if _SAID in outer.attributes:
             outer.letters.append(letters)
-            outer.ink = seen if seen.unseen or not outer.ink.unseen else outer.ink
+            outer.ink = ink if ink.unseen or not outer.ink.unseen else outer.ink
         else:
-            self._add(outer, (written([letters], said or "", _penned(seen.style)),), seen)
+            self._add(outer, (written([letters], said or "", _penned(ink.style)),), ink)
         return True
 
-    def _typeset(self, one: Opened) -> None:
+    def _typeset(self, element: Opened) -> None:
         """Take an element of text."""
-        plain, outer = "".join(one.heard), self.open[-1]
+        plain, outer = "".join(element.heard), self.open[-1]
         if not plain.strip():
             return
         try:
-            seen = ink(one.frame.look, 1.0)
-            part = typeset(plain, one.frame.to_paper, one.frame.look, one.attributes)
+            shown = ink(element.frame.look, 1.0)
+            part = typeset(plain, element.frame.to_paper, element.frame.look, element.attributes)
         except SheetRefused:
-            self._leave_aside(f"<{one.frame.tag}>")
+            self._leave_aside(f"<{element.frame.tag}>")
             return
         self.lettering = "text"
         if _SAID in outer.attributes and outer.frame.tag == "g":
             outer.letters.append(part)
-            outer.ink = seen
+            outer.ink = shown
         else:
-            self._add(outer, (joined([part], plain, _filled(seen.style.fill)),), seen)
+            self._add(outer, (joined([part], plain, _filled(shown.style.fill)),), shown)
 
-    def _close(self, one: Opened) -> None:
+    def _close(self, element: Opened) -> None:
         """Take a group: a text of several pens or sizes, or what holds others."""
         outer = self.open[-1]
-        if text := _text(one):
-            self._add(outer, (text,), one.ink)
-        group = Group(tuple(one.strokes), one.attributes.get("id", ""), one.data or _data(one.attributes), one.title)
+        if text := _text(element):
+            self._add(outer, (text,), element.ink)
+        group = Group(
+            tuple(element.strokes),
+            element.attributes.get("id", ""),
+            element.data or _data(element.attributes),
+            element.title,
+        )
         if group.strokes or group.name or group.data or group.title:
             outer.strokes.append(group)
 
-    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], seen: Ink) -> None:
+    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], ink: Ink) -> None:
         outer.strokes += strokes
-        if seen.clear:
+        if ink.clear:
             self.clear.update(id(part) for part in flat(strokes))
-        if seen.unseen in UNPAINTED:
+        if ink.unseen in UNPAINTED:
             self.gone.update(id(part) for part in flat(strokes))
-        if seen.unseen:
-            self.unseen += [Unseen(stroke, seen.unseen, self._group) for stroke in strokes]
+        if ink.unseen:
+            self.unseen += [Unseen(stroke, ink.unseen, self._group) for stroke in strokes]
 
     def _leave_aside(self, what: str) -> None:
         self.unseen.append(Unseen(Text(0j, (Run(what),)), "unread", self._group))
@@ -291,25 +296,25 @@ class Observer:
     @property
     def _group(self) -> str:
         """The name of the innermost group that has one."""
-        return next((own for one in reversed(self.open[1:]) if (own := one.attributes.get("id", ""))), "")
+        return next((name for element in reversed(self.open[1:]) if (name := element.attributes.get("id", ""))), "")
 
 
-def _text(one: Opened) -> Text | None:
+def _text(element: Opened) -> Text | None:
     """Read the letters that were collected in a group."""
-    if not one.letters:
+    if not element.letters:
         return None
-    typed = [part for part in one.letters if isinstance(part, Typeset)]
-    lined = [part for part in one.letters if isinstance(part, PathLetters)]
-    said = one.attributes.get(_SAID, "")
+    typed = [part for part in element.letters if isinstance(part, Typeset)]
+    lined = [part for part in element.letters if isinstance(part, PathLetters)]
+    said = element.attributes.get(_SAID, "")
     if typed:
-        return joined(typed, said, _filled(one.ink.style.fill))
-    return written(lined, said, _penned(one.ink.style))
+        return joined(typed, said, _filled(element.ink.style.fill))
+    return written(lined, said, _penned(element.ink.style))
 
 
 def _penned(style: LineStyle) -> LineStyle:
     """Give the ink of letters that are drawn with a pen, whose corners are seen."""
-    own = _filled(style.colour)
-    return own if style.join == own.join else own._replace(join=style.join)
+    plain = _filled(style.colour)
+    return plain if style.join == plain.join else plain._replace(join=style.join)
 
 
 def _filled(colour: str) -> LineStyle:
@@ -334,27 +339,27 @@ def see(source: bytes, observer: Observer | None = None) -> SeenSheet:
     observer = observer or Observer()
     measured = measure(source, observer)
     whole = _leaf(observer, measured)
-    gone = {id(one.stroke) for one in observer.unseen}
-    under = (one for one in veiled(whole, observer.clear, observer.gone) if id(one.stroke) not in gone)
+    gone = {id(lost.stroke) for lost in observer.unseen}
+    under = (lost for lost in veiled(whole, observer.clear, observer.gone) if id(lost.stroke) not in gone)
     unseen = (*observer.unseen, *under)
-    return SeenSheet(without(whole, [one.stroke for one in unseen]), unseen, whole, measured)
+    return SeenSheet(without(whole, [lost.stroke for lost in unseen]), unseen, whole, measured)
 
 
 def uncovered(leaf: Leaf) -> Leaf:
     """Give a leaf without what is covered or off the paper."""
-    return without(leaf, [one.stroke for one in veiled(leaf)])
+    return without(leaf, [lost.stroke for lost in veiled(leaf)])
 
 
 def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
     """Give a leaf without some of its strokes."""
-    hidden = {id(one) for one in strokes}
+    hidden = {id(stroke) for stroke in strokes}
     return leaf._replace(groups=tuple(_kept(group, hidden) for group in leaf.groups)) if hidden else leaf
 
 
 def _leaf(observer: Observer, measured: Measured) -> Leaf:
     """Give all that is written; what stands in no group stands in one of its own."""
     root = observer.root
-    groups = _unwrapped(tuple(one if isinstance(one, Group) else Group((one,)) for one in root.strokes))
+    groups = _unwrapped(tuple(stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in root.strokes))
     data = {key: value for key, value in measured.metadata.items() if key != "format"}
     paper = observer.paper
     return Leaf(paper.width, paper.height, groups, root.title, observer.description, data, observer.lettering)
@@ -363,7 +368,7 @@ def _leaf(observer: Observer, measured: Measured) -> Leaf:
 def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
     """Take what an editor has put into one layer out of it."""
     while len(groups) == 1 and not groups[0].data and groups[0].strokes:
-        inside = tuple(one for one in groups[0].strokes if isinstance(one, Group))
+        inside = tuple(stroke for stroke in groups[0].strokes if isinstance(stroke, Group))
         if len(inside) < len(groups[0].strokes):
             break
         groups = inside
@@ -372,5 +377,5 @@ def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
 
 def _kept(group: Group, hidden: Collection[int]) -> Group:
     """Give a group with what can be seen in it."""
-    left = (one for one in group.strokes if id(one) not in hidden)
-    return group._replace(strokes=tuple(_kept(one, hidden) if isinstance(one, Group) else one for one in left))
+    left = (child for child in group.strokes if id(child) not in hidden)
+    return group._replace(strokes=tuple(_kept(child, hidden) if isinstance(child, Group) else child for child in left))

@@ -162,8 +162,8 @@ def viewport(attributes: Mapping[str, str]) -> Viewport:
         notes = (message("aside.size"),)
     if box is None:
         box = (0.0, 0.0, width / PIXEL, height / PIXEL)
-    laid = _laid(box, width, height, attributes.get("preserveAspectRatio", "xMidYMid"))
-    return Viewport(width, height, Affine(t=1j * height).after(MIRROR).after(laid), notes)
+    placed = _laid(box, width, height, attributes.get("preserveAspectRatio", "xMidYMid"))
+    return Viewport(width, height, Affine(t=1j * height).after(MIRROR).after(placed), notes)
 
 
 def _length(text: str | None) -> float | None:

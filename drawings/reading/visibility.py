@@ -98,12 +98,12 @@ def teller(names: tuple[str, ...]) -> tuple[tuple[str, ...], Callable[[Mapping[s
 @lru_cache(maxsize=1024)  # the sheets of a set have the same looks
 def presented(outer: Look, tag: str, said: Said) -> Presentation:
     """Give the presentation of an element inside another: by its attributes, overruled by its style."""
-    own = {name: text.strip(SPACE) for name, text in said if name in _LOOKS} | declarations(said)
+    properties = {name: text.strip(SPACE) for name, text in said if name in _LOOKS} | declarations(said)
     changed: dict[str, Any] = {
-        name.replace("-", "_"): own[name] for name in _INHERITED if own.get(name, "inherit") != "inherit"
+        name.replace("-", "_"): properties[name] for name in _INHERITED if properties.get(name, "inherit") != "inherit"
     }
-    gone, shade = outer.gone or _goes(tag, own), outer.shade * share(own.get("opacity", "1"))
-    return Presentation(own, outer._replace(gone=gone, shade=shade)._replace(**changed), unfollowed(own))
+    gone, shade = outer.gone or _goes(tag, properties), outer.shade * share(properties.get("opacity", "1"))
+    return Presentation(properties, outer._replace(gone=gone, shade=shade)._replace(**changed), unfollowed(properties))
 
 
 def declarations(said: Said) -> dict[str, str]:
@@ -144,14 +144,14 @@ def telling(sheet: str) -> str:
     )
 
 
-def _goes(tag: str, own: Mapping[str, str]) -> Message | None:
+def _goes(tag: str, properties: Mapping[str, str]) -> Message | None:
     if tag in UNDRAWN:
         return message("gone.inside", tag=tag)
-    if own.get("display", "").lower() == "none":
+    if properties.get("display", "").lower() == "none":
         return message("gone.display")
-    if _vanishes(own.get("opacity", "1")):
+    if _vanishes(properties.get("opacity", "1")):
         return message("gone.opacity")
-    under = (name for name in ("clip-path", "mask", "filter") if own.get(name, "none") != "none")
+    under = (name for name in ("clip-path", "mask", "filter") if properties.get(name, "none") != "none")
     return next((message(f"gone.{name}") for name in under), None)
 
 

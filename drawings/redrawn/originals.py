@@ -34,7 +34,7 @@ def leaves_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
     """Lay out the sheets of a study, by kind; the data of each say of which scene it is, and of which version."""
     scene = study.scene
     leaves = bind({kind: sheet_kind(kind).leaves(study) for kind in scene.sheets}, scene)
-    return {kind: tuple(_signed(leaf, scene) for leaf in own) for kind, own in leaves.items()}
+    return {kind: tuple(_signed(leaf, scene) for leaf in group) for kind, group in leaves.items()}
 
 
 def _signed(leaf: Leaf, scene: Scene) -> Leaf:
@@ -50,8 +50,8 @@ class Original(NamedTuple):
 
     def says(self, data: Mapping[str, Any]) -> bool:
         """Tell whether the data of a written sheet are those of this one: its kind, and its number among them."""
-        own = self.leaf.metadata
-        return all(data.get(key) == own.get(key) for key in ("sheet", "number"))
+        metadata = self.leaf.metadata
+        return all(data.get(key) == metadata.get(key) for key in ("sheet", "number"))
 
 
 class Originals:
@@ -81,8 +81,8 @@ class Originals:
         for comparison in self.study.comparisons:
             agree(comparison)
         scene = self.study.scene
-        own = placed_sheets(Path(), stem_of(scene), leaves_of(self.study))
-        return tuple(Original(path.name, kind, lettered(leaf, scene.sheet.lettering)) for path, (kind, leaf) in own)
+        placed = placed_sheets(Path(), stem_of(scene), leaves_of(self.study))
+        return tuple(Original(path.name, kind, lettered(leaf, scene.sheet.lettering)) for path, (kind, leaf) in placed)
 
     def drawn(self, sheet: Original) -> bytes:
         """Give the file of a sheet as it must be."""
@@ -100,25 +100,27 @@ class Originals:
         """Give what must stand on a sheet and those of its kind that are of the same subject, by the analysis."""
         of = sheet.kind, subject(sheet.leaf)
         if of not in self._due:
-            own = [one.leaf for one in self.sheets if (one.kind, subject(one.leaf)) == of]
-            self._due[of] = {row.key: row for row in sheet_kind(sheet.kind).due(self.study, own)}
+            leaves = [original.leaf for original in self.sheets if (original.kind, subject(original.leaf)) == of]
+            self._due[of] = {row.key: row for row in sheet_kind(sheet.kind).due(self.study, leaves)}
         return self._due[of]
 
-    def wrongs(self, sheet: Original, seen: SeenSheet) -> list[Wrong]:
+    def wrongs(self, sheet: Original, drawn: SeenSheet) -> list[Wrong]:
         """List what the self-check of a sheet finds wrong with what is seen of a written one.
 
         What is there as it must be is taken with all its digits, as it was laid out before it was rounded.
         """
         only = stated_keys(sheet.leaf)
-        return [*verify.measured_wrongs(seen.measured, self._left(sheet, seen), self.due(sheet), only)]
+        return [*verify.measured_wrongs(drawn.measured, self._left(sheet, drawn), self.due(sheet), only)]
 
-    def _left(self, sheet: Original, seen: SeenSheet) -> Leaf:
+    def _left(self, sheet: Original, drawn: SeenSheet) -> Leaf:
         """Give what is left of a sheet as it was laid out on a written one: the strokes that are still there."""
-        own = self.seen(sheet)
-        laid = plain(sheet.leaf, own.leaf.lettering)
-        exact = dict(zip(map(id, flat(own.written.groups)), flat(laid.groups), strict=True))
-        there = {id(exact[id(ours.stroke)]) for ours, _ in match(items(own.written), items(seen.written), QUANTUM).same}
-        return without(laid, [one for one in flat(laid.groups) if id(one) not in there])
+        redrawn = self.seen(sheet)
+        leaf = plain(sheet.leaf, redrawn.leaf.lettering)
+        exact = dict(zip(map(id, flat(redrawn.written.groups)), flat(leaf.groups), strict=True))
+        there = {
+            id(exact[id(ours.stroke)]) for ours, _ in match(items(redrawn.written), items(drawn.written), QUANTUM).same
+        }
+        return without(leaf, [stroke for stroke in flat(leaf.groups) if id(stroke) not in there])
 
     def of(self, name: str, data: Mapping[str, Any]) -> tuple[Original, ...]:
         """Give the sheets that a written one may be: by its data and by its name, and all if by neither."""

@@ -34,8 +34,8 @@ class Finding(NamedTuple):
 
     def plain(self, language: str) -> dict[str, Any]:
         """Give it as plain data."""
-        own = {"finding": self.kind, "told": self.told.worded(language)}
-        return own if self.edit is None else own | self.edit.plain(language)
+        data = {"finding": self.kind, "told": self.told.worded(language)}
+        return data if self.edit is None else data | self.edit.plain(language)
 
 
 class Checked(NamedTuple):
@@ -62,40 +62,40 @@ class Checked(NamedTuple):
 
 def check(path: Path, source: bytes, originals: Originals | None) -> Checked:
     """Check a written sheet, by its scene where that is at hand."""
-    own = tuple(Finding(kind, told) for kind, told in flaws(path, source))
+    findings = tuple(Finding(kind, fault) for kind, fault in flaws(path, source))
     try:
-        seen = see(source)
+        sheet = see(source)
     except OverLimit as refused:
-        return Checked((*own, _refused(refused)), refused=refused.exit_code)
+        return Checked((*findings, _refused(refused)), refused=refused.exit_code)
     except SheetRefused as refused:
-        return Checked((*own, _refused(refused)), refused=EDITED if b"<svg" in source else UNREADABLE)
+        return Checked((*findings, _refused(refused)), refused=EDITED if b"<svg" in source else UNREADABLE)
     if originals is None:
-        return Checked(own, (message("checked.alone"),), partly=True)
-    return _against(path, seen, originals, own)
+        return Checked(findings, (message("checked.alone"),), partly=True)
+    return _against(path, sheet, originals, findings)
 
 
 def _refused(refused: SheetRefused) -> Finding:
     return Finding("refused", message("checked.refused", reason=refused.reason))
 
 
-def _against(path: Path, seen: SeenSheet, originals: Originals, own: tuple[Finding, ...]) -> Checked:
+def _against(path: Path, sheet: SeenSheet, originals: Originals, findings: tuple[Finding, ...]) -> Checked:
     """Hold a sheet against the original that it is nearest to."""
-    data = seen.leaf.metadata
+    data = sheet.leaf.metadata
     try:
-        collations = [(_collated(originals.seen(one), seen), one) for one in originals.of(path.name, data)]
+        collations = [(_collated(originals.seen(ours), sheet), ours) for ours in originals.of(path.name, data)]
     except SheetRefused as refused:  # stretched or mirrored
-        return Checked((*own, _refused(refused)))
-    collation, original = max(collations, key=lambda one: one[0].same / max(one[0].most, 1))
+        return Checked((*findings, _refused(refused)))
+    collation, original = max(collations, key=lambda pair: pair[0].same / max(pair[0].most, 1))
     other = data.get("plandraft", VERSION) != VERSION and not collation.clean
     found = (*_identity(path, data, original, originals), *_edits(collation, other))
     version, count = str(data.get("plandraft"))[:LONGEST], len(collation.edits) + len(collation.whole)
     notes = (message("checked.version", version=version, own=VERSION, count=count),) if other else ()
-    analysed = _analysis(seen, original, originals)
-    return Checked((*own, *found, *analysed), notes, other, collation.same, collation.most)
+    analysed = _analysis(sheet, original, originals)
+    return Checked((*findings, *found, *analysed), notes, other, collation.same, collation.most)
 
 
-def _hidden(seen: SeenSheet) -> list[Hidden]:
-    return [Hidden(item, one.reason) for one in seen.unseen for item in inside(one.stroke, one.group)]
+def _hidden(sheet: SeenSheet) -> list[Hidden]:
+    return [Hidden(item, lost.reason) for lost in sheet.unseen for item in inside(lost.stroke, lost.group)]
 
 
 def _collated(right: SeenSheet, there: SeenSheet) -> Collation:
@@ -116,21 +116,21 @@ def _identity(path: Path, data: Mapping[str, Any], original: Original, originals
 def _edits(collation: Collation, other: bool) -> Iterator[Finding]:
     """Tell what was edited; of a sheet that another version laid out otherwise only what no version would draw."""
     if other:
-        yield from (Finding("edit", one.told, one) for one in collation.edits if one.how in NEVER)
+        yield from (Finding("edit", edit.told, edit) for edit in collation.edits if edit.how in NEVER)
         return
     if collation.strange:
         yield Finding("strange", message("checked.strange", same=collation.same, most=collation.most))
-    yield from (Finding("whole", told) for told in collation.whole)
-    yield from (Finding("edit", one.told, one) for one in collation.edits)
+    yield from (Finding("whole", fault) for fault in collation.whole)
+    yield from (Finding("edit", edit.told, edit) for edit in collation.edits)
 
 
-def _analysis(seen: SeenSheet, original: Original, originals: Originals) -> Iterator[Finding]:
+def _analysis(sheet: SeenSheet, original: Original, originals: Originals) -> Iterator[Finding]:
     """Tell what the self-check of such a sheet finds in it by the analysis, also where its lines are as they must be.
 
     The data of its groups may have been edited, which say what a line is and which letter it bears.
     """
     try:
-        wrong = originals.wrongs(original, seen)
+        wrong = originals.wrongs(original, sheet)
     except UNFOLLOWED:
         yield Finding("analysis", message("checked.unfollowed"))
         return

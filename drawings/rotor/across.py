@@ -48,8 +48,8 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Let
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [*_shaft(shown, place, hand), *_shells(shown, place, hand), *_planes(shown, place, hand)]
-    lines += [_stem(one, place, hand) for one in shown.distinct]
-    bodies = [body(shown, one, _side(one), place, NAME, drafting) for one in shown.bodies]
+    lines += [_stem(mass, place, hand) for mass in shown.distinct]
+    bodies = [body(shown, mass, _side(mass), place, NAME, drafting) for mass in shown.bodies]
     arms = _dimensions(shown, place, drafting)
     base = complex(shown.planes[-1][1])
     zero = view.origin(NAME, base, place, pole(place.on(base)))
@@ -59,10 +59,10 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Let
 def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Letter masses, planes of correction and bearings."""
     hand, lettering = drafting.hand, letters_of(drafting)
-    for one in shown.distinct:
-        text, size = lettering.of(one.mark, len(shown.bodies), hand)
-        up = 1.2 if one.centre.imag >= 0 else -1.2
-        yield labels.beside(place.on(_side(one)), text, size, BODY * hand.symbol + BESIDE, up)
+    for mass in shown.distinct:
+        text, size = lettering.of(mass.mark, len(shown.bodies), hand)
+        up = 1.2 if mass.centre.imag >= 0 else -1.2
+        yield labels.beside(place.on(_side(mass)), text, size, BODY * hand.symbol + BESIDE, up)
     base = place.on(complex(shown.planes[-1][1]))
     yield labels.beside(base, view.ORIGIN, hand.letter, BESIDE + SHAFT * hand.symbol, 2.4)
     for name, where in shown.planes:
@@ -74,9 +74,9 @@ def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels)
         yield labels.beside(low, name, hand.letter, BESIDE, -1.5)
 
 
-def _side(one: ShownBody) -> complex:
+def _side(mass: ShownBody) -> complex:
     """Give where a body is seen: its place along the shaft, and its height over the axis, m."""
-    return complex(one.place, one.centre.imag)
+    return complex(mass.place, mass.centre.imag)
 
 
 def _half(shown: RotorView, place: Place, hand: Hand) -> float:
@@ -110,17 +110,17 @@ def _planes(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Line(spot - half, spot + half, fit(hand.extreme, 2 * abs(half)))
 
 
-def _stem(one: ShownBody, place: Place, hand: Hand) -> Stroke:
-    style = hand.result if one.added else hand.other
-    return Line(place.on(complex(one.place)), place.on(_side(one)), style)
+def _stem(mass: ShownBody, place: Place, hand: Hand) -> Stroke:
+    style = hand.result if mass.added else hand.other
+    return Line(place.on(complex(mass.place)), place.on(_side(mass)), style)
 
 
 def _arms(shown: RotorView) -> dict[float, list[ShownBody]]:
     """Give the different arms from the last plane with the bodies that have them, the shortest first."""
     found: dict[float, list[ShownBody]] = {}
-    for one in shown.bodies:
-        if one.arm and not (one.added and one.name == shown.planes[-1][0]):
-            found.setdefault(one.arm, []).append(one)
+    for mass in shown.bodies:
+        if mass.arm and not (mass.added and mass.name == shown.planes[-1][0]):
+            found.setdefault(mass.arm, []).append(mass)
     return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= view.MOST else {}
 
 
@@ -136,9 +136,9 @@ def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[
     hand, arms, bearings = drafting.hand, list[Sized](), list[Sized]()
     zero, half = shown.planes[-1][1], 1j * _half(shown, place, hand)
     base = place.on(complex(zero))
-    for arm, own in _arms(shown).items():
-        names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
-        arms.append(_sized(place.on(_side(own[0])), names, Slot(f"h_{own[0].name}", 1000 * abs(arm)), place, drafting))
+    for arm, row in _arms(shown).items():
+        names = " = ".join(f"h_{{{index(mass.name, drafting.language)}}}" for mass in row)
+        arms.append(_sized(place.on(_side(row[0])), names, Slot(f"h_{row[0].name}", 1000 * abs(arm)), place, drafting))
     for name, where in _bearings(shown).items():
         foot = place.on(complex(where)) + 1j * (SHAFT + SHELL[1]) * hand.symbol
         size = Slot(f"bearing {name}", 1000 * abs(where - zero))

@@ -44,8 +44,8 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Let
     under = drafting.scale(spot.scale) if shown.scaled else drafting.word("angles alone")
     title = heading(spot.box, drafting.word("view along"), under, hand)
     lines = [*_axes(shown, place, hand), *_turning(shown, place, hand)]
-    lines += [_spoke(one, place, hand) for one in shown.distinct]
-    bodies = (body(shown, one, one.centre, place, NAME, drafting) for one in shown.bodies)
+    lines += [_spoke(mass, place, hand) for mass in shown.distinct]
+    bodies = (body(shown, mass, mass.centre, place, NAME, drafting) for mass in shown.bodies)
     (circle,) = hinge(place.on(0j), hand)
     axis = origin(NAME, 0j, place, circle)
     return LetteredFigure(NAME, (title, *lines, axis, *bodies), partial(_letters, shown, place, drafting))
@@ -54,10 +54,10 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Let
 def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Letter each mass outward, the axis, the direction from which angles are counted, and the sense of turning."""
     hand, lettering = drafting.hand, letters_of(drafting)
-    for one in shown.distinct:
-        text, size = lettering.of(one.mark, len(shown.bodies), hand)
+    for mass in shown.distinct:
+        text, size = lettering.of(mass.mark, len(shown.bodies), hand)
         gap = BODY * hand.symbol + BESIDE
-        yield labels.beside(place.on(one.centre), text, size, gap, cmath.phase(one.centre))
+        yield labels.beside(place.on(mass.centre), text, size, gap, cmath.phase(mass.centre))
     end = place.length(shown.reach) + AXIS * hand.symbol
     yield labels.beside(place.on(0j), ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
     yield labels.beside(place.on(0j) + end, "φ = 0", hand.number, BESIDE, math.pi / 2)
@@ -77,19 +77,19 @@ def _turning(shown: RotorView, place: Place, hand: Hand) -> tuple[Stroke, ...]:
     return (stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow),) if shown.turning else ()
 
 
-def _spoke(one: ShownBody, place: Place, hand: Hand) -> Stroke:
+def _spoke(mass: ShownBody, place: Place, hand: Hand) -> Stroke:
     """Draw the line from the axis to a mass: a result in a main line, dashed where only its angle is known."""
-    style = hand.result if one.added else hand.other
-    ends = place.on(0j), place.on(one.centre)
-    return Line(*ends, style if one.known else fit(style._replace(dash=hand.dashed), abs(ends[1] - ends[0])))
+    style = hand.result if mass.added else hand.other
+    ends = place.on(0j), place.on(mass.centre)
+    return Line(*ends, style if mass.known else fit(style._replace(dash=hand.dashed), abs(ends[1] - ends[0])))
 
 
-def body(shown: RotorView, one: ShownBody, centre: complex, place: Place, plan: str, drafting: Drafting) -> Group:
+def body(shown: RotorView, mass: ShownBody, centre: complex, place: Place, plan: str, drafting: Drafting) -> Group:
     """Draw a mass as a circle, a counterweight as a black one; measurable where its radius is known."""
-    hand, many = drafting.hand, one not in shown.distinct
-    style = INK if one.added or many else LineStyle(hand.main, fill="#ffffff")
+    hand, many = drafting.hand, mass not in shown.distinct
+    style = INK if mass.added or many else LineStyle(hand.main, fill="#ffffff")
     circle = Circle(place.on(centre), (DOT if many else BODY) * hand.symbol, style)
-    if many or not one.known:  # too many masses bear no letters; the table has them
-        return Group((circle,), "", {}, one.mark)
-    drawn = point(Subject(plan, QUANTITY, None), one.mark, centre, place, circle)
-    return drawn._replace(title=letters_of(drafting).of(one.mark, len(shown.bodies), hand)[0])
+    if many or not mass.known:  # too many masses bear no letters; the table has them
+        return Group((circle,), "", {}, mass.mark)
+    drawn = point(Subject(plan, QUANTITY, None), mass.mark, centre, place, circle)
+    return drawn._replace(title=letters_of(drafting).of(mass.mark, len(shown.bodies), hand)[0])

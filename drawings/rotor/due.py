@@ -34,10 +34,10 @@ Known = tuple[float, float]  # a value, and how far rounding can have moved it
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's rotor."""
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
-    own = _Rotor(study.of(RotorStudy).rotor, comparison, drafting)
+    table = _Rotor(study.of(RotorStudy).rotor, comparison, drafting)
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
     slips = slipping(comparison.findings, scales)
-    yield from chain(own.polygons(), own.views(), own.masses(), own.results(slips), own.notes())
+    yield from chain(table.polygons(), table.views(), table.masses(), table.results(slips), table.notes())
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class _Rotor:
     @cached_property
     def slack(self) -> float:
         """How far rounding can have moved a static moment, kg*m."""
-        return max(one.moment.slack for one in self.balance.corrections)
+        return max(correction.moment.slack for correction in self.balance.corrections)
 
     def polygons(self) -> Iterator[Expected]:
         """Give the sides of the polygons; one that rounding may hide or make is doubtful."""
@@ -71,9 +71,9 @@ class _Rotor:
     def _vectors(self, plan: str) -> Mapping[str, complex]:
         """Give the vectors of a polygon that are not zero, kg*m or kg*m2."""
         letters = moment_letters if plan == COUPLES else unbalance_letters
-        placed = [(one.name, moment(one), one.place) for one in self.rotor.masses]
+        placed = [(mass.name, moment(mass), mass.place) for mass in self.rotor.masses]
         added = zip(self.balance.corrections, self.balance.moments, strict=True)
-        placed += [(one.plane.name, value, one.plane.place) for one, value in added]
+        placed += [(correction.plane.name, value, correction.plane.place) for correction, value in added]
         arms = {name: self.rotor.arm(place) if plan == COUPLES else 1.0 for name, _, place in placed}
         return {letters(name): value * arms[name] for name, value, _ in placed if value * arms[name]}
 
@@ -91,14 +91,14 @@ class _Rotor:
         """Give the places of the bodies, the arms, and the sense of turning."""
         rotor = self.rotor
         bodies = [*self._bodies()]
-        places = {float(one.place) for own in (rotor.masses, rotor.planes) for one in own}
+        places = {float(part.place) for parts in (rotor.masses, rotor.planes) for part in parts}
         thin = not rotor.bearings and len(places) == 1
-        crowd = len(rotor.masses) + sum(bool(one.moment.size) for one in self.balance.corrections) > MANY
+        crowd = len(rotor.masses) + sum(bool(correction.moment.size) for correction in self.balance.corrections) > MANY
         for name, centre, place, added in bodies:
             if added or not crowd:
-                seen = {ALONG: centre} if thin else {ALONG: centre, ACROSS: complex(place, centre.imag)}
+                centres = {ALONG: centre} if thin else {ALONG: centre, ACROSS: complex(place, centre.imag)}
                 slack = self.slack / abs(self._moment(name)) if added else 0.0
-                for view, at in seen.items():
+                for view, at in centres.items():
                     yield Expected(Kind.POINT, view, f"m_{name}", at, (FAR + slack) * abs(at), may_lack=slack > 1)
         if rotor.speed is not None:
             yield Expected(Kind.DIRECTION, ALONG, "ω", math.copysign(1.0, rotor.speed))
@@ -106,13 +106,13 @@ class _Rotor:
 
     def _moment(self, name: str) -> complex:
         moments = zip(self.balance.corrections, self.balance.moments, strict=True)
-        return next(value for one, value in moments if one.plane.name == name)
+        return next(value for correction, value in moments if correction.plane.name == name)
 
     def _bodies(self) -> Iterator[tuple[str, complex, float, bool]]:
         """Give name, centre and place m of every body whose radius is known, and whether it is a counterweight."""
-        for one in self.rotor.masses:
-            if one.radius is not None:
-                yield one.name, moment(one._replace(moment=one.radius)), float(one.place), False
+        for mass in self.rotor.masses:
+            if mass.radius is not None:
+                yield mass.name, moment(mass._replace(moment=mass.radius)), float(mass.place), False
         for found in self.balance.corrections:
             if found.radius is not None and found.moment.size:
                 centre = found.radius * found.moment.value / found.moment.size
@@ -121,13 +121,13 @@ class _Rotor:
     def _arms(self) -> Iterator[Expected]:
         """Give the arms that are dimensioned, each once, millimetres of the machine."""
         arms: dict[float, str] = {}
-        for one in self.rotor.masses:
-            arms.setdefault(self.rotor.arm(one.place), one.name)
+        for mass in self.rotor.masses:
+            arms.setdefault(self.rotor.arm(mass.place), mass.name)
         for found in self.balance.corrections[:-1]:
             arms.setdefault(self.rotor.arm(found.plane.place), found.plane.name)
         arms = {arm: name for arm, name in arms.items() if arm}
         for arm, name in arms.items() if len(arms) <= ARMS else ():
-            doubtful = any(not one.moment.size > one.moment.slack for one in self.balance.corrections)
+            doubtful = any(not weight.moment.size > weight.moment.slack for weight in self.balance.corrections)
             row = Expected(Kind.LENGTH, ACROSS, f"h_{name}", abs(arm), may_lack=doubtful)
             yield from measured(row, 1000 * abs(arm), digits=4)
 
@@ -140,11 +140,11 @@ class _Rotor:
     def masses(self) -> Iterator[Expected]:
         """Give the cells of the table of masses: mass, radius, angle, arm, static moment, its moment."""
         rotor = self.rotor
-        flat = not any(rotor.arm(one.place) for own in (rotor.masses, rotor.planes) for one in own)
-        for one in rotor.masses:
-            mass, far = (None if size is None else (size, 0.0) for size in (one.mass, one.radius))
-            angle = float(one.angle), 0.0
-            yield from self._line(one.name, mass, far, angle, rotor.arm(one.place), (one.moment, 0.0), flat)
+        flat = not any(rotor.arm(part.place) for parts in (rotor.masses, rotor.planes) for part in parts)
+        for body in rotor.masses:
+            mass, far = (None if size is None else (size, 0.0) for size in (body.mass, body.radius))
+            angle = float(body.angle), 0.0
+            yield from self._line(body.name, mass, far, angle, rotor.arm(body.place), (body.moment, 0.0), flat)
         for found in self.balance.corrections:
             name, slack, value = index(found.plane.name, self.drafting.language), self.slack, found.moment
             mass = None if found.mass is None else (found.mass, slack / (found.plane.radius or math.inf))
@@ -163,36 +163,36 @@ class _Rotor:
 
     def results(self, slips: Mapping[tuple[str, int], float]) -> Iterator[Expected]:
         """Give the cells of the table of results: by plan, by analysis, by hand."""
-        for one in self._findings():
-            if one.largest > 0:
-                head, _, prime = one.name.partition("'")
-                row = f"{lowered(head, self.drafting.language)}{chr(39) if one.name.endswith(chr(39)) else prime}"
-                size = float(abs(one.analysis[0])), float(one.allowed[0])
-                told = size, size, by_hand(slips.get((one.name, 0), math.nan), one.largest)
-                yield from cells(RESULTS, f"{row}, {self.drafting.word(one.unit)}", told, digits=DIGITS)
+        for finding in self._findings():
+            if finding.largest > 0:
+                head, _, prime = finding.name.partition("'")
+                row = f"{lowered(head, self.drafting.language)}{chr(39) if finding.name.endswith(chr(39)) else prime}"
+                size = float(abs(finding.analysis[0])), float(finding.allowed[0])
+                values = size, size, by_hand(slips.get((finding.name, 0), math.nan), finding.largest)
+                yield from cells(RESULTS, f"{row}, {self.drafting.word(finding.unit)}", values, digits=DIGITS)
 
     def _findings(self) -> Iterator[Quantity]:
-        return (one for one in self.comparison.findings if one.plan != EQUILIBRIUM)
+        return (finding for finding in self.comparison.findings if finding.plan != EQUILIBRIUM)
 
     def notes(self) -> Iterator[Expected]:
         """Give the numbers of the notes, by the names of their quantities; of what vanishes they may lack."""
-        for one in self._findings():
-            value, slack = complex(one.analysis[0]), float(one.allowed[0])
-            lost = one.name == "ΣmDh" or one.plan not in (COUPLES, UNBALANCES) or not abs(value) > slack
-            yield Expected(Kind.PHRASE, NOTES, one.name, abs(value), slack, digits=DIGITS, may_lack=lost)
+        for finding in self._findings():
+            value, slack = complex(finding.analysis[0]), float(finding.allowed[0])
+            lost = finding.name == "ΣmDh" or finding.plan not in (COUPLES, UNBALANCES) or not abs(value) > slack
+            yield Expected(Kind.PHRASE, NOTES, finding.name, abs(value), slack, digits=DIGITS, may_lack=lost)
             turned = math.degrees(slack / abs(value)) if abs(value) > slack else math.inf
             angle = math.degrees(math.atan2(value.imag, value.real))
-            row = Expected(Kind.PHRASE, NOTES, f"φ {one.name}", angle, turned, digits=DIGITS)
+            row = Expected(Kind.PHRASE, NOTES, f"φ {finding.name}", angle, turned, digits=DIGITS)
             yield row._replace(may_lack=lost, period=TURN)
         for found in self.balance.corrections:
             slack, lost = self.slack, not found.moment.size > self.slack
             sizes = (("m", found.mass, 1.0, found.plane.radius), ("D", found.radius, 1000.0, found.plane.mass))
-            told = (
+            figures = (
                 (f"{letter}_{found.plane.name}", unit * size, unit * slack / (other or math.inf))
                 for letter, size, unit, other in sizes
                 if size is not None
             )
-            yield from phrases(NOTES, told, DIGITS, lost)
+            yield from phrases(NOTES, figures, DIGITS, lost)
         yield from self._quality()
 
     def _quality(self) -> Iterator[Expected]:
@@ -202,7 +202,7 @@ class _Rotor:
             yield Expected(Kind.PHRASE, NOTES, "ω", rotor.speed, digits=4, may_lack=not self.balance.before)
         if quality is None or rotor.mass is None or rotor.speed is None:
             return
-        slack = rotor.quality(*(one.moment.slack for one in self.balance.corrections)) or 0.0
+        slack = rotor.quality(*(correction.moment.slack for correction in self.balance.corrections)) or 0.0
         yield Expected(Kind.PHRASE, NOTES, "e·ω", quality, 2 * slack, digits=4)
         if rotor.grade is not None:
             whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)

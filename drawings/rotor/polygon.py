@@ -63,12 +63,12 @@ class RotorView(NamedTuple):
     @property
     def reach(self) -> float:
         """The largest distance of a centre from the axis, m; 1 where no radius is known."""
-        return max((abs(one.centre) for one in self.bodies), default=0.0) or 1.0
+        return max((abs(mass.centre) for mass in self.bodies), default=0.0) or 1.0
 
     @property
     def scaled(self) -> bool:
         """Whether some radius is known, so that the view has a scale."""
-        return any(one.known for one in self.bodies)
+        return any(mass.known for mass in self.bodies)
 
     @property
     def many(self) -> bool:
@@ -78,31 +78,31 @@ class RotorView(NamedTuple):
     @property
     def distinct(self) -> tuple[ShownBody, ...]:
         """The bodies that are lettered and measured: of too many masses the counterweights alone."""
-        return tuple(one for one in self.bodies if one.added or not self.many)
+        return tuple(mass for mass in self.bodies if mass.added or not self.many)
 
     @property
     def places(self) -> list[float]:
         """All places along the shaft, m."""
-        return [*(one.place for one in self.bodies), *(place for _, place in self.planes), *self.bearings]
+        return [*(mass.place for mass in self.bodies), *(place for _, place in self.planes), *self.bearings]
 
 
 def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
     """Put masses and counterweights where they are; one that vanishes is left out."""
-    radii = [one.radius for own in (rotor.masses, balance.corrections) for one in own if one.radius]
+    radii = [part.radius for parts in (rotor.masses, balance.corrections) for part in parts if part.radius]
     nominal = NOMINAL * max(radii, default=_length(rotor) / SLIM)
-    bodies = [_body(rotor, one.name, float(one.angle), one.place, one.radius, nominal) for one in rotor.masses]
-    for one in balance.corrections:
-        if one.moment.angle is not None:
-            name, place = one.plane.name, one.plane.place
-            bodies.append(_body(rotor, name, one.moment.angle, place, one.radius, nominal)._replace(added=True))
-    planes = tuple((one.name, float(one.place)) for one in rotor.planes)
+    bodies = [_body(rotor, mass.name, float(mass.angle), mass.place, mass.radius, nominal) for mass in rotor.masses]
+    for weight in balance.corrections:
+        if weight.moment.angle is not None:
+            name, place = weight.plane.name, weight.plane.place
+            bodies.append(_body(rotor, name, weight.moment.angle, place, weight.radius, nominal)._replace(added=True))
+    planes = tuple((plane.name, float(plane.place)) for plane in rotor.planes)
     turning = 0.0 if rotor.speed is None else math.copysign(1.0, rotor.speed)
     return RotorView(tuple(bodies), planes, tuple(map(float, rotor.bearings)), turning)
 
 
 def _length(rotor: Rotor) -> float:
     """Give how far along the shaft the rotor reaches, m; 1 of a thin disc."""
-    places = [*(one.place for one in rotor.masses), *(one.place for one in rotor.planes), *rotor.bearings]
+    places = [*(mass.place for mass in rotor.masses), *(plane.place for plane in rotor.planes), *rotor.bearings]
     return float(max(places) - min(places)) or 1.0
 
 
@@ -120,8 +120,8 @@ SUM = "Σ"  # before the letters of all vectors together, that stand for more th
 def polygon(construction: Construction, names: frozenset[str], drafting: Drafting) -> Polygon:
     """Read a polygon from its record; `names` are vectors in it that are results themselves."""
     vectors = [
-        ShownVector(one.name, RESULT if one.name in names else SIDE, complex(start.point), complex(one.point))
-        for one, start in ((side.vector, side.start) for side in construction.sides)
+        ShownVector(mark.name, RESULT if mark.name in names else SIDE, complex(start.point), complex(mark.point))
+        for mark, start in ((side.vector, side.start) for side in construction.sides)
     ]
     plan = construction.board.subject
     if len(vectors) > CROWD:
@@ -136,7 +136,7 @@ def polygon(construction: Construction, names: frozenset[str], drafting: Draftin
 
 def _together(vectors: Sequence[ShownVector], plan: str) -> list[ShownVector]:
     """Draw one vector for all that are no results."""
-    results = [one for one in vectors if one.kind == RESULT]
+    results = [vector for vector in vectors if vector.kind == RESULT]
     end = results[0].at if results else vectors[-1].end
     return [ShownVector(sum_letters(plan), SIDE, 0j, end), *results]
 

@@ -62,8 +62,8 @@ class RotorNotes(NamedTuple):
         before = rotor.quality(*self.balance.sizes)
         if before is None or rotor.mass is None or rotor.speed is None:
             return
-        told = "quality before of two" if rotor.dynamic else "quality before"
-        yield phrase(told, quality=Slot("e·ω", before), grade=grade_name(before, self.drafting))
+        key = "quality before of two" if rotor.dynamic else "quality before"
+        yield phrase(key, quality=Slot("e·ω", before), grade=grade_name(before, self.drafting))
         if rotor.grade is not None:
             whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)
             grade = {
@@ -81,32 +81,32 @@ class RotorNotes(NamedTuple):
             yield phrase("bearing loads", speed=Slot("ω", self.rotor.speed), before=self._borne(balance.before, ""))
             yield phrase("bearing loads after", after=self._borne(balance.after, "'"))
 
-    def _counterweight(self, one: Correction) -> str:
+    def _counterweight(self, body: Correction) -> str:
         language, phrase = self.drafting.language, self.drafting.phrase
-        own = unbalance_letters(one.plane.name)
-        name, plane = lowered(own, language), index(one.plane.name, language)
-        if one.moment.angle is None:
+        letters = unbalance_letters(body.plane.name)
+        name, plane = lowered(letters, language), index(body.plane.name, language)
+        if body.moment.angle is None:
             return phrase("no counterweight", letters=name)
         parts = []
-        if one.mass is not None:
-            parts.append(phrase("counterweight mass", index=plane, mass=self._slot(f"m_{one.plane.name}", one.mass)))
-        if one.radius is not None:
-            far = self._slot(f"D_{one.plane.name}", 1000 * one.radius)
+        if body.mass is not None:
+            parts.append(phrase("counterweight mass", index=plane, mass=self._slot(f"m_{body.plane.name}", body.mass)))
+        if body.radius is not None:
+            far = self._slot(f"D_{body.plane.name}", 1000 * body.radius)
             parts.append(phrase("counterweight radius", index=plane, radius=far))
-        moment, angle = self._slot(own, one.moment.size), self._slot(f"φ {own}", one.moment.angle)
+        moment, angle = self._slot(letters, body.moment.size), self._slot(f"φ {letters}", body.moment.angle)
         said = phrase("counterweight", letters=name, moment=moment, angle=angle)
         return joined(";  ", (said, joined(",  ", parts))) if parts else said
 
-    def _vector(self, name: str, one: Resultant, unit: str) -> Phrase:
+    def _vector(self, name: str, load: Resultant, unit: str) -> Phrase:
         """Write a vector by its size and direction; one that vanishes is 0."""
         slot = self.drafting.slot
-        size = joined(" ", (slot(self._slot(name, one.size)), self.drafting.word(unit)))
-        return size if one.angle is None else joined("", (size, ANGLE, slot(self._slot(f"φ {name}", one.angle)), "°"))
+        size = joined(" ", (slot(self._slot(name, load.size)), self.drafting.word(unit)))
+        return size if load.angle is None else joined("", (size, ANGLE, slot(self._slot(f"φ {name}", load.angle)), "°"))
 
     def _borne(self, reactions: Sequence[Resultant], prime: str) -> Phrase:
         pairs = zip(BEARINGS, reactions, strict=True)
-        told = (joined("", (f"R_{{{name}}} = ", self._vector(f"R_{name}{prime}", one, "N"))) for name, one in pairs)
-        return joined(",  ", told)
+        parts = (joined("", (f"R_{{{name}}} = ", self._vector(f"R_{name}{prime}", load, "N"))) for name, load in pairs)
+        return joined(",  ", parts)
 
     def _slot(self, quantity: str, value: float) -> Slot:
         return Slot(quantity, value, self.digits)
@@ -144,7 +144,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a rotor, its counterweights, its quality and its bearings."""
     drafting, comparison = drafting_of(study.scene), study.comparison("rotor")
     rotor, notes = study.of(RotorStudy).rotor, _notes(study)
-    off = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
+    off = residuals(comparison.analysis, [leaf for group in leaves.values() for leaf in group])
     residual = _residual(rotor, comparison.analysis, off, drafting)
     return Chapters(
         subject=listed(chapter(drafting.language, "rotor").lstrip(), [*_masses(rotor, drafting), *notes.sums()]),
@@ -159,7 +159,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 def residuals(analysis: Balance, leaves: Sequence[Leaf]) -> dict[str, float]:
     """Give how far each counterweight's static moment kg*m, drawn to the file's last decimal, is off the analysis's."""
-    planes = {unbalance_letters(one.plane.name): one.plane.name for one in analysis.corrections}
+    planes = {unbalance_letters(correction.plane.name): correction.plane.name for correction in analysis.corrections}
     true = dict(zip(planes.values(), analysis.moments, strict=True))
     read = dict.fromkeys(true, 0j)
     for group in groups(group for leaf in leaves for group in leaf.groups):
@@ -178,24 +178,24 @@ def _written(place: complex) -> complex:
 def _residual(rotor: Rotor, analysis: Balance, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
     language = drafting.language
     for name, off in residual.items():
-        own, told = lowered(unbalance_letters(name), language), drafting.number(GRAM_MILLIMETRES * off, 3)
-        yield word(language, "report.plane_residual", letters=own, residual=told)
+        letters, amount = lowered(unbalance_letters(name), language), drafting.number(GRAM_MILLIMETRES * off, 3)
+        yield word(language, "report.plane_residual", letters=letters, residual=amount)
     quality = rotor.quality(*residual.values())
     if quality is None:
         return
-    told, of_two = drafting.number(quality, 3), "_of_two" if rotor.dynamic else ""
+    amount, of_two = drafting.number(quality, 3), "_of_two" if rotor.dynamic else ""
     if not rotor.dynamic and not analysis.couple.vanishes:  # a grade is of the whole rotor
-        yield word(drafting.language, "report.resultant_quality", quality=told)
+        yield word(drafting.language, "report.resultant_quality", quality=amount)
     else:
         grade = grade_name(quality, drafting)
-        yield word(drafting.language, f"report.residual_quality{of_two}", quality=told, grade=grade)
+        yield word(drafting.language, f"report.residual_quality{of_two}", quality=amount, grade=grade)
 
 
 def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:
-    for one in rotor.masses:
-        numbers = {"moment": one.moment, "angle": float(one.angle), "arm": 1000 * rotor.arm(one.place)}
-        told = {name: drafting.number(value, DIGITS) for name, value in numbers.items()}
-        yield word(drafting.language, "report.mass", name=one.name, **told)
+    for mass in rotor.masses:
+        numbers = {"moment": mass.moment, "angle": float(mass.angle), "arm": 1000 * rotor.arm(mass.place)}
+        texts = {name: drafting.number(value, DIGITS) for name, value in numbers.items()}
+        yield word(drafting.language, "report.mass", name=mass.name, **texts)
 
 
 def _notes(study: Study) -> RotorNotes:

@@ -40,8 +40,8 @@ NOTHING = "—"
 
 def masses(rotor: Rotor, balance: Balance, drafting: Drafting) -> RuledTable:
     """Tell the masses of a rotor, then its counterweights."""
-    rows = [_mass(rotor, one) for one in rotor.masses]
-    rows += [_correction(rotor, one, drafting) for one in balance.corrections]
+    rows = [_mass(rotor, mass) for mass in rotor.masses]
+    rows += [_correction(rotor, weight, drafting) for weight in balance.corrections]
     flat = not any(arm for _, (_, _, _, arm, _) in rows)
     lines = [_row(name, values, flat, drafting) for name, values in rows]
     return _table(MASSES, lines, "mass number", FLAT if flat else HEADINGS, drafting)
@@ -51,30 +51,30 @@ def masses(rotor: Rotor, balance: Balance, drafting: Drafting) -> RuledTable:
 Values: TypeAlias = tuple[float | None, float | None, float | None, float, float]
 
 
-def _mass(rotor: Rotor, one: Unbalance) -> tuple[str, Values]:
-    return one.name, (one.mass, one.radius, float(one.angle), rotor.arm(one.place), one.moment)
+def _mass(rotor: Rotor, mass: Unbalance) -> tuple[str, Values]:
+    return mass.name, (mass.mass, mass.radius, float(mass.angle), rotor.arm(mass.place), mass.moment)
 
 
-def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> tuple[str, Values]:
-    moment, arm = one.moment, rotor.arm(one.plane.place)
-    return index(one.plane.name, drafting.language), (one.mass, one.radius, moment.angle, arm, moment.size)
+def _correction(rotor: Rotor, weight: Correction, drafting: Drafting) -> tuple[str, Values]:
+    moment, arm = weight.moment, rotor.arm(weight.plane.place)
+    return index(weight.plane.name, drafting.language), (weight.mass, weight.radius, moment.angle, arm, moment.size)
 
 
 def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> TableRow:
     mass, radius, angle, arm, moment = values
     far = None if radius is None else 1000 * radius
     cells = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, moment * arm)
-    return TableRow(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in cells))
+    return TableRow(name, tuple(NOTHING if cell is None else drafting.number(cell, DIGITS) for cell in cells))
 
 
 def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, and what a hand may be out."""
-    return _table(RESULTS, [_line(one, drafting) for one in compared(comparison)], "quantity", BY_HAND, drafting)
+    return _table(RESULTS, [_line(found, drafting) for found in compared(comparison)], "quantity", BY_HAND, drafting)
 
 
 def compared(comparison: Comparison) -> list[Quantity]:
     """List what the table of results tells."""
-    return [one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0]
+    return [finding for finding in comparison.findings if finding.plan != EQUILIBRIUM and finding.largest > 0]
 
 
 def _line(finding: Quantity, drafting: Drafting) -> TableRow:
@@ -109,10 +109,10 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
     drafting = drafting_of(scene)
     polygons = tuple(_polygons(rotor, drafting))
     shows: tuple[Exhibit | Caption, ...] = (
-        *(exhibit(polygon, one, drafting, together=TOGETHER) for one in polygons),
+        *(exhibit(polygon, figure, drafting, together=TOGETHER) for figure in polygons),
         _results(comparison, drafting),
         *_views(rotor, drafting),
-        *captions(one.working(drafting) for one in polygons),
+        *captions(figure.working(drafting) for figure in polygons),
     )
     tables = (masses(rotor.rotor, rotor.balance, drafting),)
     said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(compared(comparison), drafting)
@@ -137,7 +137,7 @@ def _thin(shown: RotorView) -> bool:
 def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Polygon]:
     """Give the polygon of moments, if a second plane asks for it, then that of static moments."""
     drawing = rotor.drawing
-    names = frozenset(one.mark.name for one in drawing.corrections[:-1])
+    names = frozenset(placed.mark.name for placed in drawing.corrections[:-1])
     for construction in (drawing.moments, drawing.forces) if rotor.rotor.dynamic else (drawing.forces,):
         yield rotor_polygon(construction, names, drafting)
 

@@ -43,11 +43,11 @@ class Pairing:
 
     def _whole_figures(self, counts: dict[str, int]) -> Iterator[Edit]:
         """Tell figures that are not there at all, and those that must not be."""
-        ours, theirs = (_by(lambda item: item.home.figure, own) for own in self._left)
-        for name, own in ours.items():
-            if name and name not in theirs and len(own) > 1 and counts.get(str(name)) == len(own):
-                self._done(own, ())
-                yield edit.whole("missing", own, self.figures)
+        ours, theirs = (_by(lambda item: item.home.figure, left) for left in self._left)
+        for name, group in ours.items():
+            if name and name not in theirs and len(group) > 1 and counts.get(str(name)) == len(group):
+                self._done(group, ())
+                yield edit.whole("missing", group, self.figures)
         for name, others in theirs.items():
             if name and name not in self.figures.named and len(others) > 1:
                 self._done((), others)
@@ -56,26 +56,26 @@ class Pairing:
     def _as_one(self, key: Callable[[Item], Hashable], counts: dict[str, int]) -> Iterator[Edit]:
         """Tell what was moved as one, among strokes of one key."""
         ours, theirs = _by(key, self.missing), _by(key, self.added)
-        for name, own in ours.items():
+        for name, group in ours.items():
             others = theirs.get(name, [])
-            if name is None or len(own) < 2:
+            if name is None or len(group) < 2:
                 continue
-            shift = shift_of(own, others, self.rounding)
-            if shift is not None and looks_alike(own, others, shift.scale):
-                self._done(own, others)
-                yield edit.together(own, self.figures, shift, counts.get(str(name)) == len(own))
+            shift = shift_of(group, others, self.rounding)
+            if shift is not None and looks_alike(group, others, shift.scale):
+                self._done(group, others)
+                yield edit.together(group, self.figures, shift, counts.get(str(name)) == len(group))
 
     def _stretched(self) -> Iterator[Edit]:
         """Tell lines of a figure that were stretched or mirrored as one, in whatever width."""
         ours, theirs = (
-            _by(self.figures.of, [item for item in own if isinstance(item.stroke, Line)]) for own in self._left
+            _by(self.figures.of, [item for item in left if isinstance(item.stroke, Line)]) for left in self._left
         )
-        for name, own in ours.items():
+        for name, group in ours.items():
             others = theirs.get(name, [])
-            shift = stretch_of(own, others, self.rounding)
+            shift = stretch_of(group, others, self.rounding)
             if shift is not None and shift.how != "moved":
-                self._done(own, others)
-                yield edit.together(own, self.figures, shift, False)
+                self._done(group, others)
+                yield edit.together(group, self.figures, shift, False)
 
     @property
     def _left(self) -> tuple[list[Item], list[Item]]:
@@ -92,15 +92,15 @@ class Pairing:
         )
         ours, theirs = list(self.missing), list(self.added)
         left, right = set(range(len(ours))), set(range(len(theirs)))
-        for _, i, j in sorted(one for one in costs if one[0] < FAR):
+        for _, i, j in sorted(cost for cost in costs if cost[0] < FAR):
             if i in left and j in right:
                 left.discard(i)
                 right.discard(j)
                 self._done([ours[i]], [theirs[j]])
                 yield self._told(ours[i], theirs[j])
 
-    def _done(self, own: Sequence[Item], others: Sequence[Item]) -> None:
-        mine, theirs = set(map(id, own)), set(map(id, others))
+    def _done(self, done: Sequence[Item], others: Sequence[Item]) -> None:
+        mine, theirs = set(map(id, done)), set(map(id, others))
         self.missing = [item for item in self.missing if id(item) not in mine]
         self.added = [item for item in self.added if id(item) not in theirs]
 
@@ -172,9 +172,9 @@ def _mark(item: Item) -> Hashable | None:
     return tuple(item.home.mark.get(name, "") for name in names) if item.home.mark else None
 
 
-def _by(key: Callable[[Item], Hashable], own: Sequence[Item]) -> dict[Hashable, list[Item]]:
+def _by(key: Callable[[Item], Hashable], listed: Sequence[Item]) -> dict[Hashable, list[Item]]:
     found: dict[Hashable, list[Item]] = defaultdict(list)
-    for item in own:
+    for item in listed:
         found[key(item)].append(item)
     return found
 
@@ -195,8 +195,8 @@ def _holds(patch: Ink, spot: complex) -> bool:
     """Tell whether a place lies within an outline: a ray to the right of it crosses that an odd number of times."""
     if isinstance(patch, Circle):
         return abs(spot - patch.centre) < patch.radius
-    own = spots(patch)
-    return sum(crosses(a - spot, b - spot) for a, b in pairwise((*own, own[0]))) % 2 == 1
+    corners = spots(patch)
+    return sum(crosses(a - spot, b - spot) for a, b in pairwise((*corners, corners[0]))) % 2 == 1
 
 
 CORNERS = 3
@@ -238,22 +238,22 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
     """
     back, whole = _laid_back(right, there)
     rounding = QUANTUM if back == STAY else 4 * QUANTUM * max(1.0, abs(back.p))
-    laid = there if back == STAY else there._replace(groups=tuple(_brought(group, back) for group in there.groups))
+    brought = there if back == STAY else there._replace(groups=tuple(_brought(group, back) for group in there.groups))
     figures = Figures(right)
     ours = items(right)
-    found = match(ours, items(laid), rounding)
+    found = match(ours, items(brought), rounding)
     left = _unusual(hidden, usual, rounding)
     unseen = list(_hidden(found.missing, left, figures, rounding))
     gone = {id(item) for item, _ in unseen}
     pairing = Pairing([item for item in found.missing if id(item) not in gone], found.added, figures, rounding)
     copies = (edit.lone("copied", item, figures) for item in found.copies)
-    under = {id(one.item): covered(one.item.stroke, ours) for one in left}
-    others = [edit.unseen(one.item, one.reason, figures, under[id(one.item)]) for one in left]
-    patched = {id(item) for own in under.values() for item in own}
+    under = {id(lost.item): covered(lost.item.stroke, ours) for lost in left}
+    others = [edit.unseen(lost.item, lost.reason, figures, under[id(lost.item)]) for lost in left]
+    patched = {id(item) for gone in under.values() for item in gone}
     marks = (edit.restated(ours, theirs, figures) for ours, theirs in found.same if _restated(ours, theirs))
     # What a patch covers is told of the patch.
     edits = (
-        *(told for item, told in unseen if id(item) not in patched),
+        *(change for item, change in unseen if id(item) not in patched),
         *marks,
         *pairing.edits(_counts(ours, figures)),
         *copies,
@@ -264,8 +264,8 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
 
 def _shares(ours: Sequence[Item], missing: Sequence[Item]) -> tuple[int, int]:
     """Count what is as it must be, and all that must be, without what every sheet has."""
-    own, gone = ([item for item in some if item.home.figure not in STILL] for some in (ours, missing))
-    return len(own) - len(gone), len(own)
+    kept, gone = ([item for item in some if item.home.figure not in STILL] for some in (ours, missing))
+    return len(kept) - len(gone), len(kept)
 
 
 def _counts(ours: Sequence[Item], figures: Figures) -> dict[str, int]:
@@ -277,7 +277,7 @@ def _hidden(
 ) -> Iterator[tuple[Item, Edit]]:
     """Tell what is in its place in the file and cannot be seen; that is taken from what is left of the hidden."""
     for item in missing:
-        place = next((k for k, one in enumerate(left) if _one_place(item, one.item, rounding)), None)
+        place = next((k for k, lost in enumerate(left) if _one_place(item, lost.item, rounding)), None)
         if place is not None:
             yield item, edit.lone("hidden", item, figures, reason=left.pop(place).reason)
 
@@ -290,10 +290,10 @@ def _restated(ours: Item, theirs: Item) -> bool:
 def _unusual(hidden: Sequence[Hidden], usual: Sequence[Hidden], rounding: float) -> list[Hidden]:
     left = list(usual)
     found = []
-    for one in hidden:
-        place = next((k for k, other in enumerate(left) if _one_place(one.item, other.item, rounding)), None)
+    for lost in hidden:
+        place = next((k for k, other in enumerate(left) if _one_place(lost.item, other.item, rounding)), None)
         if place is None:
-            found.append(one)
+            found.append(lost)
         else:
             left.pop(place)
     return found
@@ -338,19 +338,19 @@ def _laid_back(right: Leaf, there: Leaf) -> tuple[Affine, tuple[Message, ...]]:
     if all(abs(a - b) <= QUANTUM for a, b in zip(stated, found, strict=True)):
         return STAY, ()
     by = placing(stated, found)
-    told = message(
+    moved = message(
         "edit.all", by=f"{max(abs(a - b) for a, b in zip(stated, found, strict=True)):.4g}", scale=f"{abs(by.p):.6g}"
     )
-    return Affine(1 / by.p, 0j, -by.t / by.p), (told,)
+    return Affine(1 / by.p, 0j, -by.t / by.p), (moved,)
 
 
 def _corners(leaf: Leaf) -> Mapping[str, complex]:
     """Give the corner marks of a sheet by what they state."""
-    own = (group for group in groups(leaf.groups) if group.data.get("kind") == "corner")
+    corners = (group for group in groups(leaf.groups) if group.data.get("kind") == "corner")
     return {
-        one.data.get("value", ""): one.strokes[0].centre
-        for one in own
-        if one.strokes and isinstance(one.strokes[0], Circle)
+        corner.data.get("value", ""): corner.strokes[0].centre
+        for corner in corners
+        if corner.strokes and isinstance(corner.strokes[0], Circle)
     }
 
 

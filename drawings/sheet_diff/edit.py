@@ -52,11 +52,11 @@ class Figures:
     @cached_property
     def boxes(self) -> dict[str, Box]:
         """The rectangles that figures take, without the frame, which is around all of them."""
-        own: dict[str, list[complex]] = {}
+        corners: dict[str, list[complex]] = {}
         for item in items(self.leaf):
             if item.home.figure and item.home.figure != STILL[0] and item.home.figure != STILL[1]:
-                own.setdefault(item.home.figure, []).extend(spots(item.stroke))
-        return {name: _box(places) for name, places in own.items()}
+                corners.setdefault(item.home.figure, []).extend(spots(item.stroke))
+        return {name: _box(places) for name, places in corners.items()}
 
     def of(self, item: Item) -> str:
         """Name the figure that an item is of: its own group, or else the one where it stands."""
@@ -68,7 +68,7 @@ class Figures:
     def scale(self, item: Item) -> Scale | None:
         """Give the scale at which an item is drawn: its own mark's, or the first that is stated in its figure."""
         group = self.named.get(self.of(item))
-        marks = [item.home.mark, *(one.data for one in groups((group,) if group is not None else ()))]
+        marks = [item.home.mark, *(part.data for part in groups((group,) if group is not None else ()))]
         return next(
             (found for data in marks if (found := _scale(data.get("scale"), data.get("unit"))) is not None), None
         )
@@ -174,35 +174,35 @@ def retouched(how: str, item: Item, figures: Figures, **parts: object) -> Edit:
 
 def moved(how: str, item: Item, figures: Figures, by: float) -> Edit:
     """Tell of a stroke that lies elsewhere, by so many mm."""
-    told = message(f"edit.{how}", thing=_thing(item, figures), by=_size(by, figures.scale(item)))
-    return _edit(how, item, figures, by, told)
+    said = message(f"edit.{how}", thing=_thing(item, figures), by=_size(by, figures.scale(item)))
+    return _edit(how, item, figures, by, said)
 
 
-def whole(how: str, own: Sequence[Item], figures: Figures) -> Edit:
+def whole(how: str, items: Sequence[Item], figures: Figures) -> Edit:
     """Tell of a figure as a whole."""
-    first = own[0]
+    first = items[0]
     figure = figures.called(figures.of(first))
     thing = message("edit.figure", figure=figure, at=_place(middle(first.stroke)))
-    told = _edit(how, first, figures, None, message(f"edit.{how}", thing=thing))
-    return told._replace(what="figure", name="", strokes=len(own))
+    edit = _edit(how, first, figures, None, message(f"edit.{how}", thing=thing))
+    return edit._replace(what="figure", name="", strokes=len(items))
 
 
-def together(own: list[Item], figures: Figures, shift: Shift, whole: bool) -> Edit:
+def together(items: list[Item], figures: Figures, shift: Shift, whole: bool) -> Edit:
     """Tell of strokes of one figure that were moved, turned and scaled as one."""
-    first = own[0]
+    first = items[0]
     name = figures.of(first)
-    mark = first.home.mark.get("name", "") if all(item.home.mark == first.home.mark for item in own) else ""
+    mark = first.home.mark.get("name", "") if all(item.home.mark == first.home.mark for item in items) else ""
     key = "figure" if whole else "mark" if mark else "some"
     thing = message(
         f"edit.{key}", figure=figures.called(name), at=_place(middle(first.stroke)),
         **({"part": message(f"part.{first.what}"), "name": mark} if key == "mark" else {}),
-        **({"count": len(own)} if key == "some" else {}),
+        **({"count": len(items)} if key == "some" else {}),
     )  # fmt: skip
     by = _size(shift.farthest, figures.scale(first) if mark or not whole else None)
     key, parts = _motion(shift)
-    told = message(f"edit.{key}", thing=thing, by=by, **parts)
-    edit = _edit(shift.how, first, figures, shift.farthest, told)
-    return edit._replace(what=first.what if mark else "figure", name=mark, strokes=len(own))
+    said = message(f"edit.{key}", thing=thing, by=by, **parts)
+    edit = _edit(shift.how, first, figures, shift.farthest, said)
+    return edit._replace(what=first.what if mark else "figure", name=mark, strokes=len(items))
 
 
 def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
@@ -244,9 +244,9 @@ def _number(size: float) -> str:
     return f"{size:.4g}"
 
 
-def _edit(how: str, item: Item, figures: Figures, by: float | None, told: Message) -> Edit:
+def _edit(how: str, item: Item, figures: Figures, by: float | None, said: Message) -> Edit:
     scale = figures.scale(item) if by is not None else None
-    return Edit(how, item.what, item.name, figures.of(item), middle(item.stroke), by, scale, told)
+    return Edit(how, item.what, item.name, figures.of(item), middle(item.stroke), by, scale, said)
 
 
 def _thing(item: Item, figures: Figures) -> Message:

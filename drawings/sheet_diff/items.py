@@ -75,20 +75,20 @@ def _lettering(group: Group, tables: object) -> str:
 
 def _within(group: Group, home: Home) -> Iterator[Item]:
     kind = group.data.get("kind", "")
-    own = home._replace(mark=group.data) if kind in BEARERS else home
+    inner = home._replace(mark=group.data) if kind in BEARERS else home
     headed = home.lettering == "letter" and not group.data
     for place, stroke in enumerate(group.strokes):
         if isinstance(stroke, Group):
             heading = headed and place == 0 and is_heading(stroke)
-            yield from _within(stroke, own._replace(lettering="heading") if heading else own)
+            yield from _within(stroke, inner._replace(lettering="heading") if heading else inner)
         else:
             bears = place == 0 and kind in BEARERS
-            yield Item(stroke, BEARERS[kind] if bears else _what(stroke, own), own)
+            yield Item(stroke, BEARERS[kind] if bears else _what(stroke, inner), inner)
 
 
 def is_heading(group: Group) -> bool:
     """Tell whether a group is lettering alone, as a heading with its scale is."""
-    return bool(group.strokes) and not group.name and all(isinstance(one, Text) for one in group.strokes)
+    return bool(group.strokes) and not group.name and all(isinstance(stroke, Text) for stroke in group.strokes)
 
 
 def _what(stroke: Stroke, home: Home) -> str:
@@ -122,8 +122,8 @@ def _of_piece(piece: Piece) -> tuple[complex, ...]:
 
 def middle(stroke: Ink) -> complex:
     """Give the middle of a stroke's points; of a circle its centre, of lettering where it begins."""
-    own = spots(stroke)
-    return own[0] if isinstance(stroke, Circle | Text) else sum(own) / len(own)
+    points = spots(stroke)
+    return points[0] if isinstance(stroke, Circle | Text) else sum(points) / len(points)
 
 
 def brought(stroke: Stroke, by: Affine) -> Stroke:
@@ -131,7 +131,7 @@ def brought(stroke: Stroke, by: Affine) -> Stroke:
     size, turn = abs(by.p), cmath.phase(by.p)
     match stroke:
         case Group():
-            return stroke._replace(strokes=tuple(brought(one, by) for one in stroke.strokes))
+            return stroke._replace(strokes=tuple(brought(inner, by) for inner in stroke.strokes))
         case Line(start, end):
             return stroke._replace(start=by(start), end=by(end))
         case Polyline() | Fill():

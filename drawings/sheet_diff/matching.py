@@ -32,12 +32,12 @@ def match(right: Sequence[Item], there: Sequence[Item], rounding: float) -> Matc
         cells[_cell(item.stroke, rounding)].append(place)
     taken: dict[int, Item] = {}
     missing = list(right)
-    for own in (True, False):  # two marks may lie on one place: each stroke has that of its own mark first
+    for same_mark in (True, False):  # two marks may lie on one place: each stroke has that of its own mark first
         left: list[Item] = []
         for item in missing:
-            near = (one for one in _near(item.stroke, cells, rounding) if one not in taken)
-            near = (one for one in near if not own or there[one].home.mark == item.home.mark)
-            fitting = next((one for one in near if same(item.stroke, there[one].stroke, rounding)), None)
+            near = (place for place in _near(item.stroke, cells, rounding) if place not in taken)
+            near = (place for place in near if not same_mark or there[place].home.mark == item.home.mark)
+            fitting = next((place for place in near if same(item.stroke, there[place].stroke, rounding)), None)
             if fitting is None:
                 left.append(item)
             else:
@@ -56,8 +56,8 @@ def _added(right: Sequence[Item], left: Iterable[Item], rounding: float) -> tupl
     added: list[Item] = []
     copies: list[Item] = []
     for item in left:
-        own = any(same(right[one].stroke, item.stroke, rounding) for one in _near(item.stroke, cells, rounding))
-        (copies if own else added).append(item)
+        copied = any(same(right[place].stroke, item.stroke, rounding) for place in _near(item.stroke, cells, rounding))
+        (copies if copied else added).append(item)
     return tuple(added), tuple(copies)
 
 
@@ -224,6 +224,6 @@ def looks_alike(right: Sequence[Item], there: Sequence[Item], scale: float) -> b
 def _wider(stroke: Ink, scale: float) -> Ink:
     """Give a stroke with its line so many times as wide, and its dashes so many times as long."""
     style = stroke.style._replace(
-        width=stroke.style.width * scale, dash=tuple(one * scale for one in stroke.style.dash)
+        width=stroke.style.width * scale, dash=tuple(dash * scale for dash in stroke.style.dash)
     )
     return stroke._replace(style=style)

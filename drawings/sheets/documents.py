@@ -22,8 +22,8 @@ CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organi
 def of_title(scene: Scene) -> None:
     """See that the title block can be lettered."""
     cells = ((("sheet", cell), getattr(scene.sheet, cell)) for cell in CELLS)
-    own = scene.sheet.designations
-    documents = ((("sheet", "designations", kind), getattr(own, kind)) for kind in own.keys)
+    table = scene.sheet.designations
+    documents = ((("sheet", "designations", kind), getattr(table, kind)) for kind in table.keys)
     letter(scene, [(("title",), scene.title), *cells, *documents])
 
 
@@ -64,13 +64,13 @@ Leaves = Mapping[str, Sequence[Leaf]]
 def bind(leaves: Leaves, scene: Scene) -> Leaves:
     """Number the sheets of a scene, in the order of its kinds, through each document that they make up."""
     designations = {kind: scene.sheet.designated(kind) for kind in leaves}
-    counts = Counter(designations[kind] for kind, own in leaves.items() for _ in own)
+    counts = Counter(designations[kind] for kind, group in leaves.items() for _ in group)
     found: dict[str, tuple[Leaf, ...]] = {}
-    for kind, own in leaves.items():
+    for kind, group in leaves.items():
         name = designations[kind]
         first = 1 + sum(len(other) for before, other in found.items() if designations[before] == name)
         found[kind] = tuple(
-            _numbered(leaf, _page(leaf, scene, kind), first + k, counts[name]) for k, leaf in enumerate(own)
+            _numbered(leaf, _page(leaf, scene, kind), first + k, counts[name]) for k, leaf in enumerate(group)
         )
     return found
 
@@ -78,29 +78,29 @@ def bind(leaves: Leaves, scene: Scene) -> Leaves:
 def _page(leaf: Leaf, scene: Scene, kind: str) -> Page:
     """Give the page of a leaf, which may be of a smaller format than the scene's."""
     size = {round(leaf.width, 3), round(leaf.height, 3)}
-    name = next(name for name, own in SIZES.items() if set(own) == size)
+    name = next(name for name, sides in SIZES.items() if set(sides) == size)
     return page_of(scene.changed(sheet=scene.sheet.changed(format=name)), kind)
 
 
 def cuts(leaves: Leaves, scene: Scene) -> Iterator[Fault]:
     """Tell once what the author wrote that a title block has no room for; a designation that is cut is refused."""
-    told: set[Path] = set()
-    for kind, own in leaves.items():
+    known: set[Path] = set()
+    for kind, group in leaves.items():
         named, others = _designation(scene, kind), [(("title",), scene.title), *_names(scene)]
-        for leaf in own[:1]:  # the others have the same
+        for leaf in group[:1]:  # the others have the same
             shown = min(_shown(named[1], place) for place in (*_lettering(leaf, BLOCK), *_lettering(leaf, EXTRA)))
             if shown < len(named[1]):
                 raise SceneError([scene.fault(named[0], "designation", count=shown)])
             for path, text in others:
                 shown = min(_shown(text, place) for place in _lettering(leaf, BLOCK))
-                if shown < len(text) and path not in told:
-                    told.add(path)
+                if shown < len(text) and path not in known:
+                    known.add(path)
                     yield scene.fault(path, "cut", count=shown)
 
 
 def _designation(scene: Scene, kind: str) -> tuple[Path, str]:
-    own: Path = ("sheet", "designations", kind)
-    return own if scene.has(own) else ("sheet", "designation"), scene.sheet.designated(kind)
+    path: Path = ("sheet", "designations", kind)
+    return path if scene.has(path) else ("sheet", "designation"), scene.sheet.designated(kind)
 
 
 def _names(scene: Scene) -> Iterator[tuple[Path, str]]:

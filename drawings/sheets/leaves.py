@@ -51,9 +51,9 @@ def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> 
     strokes, count = list[Stroke](), 0
     for note, lines in zip(paragraphs, broken, strict=True):
         feet = [complex(field.left, field.top - size - (count + k) * step) for k in range(len(lines))]
-        own = [Text(foot, line, size, "start", True) for foot, line in zip(feet, lines, strict=True)]
+        rows = [Text(foot, line, size, "start", True) for foot, line in zip(feet, lines, strict=True)]
         strokes += (
-            [stating(Statement(Kind.PHRASE, NOTES, told), *own)] if SLOT.search(told := template_of(note)) else own
+            [stating(Statement(Kind.PHRASE, NOTES, shape), *rows)] if SLOT.search(shape := template_of(note)) else rows
         )
         count += len(lines)
     return Group(tuple(strokes), NOTES)
@@ -101,9 +101,9 @@ def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
 
 def lay_out_each(drafts: Sequence[tuple[Scene, Draft]]) -> tuple[Leaf, ...]:
     """Lay out drafts whose sheets differ in what their scene says of them, such as the format."""
-    own = [_chosen(scene, draft, k + 1 < len(drafts)) for k, (scene, draft) in enumerate(drafts)]
-    composed = [(one, sheet) for one in own for sheet in one.sheets]
-    return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
+    chosen = [_chosen(scene, draft, k + 1 < len(drafts)) for k, (scene, draft) in enumerate(drafts)]
+    composed = [(leaves, sheet) for leaves in chosen for sheet in leaves.sheets]
+    return tuple(leaves.leaf(sheet, k + 1, len(composed)) for k, (leaves, sheet) in enumerate(composed))
 
 
 def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
@@ -115,7 +115,7 @@ def _chosen(scene: Scene, draft: Draft, followed: bool) -> _Leaves:
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:
         return _Leaves(scene, draft, followed).settled
-    return min((_Leaves(scene, one, followed) for one in (draft, *draft.instead)), key=lambda one: one.cost)
+    return min((_Leaves(scene, way, followed) for way in (draft, *draft.instead)), key=lambda way: way.cost)
 
 
 class _Inked(NamedTuple):
@@ -156,16 +156,16 @@ class _Leaves:
     @cached_property
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
-        shown = [one.panel for one in self.draft.shows if isinstance(one, Exhibit) or not one.working]
+        shown = [part.panel for part in self.draft.shows if isinstance(part, Exhibit) or not part.working]
         panels = self.scales.panels(shown)
         notes = measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
         return Contents(panels, self.draft.tables, notes, self.followed, tuple(self._workings()))
 
     def _workings(self) -> Iterator[Working]:
         """Give the lettering that is written only where paper would stay bare."""
-        for one in self.draft.shows:
-            if isinstance(one, Caption) and one.working and isinstance(one.panel.item, TextBlock):
-                yield Working(one.panel.item, one.of)
+        for part in self.draft.shows:
+            if isinstance(part, Caption) and part.working and isinstance(part.panel.item, TextBlock):
+                yield Working(part.panel.item, part.of)
 
     @cached_property
     def composed(self) -> Sequence[Composition]:
@@ -184,15 +184,15 @@ class _Leaves:
             spots = self.spots
         except SheetError:
             return math.inf, 0
-        pictures = (one.panel.item for one in self.draft.shows if isinstance(one.panel.item, Picture))
-        sizes = ((one.extent(spots[one.name].scale), one.least) for one in pictures)
+        pictures = (part.panel.item for part in self.draft.shows if isinstance(part.panel.item, Picture))
+        sizes = ((picture.extent(spots[picture.name].scale), picture.least) for picture in pictures)
         lack = sum(1 - size / least for size, least in sizes if 0 < size < least * SMALLER)
         return lack, len(self.composed)
 
     @cached_property
     def spots(self) -> Mapping[str, Spot]:
         """Where the figures of all sheets stand."""
-        return {name: spot for one in self.composed for name, spot in one.spots.items()}
+        return {name: spot for composition in self.composed for name, spot in composition.spots.items()}
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -203,31 +203,31 @@ class _Leaves:
     @property
     def settled(self) -> _Leaves:
         """Compose anew until there is room for the remarks: with them the figures may stand otherwise."""
-        own, known = self, {self.reserved: self}  # two compositions may each bring about the remarks of the other
+        current, known = self, {self.reserved: self}  # two compositions may each bring about the remarks of the other
         for _ in range(ROUNDS if self.draft.remarks is not None else 0):
-            said = own.notes[len(own.draft.notes) :]
-            other = known.setdefault(said, replace(own, reserved=said, known=own.cuts))
-            if said == own.reserved or not other.better(own):
+            said = current.notes[len(current.draft.notes) :]
+            other = known.setdefault(said, replace(current, reserved=said, known=current.cuts))
+            if said == current.reserved or not other.better(current):
                 break
-            own = other
-        return own
+            current = other
+        return current
 
     def better(self, other: _Leaves) -> bool:
         """Tell whether room for remarks is worth it: no further sheet, where they can be read without that room."""
-        notes, boxes = self.contents.notes, (one.notes for one in other.composed)
+        notes, boxes = self.contents.notes, (composition.notes for composition in other.composed)
         tight = any(notes and box and box.height < TIGHT * notes.height(box.width) for box in boxes)
         return tight or fits(self.contents, self.page, self.cuts, len(other.composed))
 
     @property
     def sheets(self) -> Sequence[Composition]:
         """The composed sheets, the cells of their tables written that waited for the scales of the figures."""
-        return [self._told(one) for one in self.composed]
+        return [self._told(composition) for composition in self.composed]
 
     def _told(self, composed: Composition) -> Composition:
         """Write the cells of the tables of a sheet."""
         if self._later is None:
             return composed
-        filled = (told._replace(table=told.table.filled(self._later)) for told in composed.tables)
+        filled = (spot._replace(table=spot.table.filled(self._later)) for spot in composed.tables)
         return composed._replace(tables=tuple(filled))
 
     @cached_property
@@ -255,9 +255,9 @@ class _Leaves:
                 "sheet": draft.kind,
                 "title": self.title,
                 **facts,
-                **({"scales": {k: one.scale.mu for k, one in self.spots.items()}} if graded else {}),
+                **({"scales": {k: spot.scale.mu for k, spot in self.spots.items()}} if graded else {}),
                 "notes": composed.notes is not None,
-                "rows": _rows([one.table for one in composed.tables]),
+                "rows": _rows([spot.table for spot in composed.tables]),
                 "number": number,
                 "of": count,
             },
@@ -266,18 +266,18 @@ class _Leaves:
 
     def _cramped(self, composed: Composition) -> Iterator[str]:
         """Name the figures that are drawn at less than half the size that their letters need."""
-        pictures = (one.panel.item for one in self.draft.shows if isinstance(one.panel.item, Picture))
-        for one in (one for one in pictures if one.name in composed.spots):
-            if 0 < 2 * one.extent(composed.spots[one.name].scale) < one.least:
-                yield one.name
+        pictures = (part.panel.item for part in self.draft.shows if isinstance(part.panel.item, Picture))
+        for picture in (picture for picture in pictures if picture.name in composed.spots):
+            if 0 < 2 * picture.extent(composed.spots[picture.name].scale) < picture.least:
+                yield picture.name
 
     def _stood(self, composed: Composition, number: int, count: int) -> _Inked:
         """Draw the lines of a sheet in that of its ways to stand which leaves the least bare, where much would be."""
-        own = self._inked(composed, number, count)
-        if own.bare <= most_bare(self.page, 1 < number == count):
-            return own
+        inked = self._inked(composed, number, count)
+        if inked.bare <= most_bare(self.page, 1 < number == count):
+            return inked
         others = (self._inked(self._told(other), number, count) for other in composed.others())
-        return min((own, *others), key=lambda one: one.bare)
+        return min((inked, *others), key=lambda candidate: candidate.bare)
 
     def _inked(self, composed: Composition, number: int, count: int) -> _Inked:
         """Draw the lines of a sheet, and workings where it would stay bare."""
@@ -293,36 +293,36 @@ class _Leaves:
         """Draw what no letter is added to: the title block, tables, notes, lettering among the figures."""
         page = self.page
         yield page.title_block(self._entries(composed, number, count), self.drafting.language)
-        told = Counter[str]()
+        counts = Counter[str]()
         for table, corner, setting in composed.tables:
-            pieces = table.draw(corner, setting, self.drafting, told[table.name])
-            told[table.name] += len(pieces)
+            pieces = table.draw(corner, setting, self.drafting, counts[table.name])
+            counts[table.name] += len(pieces)
             yield from pieces
         if composed.notes is not None:
             yield write(self.notes, composed.notes, page.hand.text, page.field.right)
-        for one in self.draft.shows:
-            if isinstance(one, Caption) and one.panel.item.name in composed.blocks:
-                yield one.write(composed.blocks[one.panel.item.name], *self._awaited(one, composed))
+        for part in self.draft.shows:
+            if isinstance(part, Caption) and part.panel.item.name in composed.blocks:
+                yield part.write(composed.blocks[part.panel.item.name], *self._awaited(part, composed))
 
     def _loose(self, composed: Composition) -> Iterator[Loose]:
         """Give the workings of the figures of a sheet that have no place on it yet."""
-        for one in self.draft.shows:
-            if isinstance(one, Caption) and one.working and one.of in composed.spots:
-                item, spot = one.panel.item, composed.spots[one.of]
+        for part in self.draft.shows:
+            if isinstance(part, Caption) and part.working and part.of in composed.spots:
+                item, spot = part.panel.item, composed.spots[part.of]
                 if isinstance(item, TextBlock) and item.name not in composed.blocks:
-                    yield Loose(item, partial(one.write, spot=spot))
+                    yield Loose(item, partial(part.write, spot=spot))
 
-    def _awaited(self, one: Caption, composed: Composition) -> Iterator[Any]:
+    def _awaited(self, caption: Caption, composed: Composition) -> Iterator[Any]:
         """Give what lettering is written by beside its box."""
-        if one.of in composed.spots:
-            yield composed.spots[one.of]
-        if one.waits and self._later is not None:
+        if caption.of in composed.spots:
+            yield composed.spots[caption.of]
+        if caption.waits and self._later is not None:
             yield self._later
 
     def _figures(self, composed: Composition) -> Iterator[Figure]:
-        for one in self.draft.shows:
-            if isinstance(one, Exhibit) and one.panel.item.name in composed.spots:
-                yield one.draw(composed.spots[one.panel.item.name])
+        for part in self.draft.shows:
+            if isinstance(part, Exhibit) and part.panel.item.name in composed.spots:
+                yield part.draw(composed.spots[part.panel.item.name])
 
     def _entries(self, composed: Composition, number: int, count: int) -> dict[str, str]:
         """Fill the title block."""
@@ -341,7 +341,7 @@ class _Leaves:
 
 def _rows(tables: Sequence[RuledTable]) -> dict[str, tuple[int, int]]:
     """Give which rows of each table a sheet bears, which may have two parts of one that no sheet holds."""
-    own: dict[str, list[int]] = {}
-    for one in tables:
-        own.setdefault(one.name, []).extend(one.rows)
-    return {name: (min(ends), max(ends)) for name, ends in own.items()}
+    rows: dict[str, list[int]] = {}
+    for table in tables:
+        rows.setdefault(table.name, []).extend(table.rows)
+    return {name: (min(ends), max(ends)) for name, ends in rows.items()}

@@ -74,7 +74,7 @@ class Caption(NamedTuple):
 
 def captions(workings: Iterable[Working]) -> Iterator[Caption]:
     """Give workings that have anything to say as lettering of their figures that only bare paper calls for."""
-    return (Caption(one.panel, one.write, of=one.of, working=True) for one in workings if one.lines(None))
+    return (Caption(block.panel, block.write, of=block.of, working=True) for block in workings if block.lines(None))
 
 
 class Draft(NamedTuple):
@@ -137,7 +137,7 @@ class StatedScales(NamedTuple):
         """Give the figures that are governed the scale that they must have; one at which they do not fit is refused."""
         governed = [self._governed(panel) for panel in panels]
         for name in self.stated:
-            self._see(name, [one for one in self._pictures(panels) if key_of(self.kind, one.name) == name])
+            self._see(name, [picture for picture in self._pictures(panels) if key_of(self.kind, picture.name) == name])
         return tuple(governed)
 
     def _governed(self, panel: Panel) -> Panel:
@@ -149,18 +149,18 @@ class StatedScales(NamedTuple):
     def _pictures(self, panels: Sequence[Panel]) -> Iterator[Picture]:
         """Give all figures that are more than a point, without those whose ordinates alone are governed."""
         items = (panel.item for panel in panels if panel.item.name not in GRAPHS)
-        return (one for one in items if isinstance(one, Picture) and (one.wide or one.high))
+        return (item for item in items if isinstance(item, Picture) and (item.wide or item.high))
 
     def _see(self, name: str, pictures: Sequence[Picture]) -> None:
         """See that the largest of the figures of a scale is large enough to be lettered, and that each fits."""
         mu = self.stated[name]
-        for one in pictures:
-            size = one.size(Scale(mu, one.letter, one.unit))
+        for picture in pictures:
+            size = picture.size(Scale(mu, picture.letter, picture.unit))
             if not any(_holds(room, size) for room in self._rooms):
                 raise self._refused(
-                    name, one, "refused.scale_large", **_millimetres(wide=size[0], high=size[1]), **self._room(size)
+                    name, picture, "refused.scale_large", **_millimetres(wide=size[0], high=size[1]), **self._room(size)
                 )
-        largest = max(pictures, key=lambda one: max(one.wide, one.high), default=None)
+        largest = max(pictures, key=lambda picture: max(picture.wide, picture.high), default=None)
         if largest is not None and max(largest.wide, largest.high) / mu < (largest.least * SMALLER or READABLE):
             sizes = _millimetres(max(largest.wide, largest.high) / mu, largest.least or READABLE, ("size", "least"))
             raise self._refused(name, largest, "refused.scale_small", **sizes)
@@ -187,7 +187,7 @@ class StatedScales(NamedTuple):
         rungs = chain.from_iterable(picture.ladder(*room, self.page.standard).rungs for room in self._rooms)
         fit = {rung.scale.mu for rung in rungs if rung.extent >= (picture.least * SMALLER or READABLE)}
         mu = self.stated[key_of(self.kind, picture.name)]
-        return sorted(sorted(fit, key=lambda one: max(one / mu, mu / one))[:NEAREST])
+        return sorted(sorted(fit, key=lambda size: max(size / mu, mu / size))[:NEAREST])
 
 
 def see_ordinates(scene: Scene, name: str, span: float, high: float) -> None:

@@ -44,7 +44,7 @@ class Dimension(NamedTuple):
     def lines(self) -> tuple[tuple[complex, complex], ...]:
         """The dimension line, then the two extension lines."""
         past = self.off * (1 + PAST / abs(self.off))
-        ends = ((one, one + past) for one in (self.start, self.end))
+        ends = ((end, end + past) for end in (self.start, self.end))
         return (self.start + self.off, self.end + self.off), *ends
 
     def draw(self, hand: Hand) -> tuple[Stroke, ...]:

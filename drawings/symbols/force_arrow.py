@@ -103,7 +103,7 @@ def not_to_scale(
 
 def letters(forces: Iterable[ForceArrow], labels: Labels, hand: Hand) -> Group:
     """Letter forces, each where the lines of all figures leave room."""
-    return Group(tuple(one.letter_beside(labels, hand) for one in forces))
+    return Group(tuple(force.letter_beside(labels, hand) for force in forces))
 
 
 def _open_head(force: ForceArrow, hand: Hand) -> tuple[Stroke, ...]:

@@ -58,12 +58,12 @@ def distinct(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
     [0j, 0j]
     """
     kept: list[Line] = []
-    for one in strokes:
-        if isinstance(one, Line):
-            if any(_alike(one, other.start, other.end) or _alike(one, other.end, other.start) for other in kept):
+    for stroke in strokes:
+        if isinstance(stroke, Line):
+            if any(_alike(stroke, other.start, other.end) or _alike(stroke, other.end, other.start) for other in kept):
                 continue
-            kept.append(one)
-        yield one
+            kept.append(stroke)
+        yield stroke
 
 
 def _alike(line: Line, start: complex, end: complex) -> bool:

@@ -99,17 +99,17 @@ class Shape(NamedTuple):
         for point, shown in self.mechanism.sketch.items():
             owners = [k for k in links if point in self.mechanism.links[constraints.numbers[k]].points]
             for k in owners[:1]:
-                own = self.mechanism.links[constraints.numbers[k]].points[point]
-                total += np.abs(_at(poses[:, k], own / constraints.size) - shown / constraints.size) ** 2
+                local = self.mechanism.links[constraints.numbers[k]].points[point]
+                total += np.abs(_at(poses[:, k], local / constraints.size) - shown / constraints.size) ** 2
         return total
 
     def behind(self, poses: Floats, links: Sequence[int]) -> Floats:
         """Count the stones of some links that lie behind the points of the links whose slots they are in, (N,)."""
-        own, total = self.mechanism.links, np.zeros(len(poses))
+        every, total = self.mechanism.links, np.zeros(len(poses))
         of = {self.constraints.numbers[k]: poses[:, k] for k in links}
         for slide in self.mechanism.slides:
             if slide.owner in of and slide.slider in of:
-                pin = next(iter(own[slide.owner].points.values()))
+                pin = next(iter(every[slide.owner].points.values()))
                 stone = _at(of[slide.slider], slide.on_slider.through / self.constraints.size)
                 way = slide.on_owner.direction * np.exp(1j * of[slide.owner][:, TURN])
                 total += ((stone - _at(of[slide.owner], pin / self.constraints.size)) * way.conj()).real < 0.0
@@ -117,14 +117,14 @@ class Shape(NamedTuple):
 
     def whole_misfits(self, poses: Floats) -> Floats:
         """Sum up the misfits of all blocks but the crank's; a point that two blocks share counts in both."""
-        own = [block.links.tolist() for block in self.blocks if self.constraints.crank not in block.links]
-        return np.asarray(sum((self.misfits(poses, links) for links in own), np.zeros(len(poses))))
+        moved = [block.links.tolist() for block in self.blocks if self.constraints.crank not in block.links]
+        return np.asarray(sum((self.misfits(poses, links) for links in moved), np.zeros(len(poses))))
 
 
-def _at(poses: Floats, own: complex) -> Complexes:
+def _at(poses: Floats, local: complex) -> Complexes:
     """Place a point of a link by its poses (N, 3)."""
     x, y, turn = poses.T
-    return np.asarray(x + 1j * y + own * np.exp(1j * turn))
+    return np.asarray(x + 1j * y + local * np.exp(1j * turn))
 
 
 def home(shape: Shape, first: float | None, looks: Floats) -> Assembly | None:

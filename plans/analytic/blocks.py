@@ -74,22 +74,22 @@ class Guess:
 
     def _put(self, number: int, point: str, turn: float) -> bool:
         """Place a link by one point and its turn, and with it those points of the link that nobody sketched."""
-        own = self.mechanism.links[number].points
-        origin = self.places[point] - own[point] * cmath.rect(1, turn)
+        points = self.mechanism.links[number].points
+        origin = self.places[point] - points[point] * cmath.rect(1, turn)
         self.known[number] = (origin, turn)
         sure = number == self.mechanism.drive.link
-        for name, place in own.items():
+        for name, place in points.items():
             if sure or name not in self.places:
                 self.places[name] = origin + place * cmath.rect(1, turn)
         return True
 
     def _by_points(self, number: int) -> bool:
         """Two points seen: their join gives the turn."""
-        seen, own = self._seen(number), self.mechanism.links[number].points
-        for point in seen[1:]:
-            if self.places[point] != self.places[seen[0]] and own[point] != own[seen[0]]:
-                join = (self.places[point] - self.places[seen[0]]) / (own[point] - own[seen[0]])
-                return self._put(number, seen[0], cmath.phase(join))
+        placed, points = self._seen(number), self.mechanism.links[number].points
+        for point in placed[1:]:
+            if self.places[point] != self.places[placed[0]] and points[point] != points[placed[0]]:
+                join = (self.places[point] - self.places[placed[0]]) / (points[point] - points[placed[0]])
+                return self._put(number, placed[0], cmath.phase(join))
         return False
 
     def _by_guide(self, number: int) -> bool:
@@ -111,9 +111,9 @@ class Guess:
 
     def _by_default(self, number: int) -> bool:
         """Nothing better is known: lay the link along x, from its point seen or amid all that is placed."""
-        own: Mapping[str, complex] = self.mechanism.links[number].points
-        seen = self._seen(number)
-        first = seen[0] if seen else next(iter(own))
+        points: Mapping[str, complex] = self.mechanism.links[number].points
+        placed = self._seen(number)
+        first = placed[0] if placed else next(iter(points))
         self.places.setdefault(first, complex(np.mean(list(self.places.values()))))
         return self._put(number, first, 0.0)
 
@@ -172,16 +172,16 @@ def _keepers(constraints: Constraints) -> list[int]:
     links = [[place for place in moved if place] for _, moved in _equations(constraints)]
     kept: dict[int, list[int]] = {place: [] for place in range(1, len(constraints.numbers))}
 
-    def give(row: int, seen: set[int]) -> bool:
+    def give(row: int, visited: set[int]) -> bool:
         for place in links[row]:
-            if place in seen:
+            if place in visited:
                 continue
-            seen.add(place)
+            visited.add(place)
             if len(kept[place]) < FREEDOM:
                 kept[place].append(row)
                 return True
             for other in kept[place]:
-                if give(other, seen):
+                if give(other, visited):
                     kept[place][kept[place].index(other)] = row
                     return True
         return False
@@ -222,6 +222,6 @@ def _components(rests: dict[int, set[int]]) -> list[list[int]]:
 def _block(constraints: Constraints, links: list[int], keepers: list[int]) -> Block:
     joints = constraints.links.shape[1]
     rows = [row for row, keeper in enumerate(keepers) if keeper in links]
-    own = {joint for row, (joint, _) in enumerate(_equations(constraints)) if keepers[row] in links}
-    equations = constraints.part(links, sorted(own - {joints}), joints in own)
+    held = {joint for row, (joint, _) in enumerate(_equations(constraints)) if keepers[row] in links}
+    equations = constraints.part(links, sorted(held - {joints}), joints in held)
     return Block(equations, np.array(rows, dtype=np.intp), equations.columns - FREEDOM)

@@ -53,9 +53,9 @@ def cyclogram(road: Analysis, task: CyclogramTask, output: Output, watched: Watc
         return None
     around = _Around(shape, turn, coordinate_of(shape.mechanism, shape.constraints, output), found)
     positions = [*around.ends(), *around.stops(task), *(around.watch(watched) if watched else ())]
-    ordered = sorted(positions, key=lambda one: (around.sense * one.turned - around.begin) % FULL)
-    told = tuple(one._replace(turned=within(around.sense * one.turned)) for one in ordered)
-    return Cyclogram(ANALYSIS, output, int(around.sense), around.stroke, around.extremes.sliding, found.overlap, told)
+    ordered = sorted(positions, key=lambda position: (around.sense * position.turned - around.begin) % FULL)
+    placed = tuple(position._replace(turned=within(around.sense * position.turned)) for position in ordered)
+    return Cyclogram(ANALYSIS, output, int(around.sense), around.stroke, around.extremes.sliding, found.overlap, placed)
 
 
 class _Stroke(NamedTuple):
@@ -168,8 +168,8 @@ class _Around(NamedTuple):
         return float(np.pi / 2 - np.arccos((first * other.conjugate()).real / abs(first * other)))
 
     def _place(self, link: int, point: str, poses: Floats) -> complex:
-        own = self.shape.mechanism.links[link].points[point]
-        return complex(place(self.shape.constraints, poses[None], link, own)[0])
+        local = self.shape.mechanism.links[link].points[point]
+        return complex(place(self.shape.constraints, poses[None], link, local)[0])
 
     def _between(self, quantity: Measure, target: float, stroke: _Stroke) -> list[tuple[float, float]]:
         """Give the neighbouring crank angles of a stroke between which a quantity passes its target."""
@@ -203,15 +203,15 @@ class _Around(NamedTuple):
     def _stations(self, phi: Floats) -> Floats:
         """Give poses and transfer functions at any crank angles, rad, (3, N, links, 3)."""
         first = self.turn.angles[0]
-        own = first + (phi - first) % FULL
-        near = [self.turn.near(float(angle)) for angle in own]
-        found = stations_at(self.shape.constraints, self.shape.blocks, near, own)
-        return np.array([(one.poses, one.first, one.second) for one in found]).swapaxes(0, 1)
+        unwrapped = first + (phi - first) % FULL
+        near = [self.turn.near(float(angle)) for angle in unwrapped]
+        found = stations_at(self.shape.constraints, self.shape.blocks, near, unwrapped)
+        return np.array([(station.poses, station.first, station.second) for station in found]).swapaxes(0, 1)
 
 
 def _asked(task: CyclogramTask, stroke: float) -> Iterator[Stop]:
     """Give the places of the tool that are asked for: the ends of the work, the changes of the load between them."""
-    first, last = (one.share(stroke) for one in task.overrun)
+    first, last = (along.share(stroke) for along in task.overrun)
     if first > 0.0:
         yield Stop(ENTRY, first)
         yield Stop(LEAVE, first, True)
@@ -224,4 +224,4 @@ def _asked(task: CyclogramTask, stroke: float) -> Iterator[Stop]:
 
 
 def _share_of(stroke: float) -> Callable[[Along], float]:
-    return lambda one: one.share(stroke)
+    return lambda along: along.share(stroke)

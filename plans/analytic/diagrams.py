@@ -33,8 +33,8 @@ def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
     """
     axis, mechanism = far.axis, far.road.mechanism
     omega, lead = abs(mechanism.drive.omega), mechanism.drive.epsilon / mechanism.drive.omega
-    own = far.followed(axis.turned, _rows(mechanism, far.output, motion, axis.numbers))
-    at = far.count.course(axis.turned, own, omega)
+    rows = far.followed(axis.turned, _rows(mechanism, far.output, motion, axis.numbers))
+    at = far.count.course(axis.turned, rows, omega)
     speeds = _rates(at.s, axis.turned, omega, axis.joined)
     return Diagrams(
         by="analysis",
@@ -111,12 +111,12 @@ def _rows(
     mechanism: Mechanism, output: Output, motion: Motion, chosen: Sequence[int] | slice = slice(None)
 ) -> list[Floats]:
     """Read the coordinate, its velocity and acceleration off a motion, (N,) each."""
-    own, guide = (list(chosen) if not isinstance(chosen, slice) else chosen), _slide_of(mechanism, output)
+    numbers, guide = (list(chosen) if not isinstance(chosen, slice) else chosen), _slide_of(mechanism, output)
     if guide is None:
-        return [np.asarray(row[own], dtype=np.float64) for row in motion.links[output.link]]
+        return [np.asarray(row[numbers], dtype=np.float64) for row in motion.links[output.link]]
     through, direction, point = guide
     place, *rates = motion.points[point]
-    return [np.asarray(((row * direction.conjugate()).real)[own]) for row in (place - through, *rates)]
+    return [np.asarray(((row * direction.conjugate()).real)[numbers]) for row in (place - through, *rates)]
 
 
 def _rates(values: Floats, turned: Floats, omega: float, there: np.ndarray) -> Floats:

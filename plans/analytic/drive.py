@@ -117,8 +117,8 @@ def drive_equation(mechanism: Mechanism, numbers: Sequence[int], hinges: int, si
         return TurningDrive(numbers.index(drive.link), arm / abs(arm))
     slide, place = drive.guide, mechanism.slides.index(drive.guide)
     links = numbers.index(slide.slider), numbers.index(slide.owner)
-    own = mechanism.links[slide.slider].points[slide.point]
-    lead = foot_way(slide.on_slider, own) - foot_way(slide.on_owner, slide.on_owner.through)
+    local = mechanism.links[slide.slider].points[slide.point]
+    lead = foot_way(slide.on_slider, local) - foot_way(slide.on_owner, slide.on_owner.through)
     return SlidingDrive(place, hinges + place, links, lead / size, drive.unit / size)
 
 

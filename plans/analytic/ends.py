@@ -40,8 +40,8 @@ def least_of(blocks: Sequence[Block], dets: Floats, jacobian: Floats, poses: Flo
     """Give the sharpness of the bluntest block, (N,), from the determinants of all blocks, (blocks, N)."""
     found = np.ones(len(poses))
     for block, det in zip(blocks, dets, strict=True):
-        own = block.of(jacobian)
-        sharp = np.abs(det) / np.sqrt((own**2).sum(axis=1)).prod(axis=1)
+        part = block.of(jacobian)
+        sharp = np.abs(det) / np.sqrt((part**2).sum(axis=1)).prod(axis=1)
         doubtful = np.flatnonzero(sharp < PLAIN)
         if doubtful.size:
             sharp[doubtful] = sharpness(block, poses[doubtful])
@@ -192,8 +192,8 @@ def _failing(blocks: Sequence[Block], way: Sequence[Station]) -> int:
 def _loss(constraints: Constraints, block: Block, last: Station) -> _Loss:
     """Look at the smallest singular value of a block: an input that strains it makes a dead centre."""
     jacobian = constraints.jacobian(constraints.place(last.poses[None]))
-    own = block.of(jacobian)[0]
-    left, values, right = np.linalg.svd(own / np.sqrt((own**2).sum(axis=0)))
+    part = block.of(jacobian)[0]
+    left, values, right = np.linalg.svd(part / np.sqrt((part**2).sum(axis=0)))
     rates = last.first[1:].ravel().copy()
     rates[block.columns] = 0.0
     drive = np.zeros(len(jacobian[0]))
@@ -215,21 +215,21 @@ def _perimeter(block: Block, poses: Floats) -> float:
     """Measure round the joints of a block: along its links, and from one joint with other links to the next."""
     equations = block.equations
     at = equations.place(poses[None])
-    own: dict[int, list[complex]] = {link: [] for link in equations.sought.tolist()}
+    corners: dict[int, list[complex]] = {link: [] for link in equations.sought.tolist()}
     outer = []
     for joint, links in enumerate(equations.links.T.tolist()):
         off = 0.0 if joint < equations.hinges else complex(at.apart[0, joint])
         for side, link in enumerate(links):
-            if link in own:
+            if link in corners:
                 x, y, _ = poses[link]
-                own[link].append(complex(x, y) + complex(at.arms[0, side, joint]) + (off if side else 0.0))
-        if not set(links) <= set(own):
-            outer.append(next(own[link][-1] for link in links if link in own))
-    return float(sum(_extent(places) for places in own.values()) + _extent(outer))
+                corners[link].append(complex(x, y) + complex(at.arms[0, side, joint]) + (off if side else 0.0))
+        if not set(links) <= set(corners):
+            outer.append(next(corners[link][-1] for link in links if link in corners))
+    return float(sum(_extent(places) for places in corners.values()) + _extent(outer))
 
 
 def _extent(places: Sequence[complex]) -> float:
-    return max((abs(one - other) for one in places for other in places), default=0.0)
+    return max((abs(place - other) for place in places for other in places), default=0.0)
 
 
 def _loose(block: Block, last: Station, loss: _Loss) -> bool:

@@ -81,8 +81,8 @@ class PartedCoordinate(NamedTuple):
 
         Its line turns by w: s = d along it, s' = d' along it, and s'' = d'' along it and w times d' across it.
         """
-        own, other, start, end = (spot.along(taylor) for spot in self.spots)
-        line, away = end - start, own - other
+        point, other, start, end = (spot.along(taylor) for spot in self.spots)
+        line, away = end - start, point - other
         unit = (line[0] / np.abs(line[0])).conj()
         turning = (unit * line[1]).imag / np.abs(line[0])
         apart = unit * away
@@ -103,8 +103,8 @@ def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output
             _spot(mechanism, constraints, name)
             for name in (output.point or "", output.parting.other, *output.parting.line)
         )
-        own, other, start, end = spots
-        return PartedCoordinate((own, other, start, end), constraints.size)
+        here, other, start, end = spots
+        return PartedCoordinate((here, other, start, end), constraints.size)
     guides = [s for s in mechanism.slides if {s.slider, s.owner} == {FRAME, output.link}]
     guide = guides[0] if guides else None
     points = mechanism.links[output.link].points

@@ -119,9 +119,9 @@ class Analysis:
         poses = np.zeros((len(motion.phi), len(self.constraints.numbers), 3))
         for place, number in enumerate(self.constraints.numbers):
             if number != FRAME:
-                point, own = next(iter(self.mechanism.links[number].points.items()))
+                point, local = next(iter(self.mechanism.links[number].points.items()))
                 turn = motion.links[number].angle
-                origin = (motion.points[point].r - own * np.exp(1j * turn)) / self.constraints.size
+                origin = (motion.points[point].r - local * np.exp(1j * turn)) / self.constraints.size
                 poses[:, place] = np.stack((origin.real, origin.imag, turn), axis=1)
         return poses
 
@@ -170,17 +170,17 @@ def _motion(
     links: dict[int, LinkMotion] = {}
     for place, number in enumerate(constraints.numbers):
         moved = [row[:, place] for row in rows]
-        for point, own in mechanism.links[number].points.items():
+        for point, local in mechanism.links[number].points.items():
             if point not in points:
-                points[point] = PointMotion(_point(constraints.size, own, *moved))
+                points[point] = PointMotion(_point(constraints.size, local, *moved))
         if number != FRAME:
             links[number] = LinkMotion(row[:, TURN] for row in moved)
     return Motion("analysis", phi, points, links, gaps)
 
 
-def _point(size: float, own: complex, pose: Floats, *rates: Floats) -> Iterator[Complexes]:
+def _point(size: float, local: complex, pose: Floats, *rates: Floats) -> Iterator[Complexes]:
     """Give place, velocity and acceleration of a link's point, as far as the rates (N, 3) of its pose go."""
-    arm = own / size * np.exp(1j * pose[:, TURN])
+    arm = local / size * np.exp(1j * pose[:, TURN])
     yield size * (pose[:, X] + 1j * pose[:, Y] + arm)
     for speed in rates[:1]:
         yield size * (speed[:, X] + 1j * speed[:, Y] + 1j * speed[:, TURN] * arm)

@@ -44,7 +44,7 @@ class Constraints(NamedTuple):
         if mechanism.mobility != 1:
             raise StructureError(message("structure.mobility"), found=mechanism.mobility)
         numbers, size, drive = tuple(sorted(mechanism.links)), _size(mechanism), mechanism.drive
-        own = {number: mechanism.links[number].points for number in numbers}
+        local = {number: mechanism.links[number].points for number in numbers}
         pairs = [(links[0], link, point) for point, links in mechanism.hinges.items() for link in links[1:]]
         slides, count = mechanism.slides, len(pairs)
         joined = [(a, b) for a, b, _ in pairs] + [(s.slider, s.owner) for s in slides]
@@ -56,7 +56,7 @@ class Constraints(NamedTuple):
             numbers=numbers,
             hinges=count,
             links=links,
-            points=_places([(own[a][p], own[b][p]) for a, b, p in pairs] + feet) / size,
+            points=_places([(local[a][p], local[b][p]) for a, b, p in pairs] + feet) / size,
             slide_ways=ways / np.abs(ways),
             crank=numbers.index(drive.link),
             drive=drive_equation(mechanism, numbers, count, size),
@@ -189,27 +189,27 @@ def _changing(count: int, links: Indices, hinges: int) -> Indices:
     return np.concatenate((across, across + hinges * width, *(lines + place for place in poses)))
 
 
-def place(constraints: Constraints, poses: Floats, link: int, own: complex) -> Complexes:
+def place(constraints: Constraints, poses: Floats, link: int, local: complex) -> Complexes:
     """Place a point of a link, m from the datum, at poses (..., links, 3)."""
     x, y, turn = np.moveaxis(poses[..., constraints.numbers.index(link), :], -1, 0)
-    return np.asarray(constraints.size * (x + 1j * y) + own * np.exp(1j * turn))
+    return np.asarray(constraints.size * (x + 1j * y) + local * np.exp(1j * turn))
 
 
-def speed(constraints: Constraints, poses: Floats, rates: Floats, link: int, own: complex) -> Complexes:
+def speed(constraints: Constraints, poses: Floats, rates: Floats, link: int, local: complex) -> Complexes:
     """Give its velocity at rates (..., links, 3) of the poses."""
     on = constraints.numbers.index(link)
-    arm, (x, y, spin) = own * np.exp(1j * poses[..., on, TURN]), np.moveaxis(rates[..., on, :], -1, 0)
+    arm, (x, y, spin) = local * np.exp(1j * poses[..., on, TURN]), np.moveaxis(rates[..., on, :], -1, 0)
     return np.asarray(constraints.size * (x + 1j * y) + 1j * spin * arm)
 
 
-def placed(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> Complexes:
+def placed(mechanism: Mechanism, motion: Motion, link: int, local: complex) -> Complexes:
     """Place a point of a link, m from the datum, over a motion."""
     point, first = next(iter(mechanism.links[link].points.items()))
-    return np.asarray(motion.points[point].r + (own - first) * np.exp(1j * motion.links[link].angle))
+    return np.asarray(motion.points[point].r + (local - first) * np.exp(1j * motion.links[link].angle))
 
 
-def acceleration(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> Complexes:
+def acceleration(mechanism: Mechanism, motion: Motion, link: int, local: complex) -> Complexes:
     """Carry the acceleration m/s2 of the link's first point to another of its points."""
     point, first = next(iter(mechanism.links[link].points.items()))
     turn, omega, epsilon = motion.links[link]
-    return np.asarray(motion.points[point].a + (1j * epsilon - omega**2) * (own - first) * np.exp(1j * turn))
+    return np.asarray(motion.points[point].a + (1j * epsilon - omega**2) * (local - first) * np.exp(1j * turn))

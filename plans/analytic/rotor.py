@@ -14,24 +14,24 @@ from plans.model.rotor import ANALYSIS, EPS, ROUNDING, Balance, Correction, Resu
 
 def balance(rotor: Rotor, borne: bool = True) -> Balance:
     """Find what balances a rotor and, if `borne` is asked for, what its bearings bear before and after."""
-    loads = [(moment(one), one.place) for one in rotor.masses]
+    loads = [(moment(mass), mass.place) for mass in rotor.masses]
     corrections = tuple(_correction(rotor, loads, k) for k in range(len(rotor.planes)))
-    added = [(one.moment.value, one.plane.place) for one in corrections]
-    carried = [one.moment.slack for one in corrections]
+    added = [(correction.moment.value, correction.plane.place) for correction in corrections]
+    carried = [correction.moment.slack for correction in corrections]
     return Balance(
         by=ANALYSIS,
-        couple=_resultant([(one, rotor.arm(place)) for one, place in loads]),
-        unbalance=_resultant([(one, 1.0) for one, _ in loads]),
+        couple=_resultant([(load, rotor.arm(place)) for load, place in loads]),
+        unbalance=_resultant([(load, 1.0) for load, _ in loads]),
         corrections=corrections,
         before=_reactions(rotor, loads, []) if borne else (),
         after=_reactions(rotor, [*loads, *added], [*[0.0] * len(loads), *carried]) if borne else (),
     )
 
 
-def moment(one: Unbalance) -> complex:
+def moment(mass: Unbalance) -> complex:
     """Give a static moment kg*m by its components along and across the direction of angle 0."""
-    along = direction(one.angle)
-    return complex(one.moment * along.real, one.moment * along.imag)
+    along = direction(mass.angle)
+    return complex(mass.moment * along.real, mass.moment * along.imag)
 
 
 def direction(angle: Fraction) -> complex:
@@ -59,10 +59,10 @@ def _correction(rotor: Rotor, loads: Sequence[tuple[complex, Fraction]], k: int)
     """Give the correction in a plane: against each static moment by its share of the span, all of it in one plane."""
     plane = rotor.planes[k]
     if not rotor.dynamic:
-        return Correction(plane, _resultant([(one, -1.0) for one, _ in loads]))
+        return Correction(plane, _resultant([(load, -1.0) for load, _ in loads]))
     other = rotor.planes[1 - k].place
     span = plane.place - other
-    return Correction(plane, _resultant([(one, float((other - place) / span)) for one, place in loads]))
+    return Correction(plane, _resultant([(load, float((other - place) / span)) for load, place in loads]))
 
 
 def _reactions(
@@ -75,12 +75,12 @@ def _reactions(
     for here, other in (rotor.bearings, rotor.bearings[::-1]):
         shares = [float((other - place) / (here - other)) * rotor.speed**2 for _, place in loads]
         slack = sum(abs(share) * off for share, off in zip(shares, carried, strict=False))
-        resultants.append(_resultant(zip((one for one, _ in loads), shares, strict=True), slack))
+        resultants.append(_resultant(zip((load for load, _ in loads), shares, strict=True), slack))
     return tuple(resultants)
 
 
 def _resultant(weighted: Iterable[tuple[complex, float]], carried: float = 0.0) -> Resultant:
     """Sum vectors times numbers; `carried` is how far rounding can have moved the vectors themselves."""
-    terms = [one * times for one, times in weighted]
-    value = complex(math.fsum(one.real for one in terms), math.fsum(one.imag for one in terms))
+    terms = [load * times for load, times in weighted]
+    value = complex(math.fsum(term.real for term in terms), math.fsum(term.imag for term in terms))
     return Resultant(value, ROUNDING * EPS * math.fsum(map(abs, terms)) + carried)

@@ -58,8 +58,8 @@ class WeightBounds:
     def _off(self, weight: Counterweight) -> float:
         """Give how far one of them may be off: its mass, too, and its centre told from the zero of the link's frame."""
         slack = self.slack(weight.link)
-        told = weight.mass * (abs(weight.centre) + abs(weight.origin) - abs(weight.centre - weight.origin))
-        return slack + abs(weight.centre) * uncertain(weight, slack) + 2 * EPS * told
+        cancelled = weight.mass * (abs(weight.centre) + abs(weight.origin) - abs(weight.centre - weight.origin))
+        return slack + abs(weight.centre) * uncertain(weight, slack) + 2 * EPS * cancelled
 
     @property
     def _given(self) -> float:

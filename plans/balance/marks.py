@@ -86,8 +86,8 @@ def _zeros(drawing: Drawing) -> Iterator[Mark]:
 
 
 def _vanishes(chain: Chain) -> bool:
-    laid = sum(abs(at(side.vector.point, 0)) for side in chain.sides)
-    return abs(at(chain.end.point, 0)) <= ROUNDING * EPS * laid
+    length = sum(abs(at(side.vector.point, 0)) for side in chain.sides)
+    return abs(at(chain.end.point, 0)) <= ROUNDING * EPS * length
 
 
 def _none(balance: BalanceStudy) -> NoMark:

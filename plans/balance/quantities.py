@@ -63,8 +63,8 @@ class Costs:
 
     @cached_property
     def _centres(self) -> dict[bool, Centre]:
-        told = (False, True) if self.ours.after is not None else (False,)
-        return {after: Centre(self.study, self.stretch, after, self.weights) for after in told}
+        stages = (False, True) if self.ours.after is not None else (False,)
+        return {after: Centre(self.study, self.stretch, after, self.weights) for after in stages}
 
     def forces(self, after: bool) -> ForceFindings:
         """Give the forces over the turn by both roads, with what rounding allows the construction."""
@@ -245,7 +245,7 @@ def _vectors(study: BalanceStudy, found: Balance) -> Vectors:
     return before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems)
 
 
-def _centre(centre: MassCentre, told: Mapping[int, complex], datum: complex) -> dict[str, Any]:
+def _centre(centre: MassCentre, vectors: Mapping[int, complex], datum: complex) -> dict[str, Any]:
     """Give the mass centre over the positions; the vectors h of the links are in their own frames.
 
     The main moment of the inertia forces is about the shaft.
@@ -256,7 +256,7 @@ def _centre(centre: MassCentre, told: Mapping[int, complex], datum: complex) -> 
         "a": pairs(centre.a),
         "force": pairs(centre.force),
         "moment": plain(centre.moment),
-        "vectors": {str(link): _vector(h) for link, h in sorted(told.items())},
+        "vectors": {str(link): _vector(h) for link, h in sorted(vectors.items())},
     }
 
 

@@ -68,15 +68,15 @@ class Sums:
 
     def total(self, name: str, terms: Iterable[Term], none: Term, why: Message) -> Term:
         """Lay masses or static moments off end to end; the end of the last is their sum."""
-        laid = [term for term in terms if term.value]
-        if len(laid) < 2:
-            return laid[0] if laid else none
+        nonzero = [term for term in terms if term.value]
+        if len(nonzero) < 2:
+            return nonzero[0] if nonzero else none
         board = self.masses if none is self.no_mass else self.moments
-        end = laid[0].mark
-        for number, term in enumerate(laid[1:], 2):
-            letters = name if number == len(laid) else f"{name}:{number}"
+        end = nonzero[0].mark
+        for number, term in enumerate(nonzero[1:], 2):
+            letters = name if number == len(nonzero) else f"{name}:{number}"
             end = board.lay_off(letters, end, term.mark, why)
-        return Term(end, sum(term.size for term in laid))
+        return Term(end, sum(term.size for term in nonzero))
 
     def less(self, name: str, whole: Term, part: Term, why: Message) -> Term:
         """Take a mass from another: what is left of it."""

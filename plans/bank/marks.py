@@ -62,12 +62,12 @@ def _zeros(bank: BankStudy) -> Iterator[Mark]:
 
 def _other_order(task: BankTask, name: str) -> NoMark | None:
     """Say of a vector of an order that is not told how to have it told."""
-    found, told = NUMERAL.match(name), orders_of(task)
+    found, known = NUMERAL.match(name), orders_of(task)
     strange = (order for order in range(1, ORDER_LIMIT + 1) if found and roman(order) == found[1])
-    order = next(strange, told[0])
-    if order in told:
+    order = next(strange, known[0])
+    if order in known:
         return None
-    orders = ", ".join(map(str, sorted((*told, order))))
+    orders = ", ".join(map(str, sorted((*known, order))))
     return NoMark((), message("mark.other_order", order=order, orders=orders), ())
 
 

@@ -118,8 +118,8 @@ class _Compared(NamedTuple):
         if len(sides) > MOST_SIDES:
             return None
         board = Board(figure if signed > 0 else f"{figure}{BACK}")
-        laid = [board.given(f"{kind}:{k}", side.vector.value) for k, side in enumerate(sides)]
-        closed = polygon(board, board.given("0", 0j), f"-{kind}", laid)
+        vectors = [board.given(f"{kind}:{k}", side.vector.value) for k, side in enumerate(sides)]
+        closed = polygon(board, board.given("0", 0j), f"-{kind}", vectors)
         return board.turn(kind, closed.closing, times)
 
     def compensators(self) -> Iterator[Quantity]:
@@ -251,9 +251,9 @@ def _compensator(compensator: Compensator) -> dict[str, Any]:
         "with_crank": (compensator.with_crank, compensator.with_angle),
         "against": (compensator.against, compensator.against_angle),
     }
-    told = {name: _weight(size, angle, compensator.asked.mass) for name, (size, angle) in weights.items()}
+    masses = {name: _weight(size, angle, compensator.asked.mass) for name, (size, angle) in weights.items()}
     couple = None if compensator.couple is None else {"moment": compensator.couple, "angle": compensator.couple_angle}
-    return {"order": compensator.asked.order, **told, "residual": compensator.residual, "couple": couple}
+    return {"order": compensator.asked.order, **masses, "residual": compensator.residual, "couple": couple}
 
 
 def _weight(size: float, angle: float | None, mass: float | None) -> dict[str, Any]:

@@ -133,7 +133,7 @@ class Judged:
         drawing = profile(self.course, self.sizes, self.roller, turned).drawing
         mark = drawing.board[POINT] if self.roller else drawing.point
         found = self.envelope(turned)
-        return max(float(abs(exact([mark], k)[mark] - complex(one))) for k, one in enumerate(found.tolist()))
+        return max(float(abs(exact([mark], k)[mark] - complex(place))) for k, place in enumerate(found.tolist()))
 
 
 def _pairs(points: Points) -> Floats:

@@ -95,13 +95,13 @@ class Replay(NamedTuple):
         drafts = Drafts(study, study.turn.part(list(positions)))
         plans = [drafts.plan(k) for k in range(order + 1)]
         found: dict[str, tuple[Callable[..., Any], Sequence[Mark]]] = {}
-        for told, plan in zip(ORDERS, plans, strict=False):
+        for symbols, plan in zip(ORDERS, plans, strict=False):
             links = {number: link for number, link in study.mechanism.links.items() if number != FRAME}
             moving = {name for link in links.values() for name in link.points} - {*study.mechanism.links[FRAME].points}
-            found |= {f"{told.point.symbol}_{name}": (lambda point: point, [plan.point(name)]) for name in moving}
+            found |= {f"{symbols.point.symbol}_{name}": (lambda point: point, [plan.point(name)]) for name in moving}
             for number in links:
-                name = f"{told.link.symbol}_{number}"
-                if told.number == 0:
+                name = f"{symbols.link.symbol}_{number}"
+                if symbols.number == 0:
                     found[name] = partial(_angle, complex(plan.images[number].span)), [plan.arm(number)]
                 elif number in plan.readings:  # a link that does not turn has no rate that could be wrong
                     found[name] = _rate, plan.readings[number]
@@ -113,7 +113,7 @@ class Replay(NamedTuple):
         found = []
         for column, position in list(enumerate(self.positions))[:columns]:
             true = exact(wanted, column, {self.crank: direction(self.study, position)})
-            found.append({name: reading(*(true[mark] for mark in own)) for name, (reading, own) in self.read.items()})
+            found.append({name: reading(*(true[mark] for mark in used)) for name, (reading, used) in self.read.items()})
         return found
 
 
@@ -151,7 +151,7 @@ class Truth:
         gone = np.any([np.isnan(row) for point in found.points.values() for row in point], axis=0)
         self.replay = Replay.of(linkage, sample(gone | linkage.lost), self.order)
         self.true = self.replay.values()
-        self.largest = {one.name: one.largest for one in quantities(study, "linkage")}
+        self.largest = {quantity.name: quantity.largest for quantity in quantities(study, "linkage")}
 
     def judge(self, motion: Motion) -> Errors | None:
         """Judge a motion by its quantities that are truly known."""
@@ -175,8 +175,8 @@ def named(motion: Motion) -> dict[str, Any]:
     """Give the quantities of a motion by their names."""
     found: dict[str, Any] = {}
     for k, order in enumerate(ORDERS):
-        found |= {f"{order.point.symbol}_{name}": own[k] for name, own in motion.points.items() if k < len(own)}
-        found |= {f"{order.link.symbol}_{number}": own[k] for number, own in motion.links.items() if k < len(own)}
+        found |= {f"{order.point.symbol}_{name}": moved[k] for name, moved in motion.points.items() if k < len(moved)}
+        found |= {f"{order.link.symbol}_{number}": moved[k] for number, moved in motion.links.items() if k < len(moved)}
     return found
 
 

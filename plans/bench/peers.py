@@ -67,9 +67,9 @@ def four_bar(study: LinkageStudy) -> FourBar | None:
     a, c, b = dyad.hinge(moved), dyad.hinge(1 - moved), dyad.pin
     if a != drive.end or len(links[drive.link].points) > 2 or len(links[rocker].points) > 2:
         return None
-    own = links[coupler].points
-    span = own[b] - own[a]
-    points = {name: (place - own[a]) / span * abs(span) for name, place in own.items() if name not in (a, b)}
+    spots = links[coupler].points
+    span = spots[b] - spots[a]
+    points = {name: (place - spots[a]) / span * abs(span) for name, place in spots.items() if name not in (a, b)}
     return FourBar(
         (drive.pivot, a, b, c), (drive.link, coupler, rocker),
         links[drive.link].points[a] - links[drive.link].points[drive.pivot], span,

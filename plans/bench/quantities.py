@@ -25,22 +25,22 @@ def quantities(study: Study, technique: str) -> Sequence[Quantity]:
 
 def apart(found: Sequence[Quantity]) -> Errors | None:
     """Judge the quantities of a technique by how far its two roads are apart."""
-    return Errors.of({f"{one.plan}: {one.name}": _share(one) for one in found})
+    return Errors.of({f"{quantity.plan}: {quantity.name}": _share(quantity) for quantity in found})
 
 
-def _share(one: Quantity) -> float:
+def _share(quantity: Quantity) -> float:
     """Give the largest difference in shares of the plan's largest; what one road alone finds is infinitely wrong."""
-    if not np.isfinite(one.excess).all():
+    if not np.isfinite(quantity.excess).all():
         return float("inf")
-    off = float(np.nanmax(one.difference, initial=0.0))
-    if one.largest > 0:
-        return off / one.largest
-    return 0.0 if (one.excess <= 1.0).all() else float("inf")
+    off = float(np.nanmax(quantity.difference, initial=0.0))
+    if quantity.largest > 0:
+        return off / quantity.largest
+    return 0.0 if (quantity.excess <= 1.0).all() else float("inf")
 
 
 def follows(found: Sequence[Quantity], count: int | None) -> bool:
     """Tell whether a technique finds something at every position, so that more of them are more work."""
-    return any(one.construction.size == count for one in found)
+    return any(quantity.construction.size == count for quantity in found)
 
 
 def roads(study: Study, technique: str, count: int | None) -> Iterator[Road]:

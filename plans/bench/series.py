@@ -100,7 +100,7 @@ def dynamics(study: Study, order: Order) -> Iterator[Road]:
     """List the chords over strips, the flywheel and the table of the run of a scene's machine."""
     found = study.of(DynamicsStudy)
     counts = STRIPS if order.startup else STRIPS[:4]
-    yield from (one.road(count) for one in KNOWN for count in counts)
+    yield from (diagram.road(count) for diagram in KNOWN for count in counts)
     turn: Exact | None = getattr(study.of(DynamicsComparison), "turn", None)
     if turn is not None:
         most = float(np.abs(turn.moment(turn.load.looks)).max(initial=0.0)) or 1.0
@@ -116,8 +116,8 @@ def dynamics(study: Study, order: Order) -> Iterator[Road]:
         asked = found.run_task._replace(turns=0, brake=None)
         true, step = _time(solver.run(link, found.motor, asked)), table.step_of(link, found.motor, found.run_task)
         for count in PARTS:
-            own = partial(table.run, link, found.motor, asked._replace(step=step / count))
-            yield Road(own, count, {RUN: lambda run: _off(true, true, _time(run))})
+            ours = partial(table.run, link, found.motor, asked._replace(step=step / count))
+            yield Road(ours, count, {RUN: lambda run: _off(true, true, _time(run))})
 
 
 def _off(true: float, largest: float, value: float) -> Errors:
@@ -150,14 +150,14 @@ def _time(run: Run) -> float:
 def diagrams(study: Study, order: Order) -> Iterator[Road]:
     """List the kinematic diagrams of a scene over several numbers of positions."""
     for count in (POSITIONS if order.startup else POSITIONS[:3]) if turns(study.scene) else ():
-        own = Study(with_positions(study.scene, count))
-        letters = [one.name.partition(" ")[0] for one in quantities(own, "diagrams") if one.name.endswith(" chords")]
-        judged = {DIAGRAMS.format(letter): partial(_by_chords, own, letter) for letter in letters}
-        yield Road(partial(lambda one: one.anew("diagrams")["diagrams"].construct(one.plans), own), count, judged)
+        denser = Study(with_positions(study.scene, count))
+        letters = [row.name.partition(" ")[0] for row in quantities(denser, "diagrams") if row.name.endswith(" chords")]
+        judged = {DIAGRAMS.format(letter): partial(_by_chords, denser, letter) for letter in letters}
+        yield Road(partial(lambda made: made.anew("diagrams")["diagrams"].construct(made.plans), denser), count, judged)
 
 
 def _by_chords(study: Study, letter: str, _: Any) -> Errors:
-    found = {one.name: one for one in quantities(study, "diagrams")}
+    found = {quantity.name: quantity for quantity in quantities(study, "diagrams")}
     chords, exact = (found[f"{letter} {which}"] for which in ("chords", "middles"))
     share = float(np.nanmax(np.abs(chords.construction - exact.analysis))) / (exact.largest or 1.0)
     return Errors.one(share)
@@ -171,11 +171,11 @@ def bank(study: Study, _: Order) -> Iterator[Road]:
     def judge(few: Harmonics) -> Errors | None:
         largest = max(abs(complex(mark.point)) for mark in true.vectors.values()) or 1.0
         off = {mark.name: abs(complex(mark.point - true.vectors[n].point)) for n, mark in few.vectors.items()}
-        return Errors.of({name: one / largest for name, one in off.items()})
+        return Errors.of({name: away / largest for name, away in off.items()})
 
     for count in FEW:
-        own = partial(_few, found, count)
-        yield Road(own, count, {ORDINATES: judge})
+        fewer = partial(_few, found, count)
+        yield Road(fewer, count, {ORDINATES: judge})
 
 
 def _few(found: BankStudy, count: int) -> Harmonics:

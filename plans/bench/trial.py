@@ -59,7 +59,7 @@ class Times:
         >>> Times((4.0, 6.0, 9.0)).over(Times((2.0, 2.0))).seconds
         (2.0, 3.0)
         """
-        return Times(tuple(own / theirs for own, theirs in zip(self.seconds, other.seconds, strict=False)))
+        return Times(tuple(ours / theirs for ours, theirs in zip(self.seconds, other.seconds, strict=False)))
 
 
 def interleaved(runs: Sequence[Callable[[], Any]], rounds: int, budget: float) -> list[Times]:
@@ -201,8 +201,8 @@ def machine() -> Computer:
 
 def _processor() -> str:
     """Name the processor as Linux tells it; elsewhere the platform's own name must do."""
-    told = Path("/proc/cpuinfo").read_text("utf-8", errors="replace") if Path("/proc/cpuinfo").is_file() else ""
-    models = [line.partition(":")[2] for line in told.splitlines() if line.startswith("model name")]
+    text = Path("/proc/cpuinfo").read_text("utf-8", errors="replace") if Path("/proc/cpuinfo").is_file() else ""
+    models = [line.partition(":")[2] for line in text.splitlines() if line.startswith("model name")]
     return " ".join(models[0].split()) if models else platform.processor() or platform.machine()
 
 
@@ -258,7 +258,7 @@ def timed(roads: Sequence[Road], rounds: int, budget: float = BUDGET) -> list[Ro
             rows += [Row(name, road.positions, note=found) for name in road.judged]
         else:
             taken = next(times) if took <= LONG else Times((took,))
-            rows += [Row(name, road.positions, own, taken, road.note, road.of) for name, own in found.items()]
+            rows += [Row(name, road.positions, errors, taken, road.note, road.of) for name, errors in found.items()]
     return rows
 
 
@@ -288,8 +288,8 @@ def orders(rows: Sequence[Row], least: float = 1e-12) -> Iterator[str]:
     What is `least` or under is rounding, and has no order.
     """
     for name in dict.fromkeys(row.technique for row in rows):
-        own = [(row.positions, row.errors.worst) for row in rows if row.technique == name and row.errors]
-        there = [(count, error) for count, error in own if count and error > least]
+        measured = [(row.positions, row.errors.worst) for row in rows if row.technique == name and row.errors]
+        there = [(count, error) for count, error in measured if count and error > least]
         counts, errors = [count for count, _ in there], [error for _, error in there]
         if len(set(counts)) > 1:
             yield f"  {name}: order {order(errors, counts):.2f} from {counts[0]} to {counts[-1]}"

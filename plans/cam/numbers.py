@@ -29,8 +29,8 @@ def numbers(study: Study, by: str) -> Numbers:
     """Give the cams of a scene by a road."""
     cams = study.of(CamStudy)
     found: Sequence[CamFound] = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
-    told = {result.cam.name: _cam(result, study.plans) for result in found}
-    return Numbers({"scene": study.scene.heading(), "by": by, "cams": told}, any(result.flaws for result in found))
+    by_name = {result.cam.name: _cam(result, study.plans) for result in found}
+    return Numbers({"scene": study.scene.heading(), "by": by, "cams": by_name}, any(result.flaws for result in found))
 
 
 def _cam(result: CamFound, plans: Collection[str]) -> dict[str, Any]:

@@ -266,8 +266,8 @@ class Compared:
         for kind, extreme in ours.pressure.items():
             angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
             yield self._one(PROFILE, f"α_{kind}", "rad", abs(extreme.value), abs(theirs.pressure[kind].value), angle)
-        for name, one_, true in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
-            yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(true), self.bent(one_))
+        for name, found, true in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
+            yield self._one(PROFILE, name, "1/m", _bent(found), _bent(true), self.bent(found))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):
             yield self._one(PROFILE, f"face_{side}", "m", ours.face[k], theirs.face[k], self.slack.lever)
 

@@ -25,15 +25,17 @@ UNITS = {POSITIONS.plan: "m"}
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps from the tool back to the crank in a characteristic position."""
     found = study.of(CyclogramStudy)
-    told, asked = found.cyclogram.positions, NAME.fullmatch(name)
+    positions, asked = found.cyclogram.positions, NAME.fullmatch(name)
     if asked is None:
-        examples = tuple(f"phi_{k}" for k, one in enumerate(told) if one.role not in (BEGIN, END) and one.notched)
-        return NoMark(examples, message("mark.characteristic", last=len(told) - 1), examples[:1])
+        examples = tuple(
+            f"phi_{k}" for k, stage in enumerate(positions) if stage.role not in (BEGIN, END) and stage.notched
+        )
+        return NoMark(examples, message("mark.characteristic", last=len(positions) - 1), examples[:1])
     number = int(asked["number"])
-    if number >= len(told):
-        raise UnknownMark(message("mark.position", position=number, last=len(told) - 1))
-    plan = alone(found.stations, told, number)
+    if number >= len(positions):
+        raise UnknownMark(message("mark.position", position=number, last=len(positions) - 1))
+    plan = alone(found.stations, positions, number)
     if plan is None:
         raise UnknownMark(message("mark.not_notched", position=number))
-    parts = {"mark": name, "position": number, "angle": f"{np.degrees(told[number].turned):.10g}"}
+    parts = {"mark": name, "position": number, "angle": f"{np.degrees(positions[number].turned):.10g}"}
     return Explanation(message("explain.title", **parts), tuple(behind(crank(plan))), UNITS, (), POSITIONS.plan)

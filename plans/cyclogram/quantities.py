@@ -32,7 +32,7 @@ class CyclogramComparison(Comparison):
     @property
     def apart(self) -> Message:
         """Say in what the two roads differ most: in what positions there are at all, or in one of them."""
-        ours, theirs = (tuple(one.role for one in road.positions) for road in (self.construction, self.analysis))
+        ours, theirs = (tuple(stage.role for stage in road.positions) for road in (self.construction, self.analysis))
         return super().apart if ours == theirs else message("check.positions", ours=len(ours), theirs=len(theirs))
 
 
@@ -43,7 +43,7 @@ def compare_cyclogram(study: CyclogramStudy) -> CyclogramComparison:
     theirs = analysis.cyclogram(road, study.task, study.output, watch.watched if watch else None)
     if theirs is None:
         theirs = Cyclogram("analysis", study.output, ours.sense, np.nan, ours.sliding, np.nan)
-    motion = road.motion(np.array([one.turned * ours.sense for one in ours.positions]), 0)
+    motion = road.motion(np.array([stage.turned * ours.sense for stage in ours.positions]), 0)
     kappa = float(np.max(road.conditions(motion)))
     return CyclogramComparison(ours, theirs, tuple(_findings(ours, theirs, kappa)))
 
@@ -53,49 +53,49 @@ def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Quan
     rounding = ROUNDINGS * EPS * kappa
     yield _finding("H", unit, ours.stroke, theirs.stroke, rounding * ours.stroke, ours.stroke)
     yield _finding("θ", "rad", ours.overlap, theirs.overlap, rounding * kappa * TURN, TURN)
-    same = [one.role for one in ours.positions] == [one.role for one in theirs.positions]
+    same = [stage.role for stage in ours.positions] == [stage.role for stage in theirs.positions]
     others = theirs.positions if same else (None,) * len(ours.positions)
-    for number, (one, other) in enumerate(zip(ours.positions, others, strict=True)):
-        yield from _position(number, one, other, rounding)
+    for number, (stage, other) in enumerate(zip(ours.positions, others, strict=True)):
+        yield from _position(number, stage, other, rounding)
     if same:
-        ends = [one for one in ours.positions if one.turned in (ours.window.start, ours.window.end % TURN)]
-        allowed = sum(_allowed(one, rounding) for one in ends) + rounding
+        ends = [stage for stage in ours.positions if stage.turned in (ours.window.start, ours.window.end % TURN)]
+        allowed = sum(_allowed(stage, rounding) for stage in ends) + rounding
         yield _finding("φ_rise", "rad", ours.window.angle, theirs.window.angle, allowed, TURN)
 
 
-def _position(number: int, one: Position, other: Position | None, rounding: float) -> Iterator[Quantity]:
+def _position(number: int, stage: Position, other: Position | None, rounding: float) -> Iterator[Quantity]:
     """Compare the turn of the main shaft in a position, and the pressure angle where that is extreme."""
-    turned = np.nan if other is None else one.turned + _apart(one.turned, other.turned)
-    yield _finding(f"φ_{number}", "rad", one.turned, turned, _allowed(one, rounding), TURN)
-    if one.angle is not None:
+    turned = np.nan if other is None else stage.turned + _apart(stage.turned, other.turned)
+    yield _finding(f"φ_{number}", "rad", stage.turned, turned, _allowed(stage, rounding), TURN)
+    if stage.angle is not None:
         theirs = np.nan if other is None or other.angle is None else other.angle
-        yield _finding(f"α_{number}", "rad", one.angle, theirs, _allowed(one, rounding), np.pi / 2)
+        yield _finding(f"α_{number}", "rad", stage.angle, theirs, _allowed(stage, rounding), np.pi / 2)
 
 
-def _allowed(one: Position, rounding: float) -> float:
+def _allowed(stage: Position, rounding: float) -> float:
     """Allow what rounding can have moved: the notches, and of the analysis the root, as sharply as the place tells."""
-    return min(one.slack + rounding * TURN * max(one.condition, 1.0), MOST_ALLOWED * TURN)
+    return min(stage.slack + rounding * TURN * max(stage.condition, 1.0), MOST_ALLOWED * TURN)
 
 
-def _apart(one: float, other: float) -> float:
-    return (other - one + TURN / 2) % TURN - TURN / 2
+def _apart(first: float, other: float) -> float:
+    return (other - first + TURN / 2) % TURN - TURN / 2
 
 
-def _finding(name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Quantity:
-    return Quantity.of((CYCLOGRAM, name, unit), (one, other), allowed, largest)
+def _finding(name: str, unit: str, ours: float, other: float, allowed: float, largest: float) -> Quantity:
+    return Quantity.of((CYCLOGRAM, name, unit), (ours, other), allowed, largest)
 
 
 def numbers(study: Study, by: str) -> Numbers:
     """Find the characteristic positions of a scene by a road: what has no numbers is refused."""
     found: Cyclogram = study.of(CyclogramComparison).analysis if by == ANALYSIS else study.of(CyclogramStudy).cyclogram
     window = found.window
-    told: dict[str, Any] = {"stroke": found.stroke, "overlap": found.overlap, "sense": found.sense}
-    told["window"] = {"start": window.start, "end": window.end, "angle": window.angle, "rest": window.rest}
-    told["positions"] = [_place(k, one) for k, one in enumerate(found.positions)]
-    return Numbers({"scene": study.scene.heading(), "by": found.by, "cyclogram": told})
+    data: dict[str, Any] = {"stroke": found.stroke, "overlap": found.overlap, "sense": found.sense}
+    data["window"] = {"start": window.start, "end": window.end, "angle": window.angle, "rest": window.rest}
+    data["positions"] = [_place(k, stage) for k, stage in enumerate(found.positions)]
+    return Numbers({"scene": study.scene.heading(), "by": found.by, "cyclogram": data})
 
 
-def _place(number: int, one: Position) -> dict[str, Any]:
-    told = {"number": number, "role": one.role, "back": one.back, "turned": one.turned, "share": one.share}
-    bounded = one.role not in (BEGIN, END)  # where the tool stands a turn of the shaft does not move it
-    return told | {"place": one.place, "pressure": one.angle, "condition": one.condition if bounded else None}
+def _place(number: int, stage: Position) -> dict[str, Any]:
+    data = {"number": number, "role": stage.role, "back": stage.back, "turned": stage.turned, "share": stage.share}
+    bounded = stage.role not in (BEGIN, END)  # where the tool stands a turn of the shaft does not move it
+    return data | {"place": stage.place, "pressure": stage.angle, "condition": stage.condition if bounded else None}

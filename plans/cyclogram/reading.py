@@ -83,7 +83,7 @@ class CyclogramTable(Table):
         """See that the tool goes past the work somewhere, and that some of the stroke is left for it."""
         if not any(self.ends):
             raise wrong("no_overrun", at=("overrun",))
-        if not any(isinstance(one, Metres) for one in self.ends) and sum(self.ends) >= 1:
+        if not any(isinstance(end, Metres) for end in self.ends) and sum(self.ends) >= 1:
             raise wrong("no_stroke_left", at=("overrun",))
 
 
@@ -121,8 +121,8 @@ def _of_loads(scene: Scene) -> Iterator[Along]:
     """Give the inner points of the diagram of the first load that works on the output's stroke."""
     forces = scene.part("forces")
     loads = forces.loads if isinstance(forces, ForceForm) else None
-    told = (one for one in (loads.forces if loads else ()) if one.diagram is not None and not one.owns_stroke)
-    load = next((one for one in told if one.phase != IDLE), None)
+    tables = (table for table in (loads.forces if loads else ()) if table.diagram is not None and not table.owns_stroke)
+    load = next((table for table in tables if table.phase != IDLE), None)
     if load is not None and load.diagram is not None:
         inner = dict.fromkeys(share for share in load.diagram.shares if 0 < share < 1)
         yield from (Along(float(share)) for share in inner)

@@ -27,10 +27,10 @@ def rows_of_cams(cams: Sequence[Cam]) -> tuple[Row, ...]:
 
 def _phases(cam: Cam) -> Iterator[Span]:
     """Give the phases; their labels are the indices of their letters, several of one kind numbered."""
-    kinds = [REST if one.kind == DWELL and not one.level else one.kind for one in cam.phases]
-    for k, (kind, one) in enumerate(zip(kinds, cam.phases, strict=True)):
+    kinds = [REST if phase.kind == DWELL and not phase.level else phase.kind for phase in cam.phases]
+    for k, (kind, phase) in enumerate(zip(kinds, cam.phases, strict=True)):
         label = kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
-        yield Span(cam.setting + one.start, cam.setting + one.end, kind, label)
+        yield Span(cam.setting + phase.start, cam.setting + phase.end, kind, label)
 
 
 def rows_of_machine(found: Cyclogram) -> tuple[Row, ...]:
@@ -54,11 +54,11 @@ def _strokes(found: Cyclogram) -> Iterator[Span]:
 
 def _tool(found: Cyclogram) -> Iterator[Span]:
     """Give what the tool does from one of its places to the next."""
-    stops = [one for one in found.positions if one.role in (BEGIN, ENTRY, EXIT, END, LEAVE, BACK)]
+    stops = [position for position in found.positions if position.role in (BEGIN, ENTRY, EXIT, END, LEAVE, BACK)]
     begin = stops[0].turned
-    turned = [begin + (one.turned - begin) % TURN for one in stops]
-    for (one, start), (_, end) in pairwise(zip((*stops, stops[0]), (*turned, begin + TURN), strict=True)):
-        yield Span(start, end, _doing(found, one.role))
+    turned = [begin + (position.turned - begin) % TURN for position in stops]
+    for (position, start), (_, end) in pairwise(zip((*stops, stops[0]), (*turned, begin + TURN), strict=True)):
+        yield Span(start, end, _doing(found, position.role))
 
 
 def _doing(found: Cyclogram, role: str) -> str:

@@ -58,7 +58,7 @@ class Trial:
         if not asked:
             return np.zeros(0)
         low, high = (np.array(ends) for ends in zip(*map(self._between, asked), strict=True))
-        shares = np.array([one.share for one in asked])
+        shares = np.array([stop.share for stop in asked])
         for _ in range(LOOKS):
             fan = np.linspace(low, high, FAN)
             beyond = self.along(fan.ravel()).reshape(fan.shape) >= shares
@@ -153,7 +153,7 @@ class Stations:
         if self.way is None or self.path is None:
             return None
         plan = Plan("positions", self.sweep.mechanism)
-        tool.lay_out(plan, self.output, self.path, np.array([one.share for one in self.asked[chosen]]))
+        tool.lay_out(plan, self.output, self.path, np.array([stop.share for stop in self.asked[chosen]]))
         go_back(plan, self.way, self.sweep.plan(self.tried[chosen]))
         return plan
 
@@ -190,10 +190,10 @@ class Stations:
         extremes, sense = self.reached.extremes, self.trial.sense
         begin = sense * extremes.phi[0]
         found = [*self._ends(), *self._stops(), *self._watches()]
-        ordered = sorted(found, key=lambda one: (sense * one.turned - begin) % c.TURN)
-        told = tuple(one._replace(turned=c.within(sense * one.turned)) for one in ordered)
+        ordered = sorted(found, key=lambda position: (sense * position.turned - begin) % c.TURN)
+        placed = tuple(position._replace(turned=c.within(sense * position.turned)) for position in ordered)
         return Cyclogram(
-            c.CONSTRUCTION, self.output, int(sense), extremes.stroke, extremes.sliding, extremes.overlap, told
+            c.CONSTRUCTION, self.output, int(sense), extremes.stroke, extremes.sliding, extremes.overlap, placed
         )
 
     def _ends(self) -> Iterator[Position]:
@@ -233,12 +233,12 @@ class Stations:
 
 def alone(stations: Stations, positions: Sequence[Position], number: int) -> Plan | None:
     """Draw the notches of one of the characteristic positions; None of an extreme, and of one found by trial."""
-    one = positions[number]
-    if one.role == c.PRESSURE:
+    position = positions[number]
+    if position.role == c.PRESSURE:
         place = sum(other.role == c.PRESSURE for other in positions[:number])
         return stations.looking(slice(place, place + 1))
     stops = enumerate(stations.asked)
-    found = next((k for k, stop in stops if stop == Stop(one.role, one.share, one.back)), None)
+    found = next((k for k, stop in stops if stop == Stop(position.role, position.share, position.back)), None)
     return None if found is None else stations.toward(slice(found, found + 1))
 
 
@@ -253,8 +253,8 @@ def crank(plan: Plan) -> Mark:
 
 def asked(task: CyclogramTask, stroke: float) -> Sequence[Stop]:
     """Give the places of the tool: it enters and leaves the work past the overruns, and meets changes of the load."""
-    before, past = (one.share(stroke) for one in task.overrun)
+    before, past = (along.share(stroke) for along in task.overrun)
     found = [Stop(c.ENTRY, before), Stop(c.LEAVE, before, back=True)] if before else [Stop(c.BACK, 1 - past, back=True)]
     found += [Stop(c.EXIT, 1 - past)] if past else []
-    shares = (one.share(stroke) for one in task.breaks)
+    shares = (along.share(stroke) for along in task.breaks)
     return [*found, *(Stop(c.BREAK, share) for share in shares if share not in (before, 1 - past))]

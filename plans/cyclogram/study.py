@@ -47,11 +47,11 @@ class CyclogramStudy:
     @cached_property
     def output(self) -> Output:
         """The link that bears the tool: the output, unless the scene names a point of another."""
-        own, name = self.linkage.output, self.task.point
+        output, name = self.linkage.output, self.task.point
         if not name:
-            return own
-        if name in self.linkage.mechanism.links[own.link].points:
-            return own._replace(point=name)
+            return output
+        if name in self.linkage.mechanism.links[output.link].points:
+            return output._replace(point=name)
         shown = output_at(self.linkage.mechanism, name)
         assert shown is not None  # the survey has seen to it
         return shown
@@ -90,15 +90,15 @@ class CyclogramStudy:
         directions = np.exp(1j * phi)
         for role, exact in zip((BEGIN, END), self.reached.directions, strict=True):
             directions[found.number(role)] = exact
-        own = {"output": self.output, "extreme_positions": self.reached, "turn": CrankPositions(phi, directions)}
+        replaced = {"output": self.output, "extreme_positions": self.reached, "turn": CrankPositions(phi, directions)}
         kept = {name: getattr(linkage, name) for name in ("mechanism", "groups", "assembly", "sweep")}
-        vars(other).update(own | kept)
+        vars(other).update(replaced | kept)
         return other
 
     @property
     def _angles(self) -> Floats:
         """The crank angles of the positions, rad, each going on from the one before."""
-        turned = np.array([one.turned for one in self.cyclogram.positions])
+        turned = np.array([position.turned for position in self.cyclogram.positions])
         return np.asarray(self.cyclogram.sense * (turned[0] + (turned - turned[0]) % TURN))
 
     @property
@@ -119,16 +119,16 @@ class CyclogramStudy:
 
     def _check(self, found: ExtremePositions) -> None:
         """See that what the scene gives of the stroke lies on it."""
-        told: list[tuple[Path, Along]] = [(("overrun",), one) for one in self.task.overrun]
-        told += [(("breaks", k), one) for k, one in enumerate(self.task.breaks)]
+        places: list[tuple[Path, Along]] = [(("overrun",), along) for along in self.task.overrun]
+        places += [(("breaks", k), along) for k, along in enumerate(self.task.breaks)]
         stroke, sliding = found.extremes.stroke, found.extremes.sliding
-        for path, one in told:
-            if one.length and not sliding:
+        for path, along in places:
+            if along.length and not sliding:
                 raise self._refused((CYCLOGRAM, *path), message("cyclogram.swings", link=self.output.link))
-            if not one.share(stroke) < 1:
-                size, whole = (f"{1000 * length:.5g}" for length in (one.size, stroke))
+            if not along.share(stroke) < 1:
+                size, whole = (f"{1000 * length:.5g}" for length in (along.size, stroke))
                 raise self._refused((CYCLOGRAM, *path), message("cyclogram.beyond", size=size, stroke=whole))
-        if sum(one.share(stroke) for one in self.task.overrun) >= 1:
+        if sum(along.share(stroke) for along in self.task.overrun) >= 1:
             raise self._refused((CYCLOGRAM, "overrun"), message("cyclogram.no_work", stroke=f"{1000 * stroke:.5g}"))
 
     def _refused(self, path: Path, why: Message) -> NoCyclogram:

@@ -41,7 +41,7 @@ def way_back(mechanism: Mechanism, groups: Sequence[Group], link: int) -> tuple[
     """Give the groups from a link back to the crank; None where some link on the way turns about no fixed pivot."""
     way: list[Notch] = []
     while link != mechanism.drive.link:
-        notch = next((one for group in groups if (one := notch_of(mechanism, group, link))), None)
+        notch = next((found for group in groups if (found := notch_of(mechanism, group, link))), None)
         if notch is None:
             return None
         way.append(notch)
@@ -149,8 +149,8 @@ def lay_out(plan: Plan, out: Output, path: Path, shares: Floats) -> Mark:
     stroke = plan.board.join("H", first, last, because("tool_stroke"))
     gone = plan.board.turn(f"S_{name}", stroke, shares + 0j, because("tool_share"))
     mark = plan.name(name, plan.board.lay_off(name, first, gone, because("tool_place", point=name)))
-    own = plan.mechanism.links[out.link].points[name]
-    plan.images[out.link] = Image(mark, leads.unit(plan, slide, FRAME), own, slide.way(out.link).direction)
+    local = plan.mechanism.links[out.link].points[name]
+    plan.images[out.link] = Image(mark, leads.unit(plan, slide, FRAME), local, slide.way(out.link).direction)
     return mark
 
 
@@ -193,7 +193,7 @@ def watch_of(mechanism: Mechanism, groups: Sequence[Group]) -> Watch | None:
     """Give the first group of a rod with a rocker or a slider on the frame that can be notched; or none."""
     for group in groups:
         links = group.links if isinstance(group, Dyad) and isinstance(group.inner, str) else ()
-        notch = next((one for link in links if (one := notch_of(mechanism, group, link))), None)
+        notch = next((found for link in links if (found := notch_of(mechanism, group, link))), None)
         way = way_back(mechanism, groups, notch.host) if notch else None
         if notch is not None and way is not None:
             return Watch(notch, way)

@@ -88,12 +88,12 @@ class _Bounds:
     def _plan(self, order: int) -> Floats:
         """Give what the plan of an order allows the output at the positions, (M,); and of S what it allows its zero."""
         linkage: LinkageStudy = self.study.linkage
-        slide, told = frame_slide(linkage.mechanism, linkage.output.link), ORDERS[order]
+        slide, lettered = frame_slide(linkage.mechanism, linkage.output.link), ORDERS[order]
         if slide is None:
-            name = f"{told.link.symbol}_{linkage.output.link}"
+            name = f"{lettered.link.symbol}_{linkage.output.link}"
         else:
-            name = f"{told.point.symbol}_{linkage.output.point or slide.point}"
-        found = next(quantity for quantity in self.motion.of(told.plan) if quantity.name == name)
+            name = f"{lettered.point.symbol}_{linkage.output.point or slide.point}"
+        found = next(quantity for quantity in self.motion.of(lettered.plan) if quantity.name == name)
         allowed = np.broadcast_to(found.allowed, found.construction.shape)[list(self.axis.numbers)]
         return np.asarray(allowed + self._zero if order == 0 else allowed)
 

@@ -167,8 +167,8 @@ class ChordCurves:
         values = np.full(len(self.axis.turned), np.nan)
         for run, drawn in zip(self.axis.runs, self.growths, strict=True):
             if drawn is not None:
-                told = ordinates(drawn.points)
-                values[run.start + 1 : run.start + 1 + len(told)] = told
+                heights = ordinates(drawn.points)
+                values[run.start + 1 : run.start + 1 + len(heights)] = heights
         if self.axis.closed:
             values[0] = values[-1]
         return values

@@ -49,10 +49,10 @@ def fluctuation(value: object) -> Decimal:
 
 def _unbroken(text: str) -> Decimal | str:
     """Give "1/80" as a number; a decimal comma and a number in quotes have advice of their own."""
-    told = FRACTION.fullmatch(text)
-    if told and Decimal(told[1]):
-        return WORKING.divide(Decimal(1), Decimal(told[1]))
-    if told or not PLAIN.fullmatch(text):
+    ratio = FRACTION.fullmatch(text)
+    if ratio and Decimal(ratio[1]):
+        return WORKING.divide(Decimal(1), Decimal(ratio[1]))
+    if ratio or not PLAIN.fullmatch(text):
         raise wrong("fluctuation_written")
     return text
 
@@ -160,11 +160,11 @@ class MotorTable(Table):
 
     def check(self) -> None:
         """See that there is at most one law, that it is whole, and that a law by points comes down at its end."""
-        told = [name for name in self.keys if name in self.given and name in OWN]
-        leads = list(dict.fromkeys(OWN[name] for name in told))
+        named = [name for name in self.keys if name in self.given and name in OWN]
+        leads = list(dict.fromkeys(OWN[name] for name in named))
         if len(leads) > 1:
-            second = next(name for name in told if OWN[name] == leads[1])
-            raise wrong("one_of_two", first=told[0], second=second, found="both", at=(second,))
+            second = next(name for name in named if OWN[name] == leads[1])
+            raise wrong("one_of_two", first=named[0], second=second, found="both", at=(second,))
         names = LAWS[leads[0]] if leads else ()
         for name in names:
             if name not in self.given:

@@ -152,8 +152,8 @@ class Chords:
 
     def _methods(self, ours: Flywheel) -> Iterator[Quantity]:
         """Compare J0 by the other methods, from the points of the same loop."""
-        task, told = self.study.task, self.study.methods
-        if told is None or task.delta is None:
+        task, methods = self.study.task, self.study.methods
+        if methods is None or task.delta is None:
             return
         mean, even = task.speed**2 / 2, task.speed**2 * task.delta
         level = flywheel_of_points(self.theirs, task, (mean, mean)).cuts
@@ -161,9 +161,9 @@ class Chords:
         book = flywheel_of_points(self.theirs, task, book_slopes(task))
         allowed, largest = 2 * self._whole(ours), abs(ours.whole)
         pairs = {
-            "book": (told.book, book.whole),
-            "mertsalov": (told.mertsalov, (level[1] - level[0]) / even),
-            "gutyar": (told.gutyar, (gutyar[1] - gutyar[0]) / even),
+            "book": (methods.book, book.whole),
+            "mertsalov": (methods.mertsalov, (level[1] - level[0]) / even),
+            "gutyar": (methods.gutyar, (gutyar[1] - gutyar[0]) / even),
         }
         for name, (drawn, other) in pairs.items():
             yield Quantity.of((FLYWHEEL, f"J_0 {name}", "kg*m2"), (drawn, other), allowed, largest)
@@ -187,36 +187,36 @@ class Chords:
 
     def _speeds(self, names: tuple[str, str], ours: Speeds | None, theirs: Speeds | None) -> Iterator[Quantity]:
         """Compare a motion; one road alone that lets the machine stop is infinitely off."""
-        told = ours or theirs
-        if told is None:
+        speeds = ours or theirs
+        if speeds is None:
             return
-        masses = np.maximum(told.inertia + self.ours.varying, 0.0)
+        masses = np.maximum(speeds.inertia + self.ours.varying, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
-            off = self._energy(told) / (masses * told.omega)
-        pair = [np.full_like(told.omega, np.nan) if road is None else road.omega for road in (ours, theirs)]
+            off = self._energy(speeds) / (masses * speeds.omega)
+        pair = [np.full_like(speeds.omega, np.nan) if road is None else road.omega for road in (ours, theirs)]
         yield Quantity.of((SPEEDS, names[0], "rad/s"), (pair[0], pair[1]), np.asarray(off))
         if ours is not None and theirs is not None:
-            grown = self._growth(told, off, masses)
+            grown = self._growth(speeds, off, masses)
             values = ours.epsilon.ravel(), theirs.epsilon.ravel()
             yield Quantity.of((SPEEDS, names[1], "rad/s2"), values, np.repeat(grown, 2)[1:-1])
 
-    def _energy(self, told: Speeds) -> Floats:
+    def _energy(self, speeds: Speeds) -> Floats:
         """Give how far rounding can have moved the energy of the machine at each edge, J."""
-        steep = told.extremes[1] ** 2
+        steep = speeds.extremes[1] ** 2
         wheel = self.wheels[0]
         whole = 0.0
-        if wheel is not None and wheel.needed > 0 and told.inertia == wheel.whole:
+        if wheel is not None and wheel.needed > 0 and speeds.inertia == wheel.whole:
             whole = self._whole(wheel) * (wheel.slopes[1] - wheel.slopes[0])
         cut = 4 * float(self._surplus.max()) + 4 * steep * float(self.mass.max())
-        return np.asarray(whole + cut + 16 * EPS * abs(told.energy) + 0 * told.omega)
+        return np.asarray(whole + cut + 16 * EPS * abs(speeds.energy) + 0 * speeds.omega)
 
-    def _growth(self, told: Speeds, off: Floats, masses: Floats) -> Floats:
+    def _growth(self, speeds: Speeds, off: Floats, masses: Floats) -> Floats:
         """Give how far rounding can have moved the acceleration at each edge, rad/s2."""
         slope, bend = self.study.works.edge.slope, 2 * self.study.works.edge.off(self.study.works.edge.hindering)
         bend = bend + self.turn.noise * _largest(slope)
         beside = BESIDE * self.size + float(self.bent.max())
-        moved = float(self.mean.max()) + beside + told.omega * off * np.abs(slope) + told.omega**2 * bend
-        largest = np.maximum(np.abs(told.epsilon).max(), 0.0)
+        moved = float(self.mean.max()) + beside + speeds.omega * off * np.abs(slope) + speeds.omega**2 * bend
+        largest = np.maximum(np.abs(speeds.epsilon).max(), 0.0)
         return np.asarray((moved + largest * self.mass) / masses)
 
 

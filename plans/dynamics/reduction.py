@@ -207,8 +207,8 @@ class Reduction:
         gaps = self.study.motion(VELOCITIES.number).gaps
         gone = np.zeros(len(self.study.turn), dtype=bool)
         gone[[gap.position for gap in gaps]] = True
-        told = (self.own.moment, self.own.inertia, self.own.slope)
-        moment, inertia, slope = (np.where(gone, np.nan, row) for row in told)
+        rows = (self.own.moment, self.own.inertia, self.own.slope)
+        moment, inertia, slope = (np.where(gone, np.nan, row) for row in rows)
         return Reduced(CONSTRUCTION, self.study.turn.phi, moment, inertia, slope, gaps)
 
 

@@ -43,7 +43,7 @@ def touched(cycle: Cycle, slope: float, sign: int) -> Touch:
     wide = np.diff(cycle.turned)[:, None]
     energy = _strips(cycle.surplus, (cycle.driving + cycle.moments) * wide)
     inertia = _strips(cycle.varying, np.column_stack([cycle.leaning[:-1], cycle.leaning[1:]]) * wide)
-    beyond = Strips(*(sign * (one - slope * other) for one, other in zip(energy, inertia, strict=True)))
+    beyond = Strips(*(sign * (work - slope * other) for work, other in zip(energy, inertia, strict=True)))
     k, s = _tops(beyond)
     turned = np.append(cycle.turned, cycle.turned[k] + s[:, 0] * wide[k, 0])
     varying = np.append(cycle.varying, inertia.rows(k).value(s))

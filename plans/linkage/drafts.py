@@ -115,8 +115,8 @@ def unborne(sweep: Sweep, plan: Plan, turn: CrankPositions) -> Flags:
     if not sweep.groups or plan.board.clear:
         return np.zeros(len(turn), dtype=bool)
     field, _ = margins(plan, sweep.groups, sweep.sides)
-    told = near_edge(turn.phi, sweep.barriers, (OUT_OF_REACH, PARALLEL_GUIDES), BESIDE)
-    blunt = (field < UNBORNE).any(axis=0) & ~told
+    near = near_edge(turn.phi, sweep.barriers, (OUT_OF_REACH, PARALLEL_GUIDES), BESIDE)
+    blunt = (field < UNBORNE).any(axis=0) & ~near
     dead = near_edge(turn.phi, sweep.barriers, (OUT_OF_REACH,), UNBORNE)
     return np.asarray(blunt | dead | near_edge(turn.phi, sweep.barriers, (CHANGE_POINT,), AT_CHANGE))
 
@@ -134,11 +134,11 @@ def gaps_of(
     near = np.ones(len(turn), dtype=bool) if home is None else reached(turn.phi, home, barriers)
     found = []
     for k, position in enumerate(positions):
-        phi, told = float(turn.phi[k]), [float(miss[k]) for miss in misses]
+        phi, missed = float(turn.phi[k]), [float(miss[k]) for miss in misses]
         edge = None if home is None else bounding(phi, home, barriers)
         # Beyond a change point or parallel guides it does not matter whether the links would meet.
         met = edge is None or edge.kind == OUT_OF_REACH or near[k]
-        unplaced = _unplaced(field[:, k], nowhere[:, k], marks, told, k, position, phi) if met else None
+        unplaced = _unplaced(field[:, k], nowhere[:, k], marks, missed, k, position, phi) if met else None
         found.append(unplaced or (_unshown(position, phi) if home is None else _beyond(position, phi, edge)))
     return found
 

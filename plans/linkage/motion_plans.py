@@ -94,9 +94,9 @@ class PlanTemplate:
             else:
                 yield self.tracing.acts.fix(0.0)  # it does not turn
 
-    def _at_rest(self, told: Mapping[Any, list[int]], kind: type) -> dict[int, npt.NDArray[Any]]:
+    def _at_rest(self, by_kind: Mapping[Any, list[int]], kind: type) -> dict[int, npt.NDArray[Any]]:
         """Give the values that are the same at all positions."""
-        known = {place: self.tracing.acts.fixed(place) for places in told.values() for place in places}
+        known = {place: self.tracing.acts.fixed(place) for places in by_kind.values() for place in places}
         return {place: np.array([value], dtype=kind) for place, value in known.items() if value is not None}
 
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
@@ -122,12 +122,12 @@ class PlanTemplate:
 
     def read(self, numbers: list[Any], turn: CrankPositions) -> Motion:
         """Read all named points and moving links off the plans."""
-        seen = numbers.copy()
+        shown = numbers.copy()
         for place, row in self._resting(len(turn)).items():
-            seen[place] = row
-        seen[self._crank] = turn.headings
-        points = {letter: PointMotion([seen[place] for place in places]) for letter, places in self._points.items()}
-        links = {link: LinkMotion([seen[place] for place in places]) for link, places in self._links.items()}
+            shown[place] = row
+        shown[self._crank] = turn.headings
+        points = {letter: PointMotion([shown[place] for place in places]) for letter, places in self._points.items()}
+        links = {link: LinkMotion([shown[place] for place in places]) for link, places in self._links.items()}
         return Motion("construction", turn.phi, points, links, ())
 
     def _resting(self, count: int) -> dict[int, npt.NDArray[Any]]:

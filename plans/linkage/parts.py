@@ -150,7 +150,7 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
     gone = np.any([np.isnan(point[made.order]) for point in made.points.values()], axis=0)
     parts = _Parts(study, drafts, comparison.analysis, masses).all()
     bounds = errors(*(mark for part in parts for mark in part.span))
-    told = []
+    found = []
     for part in parts:
         ours = np.where(gone, np.nan, between(*part.span))
         theirs = np.where(gone, np.nan, part.analysis)
@@ -158,8 +158,8 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
         largest = comparison.of(part.order.plan)[0].largest
         allowed = with_analysis(drawn_error, part.order.number, comparison.kappa, largest)
         named = part.order.plan, part.name, part.order.point.unit
-        told.append(Quantity.of(named, (ours, theirs), allowed, largest, part.span))
-    return tuple(told)
+        found.append(Quantity.of(named, (ours, theirs), allowed, largest, part.span))
+    return tuple(found)
 
 
 def spans(study: LinkageStudy, drafts: Drafts, motion: Motion, masses: Masses = NONE) -> dict[str, Span]:
@@ -167,7 +167,7 @@ def spans(study: LinkageStudy, drafts: Drafts, motion: Motion, masses: Masses = 
     return {part.name: part.span for part in _Parts(study, drafts, motion, masses).all()}
 
 
-def alike(told: Iterable[Quantity], mechanism: Mechanism, masses: Masses = NONE) -> list[tuple[Quantity, ...]]:
+def alike(findings: Iterable[Quantity], mechanism: Mechanism, masses: Masses = NONE) -> list[tuple[Quantity, ...]]:
     """Put together what is one vector or one rate by its cause: of a link that never turns, of links joined by a slide.
 
     `told` are findings of velocities and accelerations; each stays in the place of the first that it is put with.
@@ -176,7 +176,7 @@ def alike(told: Iterable[Quantity], mechanism: Mechanism, masses: Masses = NONE)
     carried = {name: link for name, (link, _) in masses.items() if turning[link] == FRAME}
     carried |= {name: n for n, link in mechanism.links.items() if turning[n] == FRAME for name in link.points}
     found: dict[tuple[str, object], list[Quantity]] = {}
-    for finding in told:
+    for finding in findings:
         symbol, _, index = finding.name.partition("_")
         rate = symbol in (VELOCITIES.link.symbol, ACCELERATIONS.link.symbol)
         found.setdefault((symbol, turning[int(index)] if rate else carried.get(index, index)), []).append(finding)
@@ -199,8 +199,8 @@ class _Parts(NamedTuple):
     def all(self) -> list[VectorPart]:
         """List the parts, each once, in the order in which the plans are drawn."""
         vectors = vectors_of(self.study.mechanism, self.study.groups)
-        told = [*self._centres(), *(part for vector in vectors for part in self._of(vector))]
-        return list({part.name: part for part in told}.values())
+        parts = [*self._centres(), *(part for vector in vectors for part in self._of(vector))]
+        return list({part.name: part for part in parts}.values())
 
     def _centres(self) -> Iterator[VectorPart]:
         """Tell mass centres by the first point of their link."""
@@ -234,9 +234,9 @@ class _Parts(NamedTuple):
             yield VectorPart(VELOCITIES, f"v_{over}", span, 1j * self._rate(vector.link, 1) * arm)
         yield from self._about(vector.link, arm, (over, plan.point(vector.start), n, plan.point(vector.tip)))
 
-    def _about(self, link: int, arm: Complexes, told: tuple[str, Mark, Mark, Mark]) -> Iterator[VectorPart]:
+    def _about(self, link: int, arm: Complexes, marks: tuple[str, Mark, Mark, Mark]) -> Iterator[VectorPart]:
         """Tell the normal and the tangential part of an acceleration about a point of a link."""
-        over, start, normal, end = told
+        over, start, normal, end = marks
         omega, epsilon = self._rate(link, 1), self._rate(link, 2)
         yield VectorPart(ACCELERATIONS, f"a^{NORMAL}_{over}", Span(start, normal), -(omega**2) * arm)
         yield VectorPart(ACCELERATIONS, f"a^{TANGENTIAL}_{over}", Span(normal, end), 1j * epsilon * arm)
@@ -283,8 +283,8 @@ class _Parts(NamedTuple):
             locus for locus in end.step.inputs if locus.step.op == "parallel" and carried_from(locus, direction)
         )
         start = line.step.inputs[0]
-        laid = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
-        return Span(start, end), Span(start.step.inputs[0], start) if laid else None
+        drawn = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
+        return Span(start, end), Span(start.step.inputs[0], start) if drawn else None
 
     def _at(self, point: str, order: int) -> Complexes:
         return self.motion.points[point][order]

@@ -35,18 +35,18 @@ ROUNDINGS = 16.0  # of a distance by two places, each of a few roundings itself
 
 def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Iterator[Quantity]:
     """Hold the law of the cylinder that drives against the distance of its points, and what that grows by."""
-    ram, told = ram_of(study.mechanism), stroke_of(study.mechanism, len(solved.phi))
+    ram, stated = ram_of(study.mechanism), stroke_of(study.mechanism, len(solved.phi))
     found, driving = length_of(study.mechanism, solved, order), cylinder(study.mechanism)
     # The crank's angle is known to a rounding of the length over the share of its turning that goes along the cylinder.
     arm = driving.arm
     blunt = np.maximum(arm, found[0]) / driving.lever(solved)
     for k, row in enumerate(found):
-        due = np.where(np.isnan(row), np.nan, told[k])
-        fastest = float(np.abs(told[1]).max()) ** k / arm ** (k - 1)
-        largest = max(float(np.nanmax(np.abs(due), initial=0.0)), fastest)
+        expected = np.where(np.isnan(row), np.nan, stated[k])
+        fastest = float(np.abs(stated[1]).max()) ** k / arm ** (k - 1)
+        largest = max(float(np.nanmax(np.abs(expected), initial=0.0)), fastest)
         allowed = ROUNDINGS * EPS * (kappa * blunt) ** (k + 1) * largest
         named = ORDERS[k].plan, f"{SYMBOLS[k]}_{ram.foot}{ram.point}", ORDERS[k].point.unit
-        yield Quantity.of(named, (due, row), allowed, largest)
+        yield Quantity.of(named, (expected, row), allowed, largest)
 
 
 def stroke_of(mechanism: Mechanism, count: int) -> tuple[Floats, Floats, Floats]:
@@ -134,17 +134,17 @@ def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> Motio
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
     found, theirs = study.extreme_positions, comparison.road.extremes(study.output)
     ours = None if found is None else found.extremes
-    told = ours or theirs
-    if told is None:
+    extremes = ours or theirs
+    if extremes is None:
         return comparison
     values = [np.full(4, np.nan) if road is None else _told(road) for road in (ours, theirs)]
-    size = max(abs(reach) for reach in told.reach) if told.sliding else np.pi
-    largest = np.array([2 * np.pi, 2 * np.pi, max(size, told.stroke), 2 * np.pi])
+    size = max(abs(reach) for reach in extremes.reach) if extremes.sliding else np.pi
+    largest = np.array([2 * np.pi, 2 * np.pi, max(size, extremes.stroke), 2 * np.pi])
     # An extreme's crank angle is where a velocity is zero: its rounding is the velocity's over the acceleration's.
     allowed = np.minimum(ANALYSIS * EPS * float(np.nanmax(comparison.kappa, initial=1.0)) ** 2, MOST_ALLOWED) * largest
     apart = np.abs(values[0] - values[1])
     apart[:2] = np.abs(np.angle(np.exp(1j * apart[:2])))
-    units = ("rad", "rad", "m" if told.sliding else "rad", "rad")
+    units = ("rad", "rad", "m" if extremes.sliding else "rad", "rad")
     added = tuple(
         Quantity("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
         for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREME_NAMES, units, strict=True), strict=True)
@@ -162,25 +162,25 @@ def _points(
     names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
     pairs = [(drawn.points[n][order], solved.points[n][order]) for n in names]
     largest = largest_of([np.abs(ours) for ours, _ in pairs])
-    plan, told = drafts.plan(order), ORDERS[order]
+    plan, letters = drafts.plan(order), ORDERS[order]
     marks = [plan.point(name) for name in names]
     bounds = errors(*marks)
     for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
         allowed = with_analysis(bounds[mark].place, order, kappa, largest)
         shown = Span(plan.pole, mark) if order else mark
-        named = told.plan, f"{told.point.symbol}_{name}", told.point.unit
+        named = letters.plan, f"{letters.point.symbol}_{name}", letters.point.unit
         yield Quantity.of(named, (ours, theirs), allowed, largest, shown)
 
 
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Quantity]:
-    told = ORDERS[order]
+    letters = ORDERS[order]
     pairs = {n: (drawn.links[n][order], solved.links[n][order]) for n in drawn.links}
     largest = (
         np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
     )
     for number, (ours, theirs) in pairs.items():
         allowed = with_analysis(_turn_bound(drafts, order, number), order, kappa, largest)
-        named, read = (told.plan, f"{told.link.symbol}_{number}", told.link.unit), drafts.plan(order).readings
+        named, read = (letters.plan, f"{letters.link.symbol}_{number}", letters.link.unit), drafts.plan(order).readings
         quantity = Quantity.of(named, (ours, theirs), allowed, largest, read.get(number))
         yield quantity if order else quantity._replace(difference=np.abs(np.angle(np.exp(1j * (ours - theirs)))))
 
@@ -283,22 +283,22 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     borne = any("linkage" in row.needs for row in study.rows)
     order = ACCELERATIONS.number if borne else max(orders, default=0)
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
-    told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
-    found = (solved if by == "analysis" else _constructed)(linkage, order, told)
+    with_ends = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
+    found = (solved if by == "analysis" else _constructed)(linkage, order, with_ends)
     way = ways(linkage.mechanism, found[0].phi)
     return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2], way)
 
 
-def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, None]:
+def _constructed(study: LinkageStudy, order: int, with_ends: bool) -> tuple[Motion, Extremes | None, None]:
     motion = study.motion(order)
-    found = study.extreme_positions if told else None
+    found = study.extreme_positions if with_ends else None
     return motion, found.extremes if found else None, None
 
 
-def solved(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, Analysis]:
+def solved(study: LinkageStudy, order: int, with_ends: bool) -> tuple[Motion, Extremes | None, Analysis]:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
     road = road_of(study)
-    extremes = road.extremes(study.output) if told or not road.first else None
+    extremes = road.extremes(study.output) if with_ends or not road.first else None
     if extremes is None or road.first:  # of a start at an extreme that is none the turn says why
         return road.motion(study.turn.phi, order), extremes, road
     count = study.form.drive.count

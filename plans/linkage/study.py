@@ -158,8 +158,8 @@ class LinkageStudy:
 
         Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
         """
-        told, turns = self.form.drive, self.mechanism.drive.turns or not self.first
-        degrees = even(Fraction(0), 360, 1) if turns else ram.positions(self.mechanism, told.stroke, 360)
+        table, turns = self.form.drive, self.mechanism.drive.turns or not self.first
+        degrees = even(Fraction(0), 360, 1) if turns else ram.positions(self.mechanism, table.stroke, 360)
         if not self.first or len(self.turn) > len(degrees):
             return degrees
         phi = np.concatenate((degrees.phi, self.turn.phi))

@@ -268,9 +268,9 @@ class Sweep:
             free, barred = float(fan[max(last - 1, 0)]), float(fan[max(last, 1)])
         return free, barred
 
-    def _barrier(self, start: tuple[float, float], end: tuple[float, float], seen: Floats) -> Barrier:
+    def _barrier(self, start: tuple[float, float], end: tuple[float, float], nodes: Floats) -> Barrier:
         """Name a barrier by the groups that fail at its edges; one where no group misses is a change point."""
-        plan = self.plan(np.concatenate((seen, (start[1], end[1]))))
+        plan = self.plan(np.concatenate((nodes, (start[1], end[1]))))
         field, marks = margins(plan, self.groups, self.sides)
         with np.errstate(invalid="ignore"):
             missing = (field < 0).any(axis=1)

@@ -46,31 +46,31 @@ class OutputTravel:
 
     def coordinate(self, turn: CrankPositions) -> Floats:
         """Read off the plan of positions: metres along the guide from its own point, or radians."""
-        seen = self.sweep.motion(turn, 0)
+        motion = self.sweep.motion(turn, 0)
         if self.out.parting is not None:
-            apart, along = self._parting(self.out.parting, seen)
+            apart, along = self._parting(self.out.parting, motion)
             return np.asarray(dot(along, apart.r))
-        return self.rows(seen)[0]
+        return self.rows(motion)[0]
 
     def speed(self, turn: CrankPositions) -> Floats:
         """Read off the velocity plan the output's velocity, or its omega."""
-        seen = self.sweep.motion(turn, 1)
+        motion = self.sweep.motion(turn, 1)
         if self.out.parting is not None:  # its point and the other are on the line, so that turning moves neither along
-            apart, along = self._parting(self.out.parting, seen)
+            apart, along = self._parting(self.out.parting, motion)
             return np.asarray(dot(along, apart.v))
-        return self.rows(seen)[1]
+        return self.rows(motion)[1]
 
-    def rows(self, seen: Motion) -> tuple[Floats, ...]:
+    def rows(self, motion: Motion) -> tuple[Floats, ...]:
         """Read the coordinate off a motion, with its derivatives by time; of an output that parts from no other."""
         if self.slide is None:
-            return tuple(seen.links[self.out.link])
-        way, (place, *rates) = self.slide.way(FRAME), seen.points[self._pin(self.slide)]
+            return tuple(motion.links[self.out.link])
+        way, (place, *rates) = self.slide.way(FRAME), motion.points[self._pin(self.slide)]
         return tuple(np.asarray(dot(way.direction, row)) for row in (place - way.through, *rates))
 
-    def _parting(self, parting: Parting, seen: Motion) -> tuple[PointMotion, Complexes]:
+    def _parting(self, parting: Parting, motion: Motion) -> tuple[PointMotion, Complexes]:
         """Give place and velocity of the output's point from the other, and the unit direction of their line."""
-        near, far = (seen.points[name] for name in (self.out.point or "", parting.other))
-        start, end = (seen.points[name].r for name in parting.line)
+        near, far = (motion.points[name] for name in (self.out.point or "", parting.other))
+        start, end = (motion.points[name].r for name in parting.line)
         with np.errstate(invalid="ignore"):  # a gap is NaN
             along = (end - start) / np.abs(end - start)
         return PointMotion(place - other for place, other in zip(near, far, strict=False)), along

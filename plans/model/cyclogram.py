@@ -123,11 +123,11 @@ class Cyclogram:
 
     def of(self, role: str) -> tuple[Position, ...]:
         """Give the positions of a role."""
-        return tuple(one for one in self.positions if one.role == role)
+        return tuple(position for position in self.positions if position.role == role)
 
     def number(self, role: str) -> int:
         """Give the number of the first position of a role."""
-        return next(k for k, one in enumerate(self.positions) if one.role == role)
+        return next(k for k, position in enumerate(self.positions) if position.role == role)
 
     @property
     def window(self) -> Window:

@@ -95,8 +95,8 @@ class Axis(NamedTuple):
         """Divide each run of positions so; the positions themselves are among the nodes."""
         shares = np.linspace(0.0, 1.0, 1 + max(2, math.ceil(count / max(len(self.joined), 1))))[:-1]
         turned = [self.turned[run] for run in self.runs]
-        parts = (own[:-1, None] + np.diff(own)[:, None] * shares for own in turned)
-        return tuple(np.append(row.ravel(), own[-1]) for row, own in zip(parts, turned, strict=True))
+        parts = (angles[:-1, None] + np.diff(angles)[:, None] * shares for angles in turned)
+        return tuple(np.append(row.ravel(), angles[-1]) for row, angles in zip(parts, turned, strict=True))
 
     @property
     def runs(self) -> tuple[slice, ...]:

@@ -97,7 +97,7 @@ def _bearing(mechanism: Mechanism, partners: list[int]) -> int:
     """
     fixed = mechanism.links[FRAME].points
     borne = {slide.slider for slide in mechanism.slides if slide.owner == FRAME}
-    grounded = [one for one in partners if one in borne or fixed.keys() & mechanism.links[one].points.keys()]
+    grounded = [link for link in partners if link in borne or fixed.keys() & mechanism.links[link].points.keys()]
     return min(grounded or partners)
 
 
@@ -175,16 +175,16 @@ class Group(Protocol):
         """The pairs of its links with each other."""
 
 
-def pair(one: int, other: int, joint: Joint) -> Pair:
+def pair(first: int, other: int, joint: Joint) -> Pair:
     """Name a pair: the reaction of its lower-numbered link on the other."""
-    return Pair(min(one, other), max(one, other), joint)
+    return Pair(min(first, other), max(first, other), joint)
 
 
 def pairs(mechanism: Mechanism, groups: Sequence[Group]) -> tuple[Pair, ...]:
     """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
     found = [pair(FRAME, mechanism.drive.link, mechanism.drive.guide or mechanism.drive.pivot)]
     for group in groups:
-        found += [pair(*told) for told in (*group.outer_pairs, *group.inner_pairs)]
+        found += [pair(*links) for links in (*group.outer_pairs, *group.inner_pairs)]
     return tuple(found)
 
 

@@ -117,15 +117,15 @@ class Kinetostatics:
     @property
     def size(self) -> float:
         """The longest arm about the shaft, m, of the pairs over the positions whose forces are known."""
-        return self._largest([one.r for one in self.reactions.values()])
+        return self._largest([reaction.r for reaction in self.reactions.values()])
 
     @property
     def largest(self) -> float:
         """The largest force N that is known: of the reactions, or of the moments on the longest arm if that is more."""
-        told = self.reactions.values()
-        turning = [one.moment for one in told if one.moment is not None]
+        reactions = self.reactions.values()
+        turning = [reaction.moment for reaction in reactions if reaction.moment is not None]
         most = self._largest([*turning, self.balancing.moment]) / self.size if self.size else 0.0
-        return max(self._largest([one.force for one in told]), most)
+        return max(self._largest([reaction.force for reaction in reactions]), most)
 
     @property
     def nothing(self) -> tuple[float, float]:
@@ -138,15 +138,15 @@ class Kinetostatics:
 
         In a position that all but jams the others' forces stay what they are: what is usual is the middle of them all.
         """
-        turning = [one.moment for one in self.reactions.values() if one.moment is not None]
+        turning = [reaction.moment for reaction in self.reactions.values() if reaction.moment is not None]
         reach = self.size or 1.0
         rows = [
-            *(one.force for one in self.reactions.values()),
+            *(reaction.force for reaction in self.reactions.values()),
             *(row / reach for row in (*turning, self.balancing.moment)),
         ]
-        own = np.nan_to_num(np.fmax.reduce([np.abs(row) for row in rows]))
-        usual = self.counted(np.where(own > 0, own, np.nan))
-        least = NOTHING * np.maximum(own, np.nanmedian(usual) if np.isfinite(usual).any() else 0.0)
+        peaks = np.nan_to_num(np.fmax.reduce([np.abs(row) for row in rows]))
+        usual = self.counted(np.where(peaks > 0, peaks, np.nan))
+        least = NOTHING * np.maximum(peaks, np.nanmedian(usual) if np.isfinite(usual).any() else 0.0)
         return least, least * self.size
 
     def nothing_at(self, position: int) -> tuple[float, float]:
@@ -156,11 +156,11 @@ class Kinetostatics:
 
     def arm(self, key: str) -> Floats | None:
         """Give the arm m of a sliding pair's reaction: 0 where it bears nothing, NaN where it bears a moment alone."""
-        one, (force, moment) = self.reactions[key], self.nothing
-        if one.arm is None or one.moment is None:
+        reaction, (force, moment) = self.reactions[key], self.nothing
+        if reaction.arm is None or reaction.moment is None:
             return None
-        alone = np.where(np.abs(one.moment) <= moment, 0.0, np.nan)
-        return np.where(np.abs(one.force) <= force, alone, one.arm)
+        alone = np.where(np.abs(reaction.moment) <= moment, 0.0, np.nan)
+        return np.where(np.abs(reaction.force) <= force, alone, reaction.arm)
 
     def counted(self, row: Any) -> Any:
         """Leave of a row over the positions only what is known; of forces that are known nowhere all of it."""

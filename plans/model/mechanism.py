@@ -163,8 +163,8 @@ class Mechanism:
         """Each link with the least number of those that turn as it does, for slides join them; 0: it never turns."""
         least = {number: number for number in self.links}
         for slide in self.slides:
-            one, other = sorted((least[slide.slider], least[slide.owner]))
-            least = {link: one if own == other else own for link, own in least.items()}
+            keep, other = sorted((least[slide.slider], least[slide.owner]))
+            least = {link: keep if group == other else group for link, group in least.items()}
         return least
 
     @cached_property

@@ -182,9 +182,9 @@ class Balance:
     @property
     def sizes(self) -> tuple[float, ...]:
         """The static moments kg*m of the corrections by their size: as much is unbalanced in each plane."""
-        return tuple(one.moment.size for one in self.corrections)
+        return tuple(correction.moment.size for correction in self.corrections)
 
     @property
     def moments(self) -> tuple[complex, ...]:
         """The static moments kg*m of the corrections; zero where nothing but rounding is left."""
-        return tuple(0j if one.moment.vanishes else one.moment.value for one in self.corrections)
+        return tuple(0j if correction.moment.vanishes else correction.moment.value for correction in self.corrections)

@@ -83,10 +83,10 @@ def polygon(
 
     `carried` is how far rounding can have moved the vectors themselves.
     """
-    laid = [one for one in vectors if one.point]
-    sides = _row(board, pole, name, laid)
-    closing = close(board, pole, name, laid, why) if len(laid) > RUN else board.join(name, _end(pole, sides), pole, why)
-    return Polygon(board, sides, closing, rounding(laid) + carried)
+    kept = [vector for vector in vectors if vector.point]
+    sides = _row(board, pole, name, kept)
+    closing = close(board, pole, name, kept, why) if len(kept) > RUN else board.join(name, _end(pole, sides), pole, why)
+    return Polygon(board, sides, closing, rounding(kept) + carried)
 
 
 def close(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: Message) -> Mark:
@@ -101,7 +101,7 @@ def close(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: Mes
 
 def rounding(vectors: Sequence[Mark]) -> float:
     """Give how far rounding can have moved the sum of some vectors."""
-    return ROUNDING * EPS * sum(abs(complex(one.point)) for one in vectors)
+    return ROUNDING * EPS * sum(abs(complex(vector.point)) for vector in vectors)
 
 
 def _row(board: Board, pole: Mark, name: str, vectors: Sequence[Mark]) -> tuple[Side, ...]:
@@ -151,21 +151,21 @@ def balancing(rotor: Rotor) -> Balancing:
     """Draw the polygon of moments, then that of static moments; one plane takes the second alone."""
     board = Board(UNBALANCES)
     pole = board.given("0", 0j, because("static_start"))
-    masses = tuple(_mass(board, one) for one in rotor.masses)
+    masses = tuple(_mass(board, mass) for mass in rotor.masses)
     moments = _moments(rotor, masses)
     first = (_first(board, rotor, moments),) if rotor.dynamic else ()
-    laid = [one.mark for one in (*masses, *(() if moments.closed else first))]
+    vectors = [placed.mark for placed in (*masses, *(() if moments.closed else first))]
     last = rotor.planes[-1]
-    forces = polygon(board, pole, unbalance_letters(last.name), laid, sum(one.slack for one in first))
-    given = [one.mark for one in masses]
+    forces = polygon(board, pole, unbalance_letters(last.name), vectors, sum(placed.slack for placed in first))
+    given = [placed.mark for placed in masses]
     unbalance = Placed(close(board, pole, "ΣmD", given, because("against_all")), last.place, rounding(given))
     corrections = *first, Placed(forces.closing, last.place, forces.slack)
     return Balancing(rotor, masses, moments, forces, corrections, unbalance)
 
 
-def _mass(board: Board, one: Unbalance) -> Placed:
-    why = because("static_moment", mass=one.name, angle=f"{float(one.angle):.10g}")
-    return Placed(board.given(unbalance_letters(one.name), one.moment * heading(one.angle), why), one.place)
+def _mass(board: Board, mass: Unbalance) -> Placed:
+    why = because("static_moment", mass=mass.name, angle=f"{float(mass.angle):.10g}")
+    return Placed(board.given(unbalance_letters(mass.name), mass.moment * heading(mass.angle), why), mass.place)
 
 
 def _moments(rotor: Rotor, masses: Sequence[Placed]) -> Polygon:
@@ -173,8 +173,8 @@ def _moments(rotor: Rotor, masses: Sequence[Placed]) -> Polygon:
     board, last = Board(COUPLES), rotor.planes[-1]
     pole = board.given("0", 0j, because("moments_start"))
     vectors = [
-        board.turn(moment_letters(one.name), placed.mark, rotor.arm(one.place), _arm(rotor, one, "times_arm"))
-        for one, placed in zip(rotor.masses, masses, strict=True)
+        board.turn(moment_letters(mass.name), placed.mark, rotor.arm(mass.place), _arm(rotor, mass, "times_arm"))
+        for mass, placed in zip(rotor.masses, masses, strict=True)
     ]
     name = moment_letters(rotor.planes[0].name) if rotor.dynamic else "ΣmDh"
     return polygon(board, pole, name, vectors, why=because("closes_about", place=_named(rotor, last)))
@@ -187,9 +187,9 @@ def _first(board: Board, rotor: Rotor, moments: Polygon) -> Placed:
     return Placed(mark, plane.place, moments.slack / abs(arm))
 
 
-def _arm(rotor: Rotor, one: Unbalance | Plane, how: str) -> Message:
-    arm, last = f"{rotor.arm(one.place):.10g}", rotor.planes[-1]
-    return because(how, mass=one.name, arm=arm, place=_named(rotor, last))
+def _arm(rotor: Rotor, part: Unbalance | Plane, how: str) -> Message:
+    arm, last = f"{rotor.arm(part.place):.10g}", rotor.planes[-1]
+    return because(how, mass=part.name, arm=arm, place=_named(rotor, last))
 
 
 def _named(rotor: Rotor, plane: Plane) -> Message:

@@ -55,8 +55,8 @@ def _zeros(rotor: RotorStudy, steps: Sequence[Mark]) -> Iterator[Mark]:
 def _closings(rotor: RotorStudy) -> Iterator[tuple[Mark, float]]:
     """Give what closes a sum, and how far rounding can have moved it."""
     drawing = rotor.drawing
-    yield from ((one.closing, one.slack) for one in (drawing.moments, drawing.forces))
-    yield from ((one.mark, one.slack) for one in (drawing.unbalance, *drawing.corrections))
+    yield from ((polygon.closing, polygon.slack) for polygon in (drawing.moments, drawing.forces))
+    yield from ((placed.mark, placed.slack) for placed in (drawing.unbalance, *drawing.corrections))
     for found in rotor.reactions:
         yield from zip(found.marks, found.slacks, strict=True)
 
@@ -66,8 +66,8 @@ def _no_mark(rotor: RotorStudy, name: str, language: str) -> NoMark:
     names = tuple(written(mark.name, language) for mark in _marks(rotor))
     if name in REACTION_LETTERS:
         return NoMark(names, message("mark.no_reactions"), ())
-    wanted = ", ".join(written(one, language) for one in _wanted(rotor))
-    examples = tuple(one.name for found in rotor.reactions for one in found.marks[:1])
+    wanted = ", ".join(written(name, language) for name in _wanted(rotor))
+    examples = tuple(mark.name for found in rotor.reactions for mark in found.marks[:1])
     return NoMark(names, message("mark.marks", marks=wanted), examples)
 
 

@@ -51,7 +51,7 @@ class _Compared(NamedTuple):
 
     def sums(self) -> Iterator[Quantity]:
         """Compare what is unbalanced."""
-        largest = max(one.moment * abs(self.rotor.arm(one.place)) for one in self.rotor.masses)
+        largest = max(mass.moment * abs(self.rotor.arm(mass.place)) for mass in self.rotor.masses)
         couple = self.study.drawing.moments.closing if self.rotor.dynamic else None
         yield self._finding((COUPLES, "ΣmDh", "kg*m2"), self.ours.couple, self.theirs.couple, largest, couple)
         named = UNBALANCES, "ΣmD", "kg*m"
@@ -61,55 +61,55 @@ class _Compared(NamedTuple):
     def _end(self) -> Span | None:
         """Give where the last of the masses ends on the polygon of forces."""
         drawing = self.study.drawing
-        given = {one.mark for one in drawing.masses}
+        given = {placed.mark for placed in drawing.masses}
         ends = [side.end for side in drawing.forces.sides if side.vector in given]
         return Span(drawing.forces.board["0"], ends[-1]) if ends else None
 
     def corrections(self) -> Iterator[Quantity]:
         """Compare the counterweights."""
-        largest = max(self._largest_mass, *(abs(one.moment.value) for one in self.ours.corrections))
+        largest = max(self._largest_mass, *(abs(correction.moment.value) for correction in self.ours.corrections))
         pairs = zip(self.ours.corrections, self.theirs.corrections, self.study.drawing.corrections, strict=True)
-        for one, other, drawn in pairs:
-            named = UNBALANCES, unbalance_letters(one.plane.name), "kg*m"
-            yield self._finding(named, one.moment, other.moment, largest, drawn.mark)
+        for correction, other, drawn in pairs:
+            named = UNBALANCES, unbalance_letters(correction.plane.name), "kg*m"
+            yield self._finding(named, correction.moment, other.moment, largest, drawn.mark)
 
     def reactions(self) -> Iterator[Quantity]:
         """Compare what the bearings bear, before and after."""
         found = (*self.ours.before, *self.ours.after)
         marks = [mark for each in self.study.reactions for mark in each.marks]
-        largest = max((abs(one.value) for one in found), default=0.0)
-        for one, other, mark in zip(found, (*self.theirs.before, *self.theirs.after), marks, strict=True):
-            yield self._finding((REACTIONS, mark.name, "N"), one, other, largest, mark)
+        largest = max((abs(resultant.value) for resultant in found), default=0.0)
+        for resultant, other, mark in zip(found, (*self.theirs.before, *self.theirs.after), marks, strict=True):
+            yield self._finding((REACTIONS, mark.name, "N"), resultant, other, largest, mark)
 
     def left(self) -> Iterator[Quantity]:
         """Sum all static moments and, of a rotor with two planes, their moments about the first: both must vanish."""
         corrections = self.ours.corrections
-        slack = sum(one.moment.slack for one in corrections)
-        acting = [(moment(one), one.place) for one in self.rotor.masses]
-        acting += [(found, one.plane.place) for found, one in zip(self.ours.moments, corrections, strict=True)]
-        yield _vanishing("ΣmD", "kg*m", [one for one, _ in acting], slack)
+        slack = sum(correction.moment.slack for correction in corrections)
+        acting = [(moment(mass), mass.place) for mass in self.rotor.masses]
+        acting += [(found, weight.plane.place) for found, weight in zip(self.ours.moments, corrections, strict=True)]
+        yield _vanishing("ΣmD", "kg*m", [load for load, _ in acting], slack)
         if self.rotor.dynamic:
             first, last = (plane.place for plane in self.rotor.planes)
-            moments = [one * float(place - first) for one, place in acting]
+            moments = [load * float(place - first) for load, place in acting]
             yield _vanishing("ΣmDh", "kg*m2", moments, slack * abs(float(last - first)))
 
     @property
     def _largest_mass(self) -> float:
         """The largest static moment kg*m that is to be balanced."""
-        return max(one.moment for one in self.rotor.masses)
+        return max(mass.moment for mass in self.rotor.masses)
 
     def _finding(
-        self, named: tuple[str, str, str], one: Resultant, other: Resultant, largest: float, shown: Shown | None
+        self, named: tuple[str, str, str], resultant: Resultant, other: Resultant, largest: float, shown: Shown | None
     ) -> Quantity:
         drawing = self.study.drawing
         few = max(len(drawing.moments.sides), len(drawing.forces.sides)) <= MOST_SIDES
-        pair = one.value, other.value
-        return Quantity.of(named, pair, max(one.slack, other.slack), largest, shown if few else None)
+        pair = resultant.value, other.value
+        return Quantity.of(named, pair, max(resultant.slack, other.slack), largest, shown if few else None)
 
 
 def _vanishing(name: str, unit: str, terms: Sequence[complex], slack: float) -> Quantity:
-    total = math.hypot(math.fsum(one.real for one in terms), math.fsum(one.imag for one in terms))
-    sizes = [abs(one) for one in terms]
+    total = math.hypot(math.fsum(term.real for term in terms), math.fsum(term.imag for term in terms))
+    sizes = [abs(term) for term in terms]
     return Quantity.vanishing(name, unit, total, ROUNDING * EPS * math.fsum(sizes) + slack, max(sizes))
 
 
@@ -123,7 +123,7 @@ def numbers(study: Study, by: str) -> Numbers:
         data["couple"] = _vector(found.couple)
     if UNBALANCES in study.plans:
         data["unbalance"] = _vector(found.unbalance)
-        data["corrections"] = {one.plane.name: _correction(one) for one in found.corrections}
+        data["corrections"] = {correction.plane.name: _correction(correction) for correction in found.corrections}
         data |= _quality(rotor.rotor, found)
     if borne and found.before:
         data["reactions"] = {"before": _reactions(found.before), "after": _reactions(found.after)}
@@ -146,16 +146,16 @@ def _constructed(rotor: RotorStudy, borne: bool) -> Balance:
     return rotor.balance if borne else rotor.corrected
 
 
-def _correction(one: Correction) -> dict[str, Any]:
-    return {"moment": _vector(one.moment), "mass": one.mass, "radius": one.radius, "place": float(one.plane.place)}
+def _correction(body: Correction) -> dict[str, Any]:
+    return {"moment": _vector(body.moment), "mass": body.mass, "radius": body.radius, "place": float(body.plane.place)}
 
 
 def _reactions(found: tuple[Resultant, ...]) -> dict[str, Any]:
-    return {name: _vector(one) for name, one in zip(BEARINGS, found, strict=True)}
+    return {name: _vector(resultant) for name, resultant in zip(BEARINGS, found, strict=True)}
 
 
-def _vector(one: Resultant) -> dict[str, Any]:
+def _vector(resultant: Resultant) -> dict[str, Any]:
     """Give a vector by its components, size and direction; one that vanishes has none."""
-    value = 0j if one.vanishes else one.value + 0.0
-    angle = None if one.angle is None else math.radians(one.angle)
-    return {"vector": [value.real, value.imag], "size": one.size, "angle": angle}
+    value = 0j if resultant.vanishes else resultant.value + 0.0
+    angle = None if resultant.angle is None else math.radians(resultant.angle)
+    return {"vector": [value.real, value.imag], "size": resultant.size, "angle": angle}

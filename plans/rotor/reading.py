@@ -135,7 +135,7 @@ def _likely_grade(value: object) -> str:
     found = re.search(r"\d+(?:[.,]\d+)?", str(value))
     if not found or isinstance(value, bool):
         return ""
-    same = (one for one in map(letters, GRADES) if re.sub(r"\D", "", one) == re.sub(r"\D", "", found[0]))
+    same = (grade for grade in map(letters, GRADES) if re.sub(r"\D", "", grade) == re.sub(r"\D", "", found[0]))
     return next(same, letters(nearest_grade(float(found[0].replace(",", ".")))))
 
 
@@ -146,7 +146,7 @@ def _entries(value: Mapping[str, Any], name: str) -> list[Any]:
 
 def _unplaced(value: Mapping[str, Any], name: str) -> Iterator[int]:
     """Give the numbers of the tables in a list that have no place."""
-    return (at for at, one in enumerate(_entries(value, name)) if isinstance(one, dict) and "place" not in one)
+    return (at for at, entry in enumerate(_entries(value, name)) if isinstance(entry, dict) and "place" not in entry)
 
 
 class RotorTable(Table):
@@ -228,11 +228,11 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
 
 def _lengths(rotor: RotorTable) -> Iterator[tuple[Path, Decimal]]:
     """Give the lengths m that a scene states: radii and places; a zero is one in any unit."""
-    own: list[tuple[Path, UnbalanceTable | PlaneTable]] = []
-    own += [(("rotor", "masses", index), one) for index, one in enumerate(rotor.masses)]
-    own += [(("rotor", "planes", index), one) for index, one in enumerate(rotor.planes)]
+    given: list[tuple[Path, UnbalanceTable | PlaneTable]] = []
+    given += [(("rotor", "masses", index), mass) for index, mass in enumerate(rotor.masses)]
+    given += [(("rotor", "planes", index), plane) for index, plane in enumerate(rotor.planes)]
     stated = [
-        ((*path, name), size) for path, one in own for name, size in (("radius", one.radius), ("place", one.place))
+        ((*path, name), size) for path, part in given for name, size in (("radius", part.radius), ("place", part.place))
     ]
     stated += [(("rotor", "bearings", index), place) for index, place in enumerate(rotor.bearings)]
     return ((path, abs(size)) for path, size in stated if size)
@@ -246,14 +246,14 @@ def _planes(scene: Scene, rotor: RotorTable) -> Iterator[Fault]:
             yield scene.fault(path, "static_only")
         return
     first, last = (plane.place for plane in rotor.planes)
-    apart, far = abs(first - last), max(abs(one.place - last) for one in rotor.masses)
+    apart, far = abs(first - last), max(abs(mass.place - last) for mass in rotor.masses)
     if far > HUNDREDS * apart:
         yield scene.fault(path, "near_planes", apart=f"{apart:.4g}", ratio=f"{far / apart:.3g}")
 
 
 def _mass(scene: Scene, rotor: RotorTable) -> Iterator[Fault]:
     """Find a rotor that is lighter than the masses on it."""
-    masses = sum((one.mass for one in rotor.masses if one.mass), Decimal(0))
+    masses = sum((mass.mass for mass in rotor.masses if mass.mass), Decimal(0))
     if rotor.mass is not None and rotor.mass < masses:
         yield scene.fault(("rotor", "mass"), "light_rotor", masses=f"{masses:.4g}")
 
@@ -276,10 +276,10 @@ def rotor_of(form: RotorTable) -> Rotor:
     planes = form.planes or (PlaneTable(),)
     names = (ALONE,) if len(planes) == 1 else NUMERALS
     return Rotor(
-        masses=tuple(_unbalance(number, one) for number, one in enumerate(form.masses, 1)),
+        masses=tuple(_unbalance(number, mass) for number, mass in enumerate(form.masses, 1)),
         planes=tuple(
-            Plane(name, Fraction(one.place), _float(one.radius), _float(one.mass))
-            for name, one in zip(names, planes, strict=True)
+            Plane(name, Fraction(plane.place), _float(plane.radius), _float(plane.mass))
+            for name, plane in zip(names, planes, strict=True)
         ),
         bearings=tuple(map(Fraction, form.bearings)),
         speed=_float(form.speed),
@@ -288,16 +288,16 @@ def rotor_of(form: RotorTable) -> Rotor:
     )
 
 
-def _unbalance(number: int, one: UnbalanceTable) -> Unbalance:
-    angle, place = Fraction(one.angle), Fraction(one.place)
-    return Unbalance(str(number), float(_moment(one)), angle, place, _float(one.mass), _float(one.radius))
+def _unbalance(number: int, mass: UnbalanceTable) -> Unbalance:
+    angle, place = Fraction(mass.angle), Fraction(mass.place)
+    return Unbalance(str(number), float(_moment(mass)), angle, place, _float(mass.mass), _float(mass.radius))
 
 
-def _moment(one: UnbalanceTable) -> Decimal:
-    if one.moment is not None:
-        return one.moment
-    assert one.mass is not None and one.radius is not None  # the form has asked for both
-    return WORKING.multiply(one.mass, one.radius)
+def _moment(mass: UnbalanceTable) -> Decimal:
+    if mass.moment is not None:
+        return mass.moment
+    assert mass.mass is not None and mass.radius is not None  # the form has asked for both
+    return WORKING.multiply(mass.mass, mass.radius)
 
 
 def _float(value: Decimal | None) -> float | None:

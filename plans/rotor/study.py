@@ -26,7 +26,7 @@ class Reactions(NamedTuple):
     @property
     def resultants(self) -> tuple[Resultant, ...]:
         """The reactions as they are told."""
-        return tuple(Resultant(complex(one.point), slack) for one, slack in zip(self.marks, self.slacks, strict=True))
+        return tuple(Resultant(complex(mark.point), slack) for mark, slack in zip(self.marks, self.slacks, strict=True))
 
 
 def reactions(balancing: Balancing) -> tuple[Reactions, Reactions]:
@@ -49,14 +49,14 @@ def _reactions(board: Board, rotor: Rotor, acting: Sequence[Placed], prime: str)
 def _reaction(board: Board, rotor: Rotor, acting: Sequence[Placed], end: int, prime: str) -> tuple[Mark, float]:
     here, other = rotor.bearings[end], rotor.bearings[1 - end]
     assert rotor.speed is not None  # asked before
-    shares = [float((one.place - other) / (here - other)) * rotor.speed**2 for one in acting]
+    shares = [float((placed.place - other) / (here - other)) * rotor.speed**2 for placed in acting]
     name = f"R_{BEARINGS[end]}{prime}"
     parts = [
-        board.turn(f"{name}({one.mark.name})", one.mark, share, because("share", bearing=BEARINGS[end]))
-        for one, share in zip(acting, shares, strict=True)
+        board.turn(f"{name}({placed.mark.name})", placed.mark, share, because("share", bearing=BEARINGS[end]))
+        for placed, share in zip(acting, shares, strict=True)
     ]
     mark = close(board, board["0"], name, parts, because("bearing_moments", bearing=BEARINGS[1 - end]))
-    carried = sum(abs(share) * one.slack for one, share in zip(acting, shares, strict=True))
+    carried = sum(abs(share) * placed.slack for placed, share in zip(acting, shares, strict=True))
     return mark, rounding(parts) + carried
 
 
@@ -96,7 +96,7 @@ class RotorStudy:
         """What balances the rotor, whatever its bearings bear."""
         drawing, moments = self.drawing, self.drawing.moments
         pairs = zip(self.rotor.planes, drawing.corrections, strict=True)
-        corrections = tuple(Correction(plane, _resultant(one.mark, one.slack)) for plane, one in pairs)
+        corrections = tuple(Correction(plane, _resultant(placed.mark, placed.slack)) for plane, placed in pairs)
         couple = _resultant(moments.closing, moments.slack, -1)
         return Balance(
             CONSTRUCTION, couple, _resultant(drawing.unbalance.mark, drawing.unbalance.slack, -1), corrections

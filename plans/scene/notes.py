@@ -61,8 +61,8 @@ def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
 
 def _undesignated(scene: Scene) -> Iterator[Fault]:
     """Find the designations of sheets that are not asked for."""
-    own = scene.sheet.designations
-    for kind in (one for one in own.keys if getattr(own, one) and one not in scene.sheets):
+    table = scene.sheet.designations
+    for kind in (key for key in table.keys if getattr(table, key) and key not in scene.sheets):
         wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, kind))
         yield scene.fault(("sheet", "designations", kind), "unused", wanted=wanted)
 

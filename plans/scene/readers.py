@@ -98,8 +98,8 @@ def named(name: Field, entry: Field, *checks: Check, first: Check | None = None)
             refused.append(Refusal(path, "not_a_table", {}, value))
             return REFUSED
         pairs = [
-            (name.read(own, (*path, own), refused), entry.read(part, (*path, own), refused))
-            for own, part in value.items()
+            (name.read(key, (*path, key), refused), entry.read(part, (*path, key), refused))
+            for key, part in value.items()
         ]
         return REFUSED if len(refused) > before else _all(checks, dict(pairs), path, refused)
 
@@ -122,16 +122,16 @@ def either(kind: type, then: Field, otherwise: Field) -> Field:
 
 def _gathered(refused: Refusals, depth: int) -> Refusals:
     """Tell one wrong unit of the entries of a list once, at the first of them."""
-    units = Counter(one.details["unit"] for one in refused if _of_unit(one, depth))
+    units = Counter(refusal.details["unit"] for refusal in refused if _of_unit(refusal, depth))
     found: Refusals = []
-    told: set[object] = set()
-    for one in refused:
-        unit = one.details["unit"] if _of_unit(one, depth) else None
+    known: set[object] = set()
+    for refusal in refused:
+        unit = refusal.details["unit"] if _of_unit(refusal, depth) else None
         if unit is None or units[unit] == 1:
-            found.append(one)
-        elif unit not in told:
-            told.add(unit)
-            found.append(one._replace(kind="wrong_units", details={**one.details, "others": units[unit] - 1}))
+            found.append(refusal)
+        elif unit not in known:
+            known.add(unit)
+            found.append(refusal._replace(kind="wrong_units", details={**refusal.details, "others": units[unit] - 1}))
     return found
 
 

@@ -24,8 +24,8 @@ Tables = Mapping[Path, Kinds]
 def refusals(error: Refused, source: Source, kinds: Kinds) -> list[Fault]:
     """Word the first refusals of a scene's form; `kinds` are all tables that may stand at the top of a file."""
     tables = tables_of(kinds)
-    told = [refusal for refusal in error.refusals[:REFUSALS_LIMIT] if not _lacks(refusal)]
-    faults = [_fault(refusal, source, tables) for refusal in told]
+    listed = [refusal for refusal in error.refusals[:REFUSALS_LIMIT] if not _lacks(refusal)]
+    faults = [_fault(refusal, source, tables) for refusal in listed]
     misspelt = {_meant(fault) for fault in faults}
     tops: set[Path] = {() for path in misspelt if len(path) == 1}
     spelt: Mapping[str, set[Path]] = {"missing": misspelt, "missing_for": misspelt, "no_table": tops}
@@ -95,15 +95,15 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
 
 
 def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
-    key, own = str(path[-1]), _pattern(path[:-1], tables)
-    known = list(holders_of(tables[own]))
-    elsewhere = [table for table in tables if table != own and key in holders_of(tables[table])]
+    key, pattern = str(path[-1]), _pattern(path[:-1], tables)
+    known = list(holders_of(tables[pattern]))
+    elsewhere = [table for table in tables if table != pattern and key in holders_of(tables[table])]
     homes = [] if elsewhere or key in known else [home for kind in tables[()] if (home := kind.home_of(key))]
-    other = _other_name(key, tables[own])
+    other = _other_name(key, tables[pattern])
     near = [other] if other else nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()
     details = {
-        "table": table_name(own),
+        "table": table_name(pattern),
         "known": ", ".join(known),
         "suggestion": _named_otherwise(other, path, tables) if other else _meaning(key, known, elsewhere, homes),
     }

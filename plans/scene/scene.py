@@ -206,7 +206,7 @@ def _refused(error: Refused, source: Source) -> SceneError:
     rest = None if unlisted else spare(source, partial(_read, source), kinds_of())
     meaning = Meaning(rest, doubts_of(faults)).faults if rest else []
     settled = {path for fault in meaning for path in fault.settles}
-    return SceneError([*(one for one in faults if one.path not in settled), *meaning], unlisted)
+    return SceneError([*(fault for fault in faults if fault.path not in settled), *meaning], unlisted)
 
 
 def _read(source: Source, data: Mapping[str, Any]) -> Scene:

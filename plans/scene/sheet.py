@@ -122,5 +122,5 @@ class SheetTable(Table):
 
     def designated(self, kind: str) -> str:
         """Give the designation of the document that a kind of sheet belongs to."""
-        own: str = getattr(self.designations, kind, "")
-        return own or self.designation
+        text: str = getattr(self.designations, kind, "")
+        return text or self.designation

@@ -60,8 +60,8 @@ class Table:
     given: frozenset[str]  # the keys that the file has
 
     def __init_subclass__(cls) -> None:
-        own = {name.removesuffix("_"): key for name, key in vars(cls).items() if isinstance(key, Key)}
-        cls.keys = own | {name: key for name, key in cls.keys.items() if name not in own}
+        keys = {name.removesuffix("_"): key for name, key in vars(cls).items() if isinstance(key, Key)}
+        cls.keys = keys | {name: key for name, key in cls.keys.items() if name not in keys}
 
     def __init__(self, **values: Any) -> None:
         for name, known in self.keys.items():

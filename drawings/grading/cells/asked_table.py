@@ -146,7 +146,7 @@ def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
 
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _TablePart]]:
-    leaf, due = plain(sheet.leaf, sheet.leaf.lettering), originals.due(sheet)
+    leaf, expected = plain(sheet.leaf, sheet.leaf.lettering), originals.due(sheet)
     bands = (
         (table_of(sheet.kind, group.name), next(texts((group,)), None)) for group in groups(leaf.groups) if group.name
     )
@@ -154,12 +154,12 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Tab
     if not corners:
         return
     states = ((group.states.key, group) for group in stated(leaf.groups) if group.states is not None)
-    told = {id(text): due[key] for key, group in states if key in due for text in texts((group,))}
+    by_text = {id(text): expected[key] for key, group in states if key in expected for text in texts((group,))}
     for table in tables_seen(ruling(leaf, Affine()), {folded(text.plain) for text, _ in corners}):
         cells = {
-            key: _Cell(" ".join(text.plain for text in cell.texts), told[id(cell.texts[0])], sheet)
+            key: _Cell(" ".join(text.plain for text in cell.texts), by_text[id(cell.texts[0])], sheet)
             for key, cell in table.cells.items()
-            if cell.texts and id(cell.texts[0]) in told
+            if cell.texts and id(cell.texts[0]) in by_text
         }
         yield from ((name, _TablePart(sheet, table, cells)) for text, name in corners if text is table.corner)
 
@@ -217,11 +217,11 @@ class _Own:
 
     def _printed(self, key: Key, value: float) -> float:
         """Give how far what is printed may be from the value: by its last digit, and by what both roads differ by."""
-        plain, due, _ = self.cells[key]
+        plain, expected, _ = self.cells[key]
         written = number((Text(0j, plain),))
         off = abs(written.value - value) if written is not None and value else 0.0
         rough = off <= 0.5 * 10.0 ** (math.floor(math.log10(abs(value) or 1.0)) + 1 - SURE)
-        return max(_half(plain), off if rough else 0.0) + due.allowed + ROUNDED * abs(value)
+        return max(_half(plain), off if rough else 0.0) + expected.allowed + ROUNDED * abs(value)
 
     def _called(self, key: Key, quantity: str) -> tuple[str, str]:
         """Give what a cell is called beside its position, and its place among those of its quantity."""
@@ -241,10 +241,10 @@ class _Own:
 
     def _value(self, key: Key) -> float | None:
         """Give the number that is due in a cell; of a text, and of what rounding decides, none."""
-        due = self.cells[key].due if key in self.cells else None
-        if due is None or not isinstance(due.value, int | float | complex) or not math.isfinite(due.allowed):
+        row = self.cells[key].due if key in self.cells else None
+        if row is None or not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
             return None
-        return abs(due.value) if isinstance(due.value, complex) else float(due.value)
+        return abs(row.value) if isinstance(row.value, complex) else float(row.value)
 
     def _is_told(self, key: Key) -> bool:
         """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""

@@ -127,26 +127,26 @@ class CellJudge:
 
     def verdicts(self) -> Iterator[Verdict]:
         """Judge each cell; a unit that is mistaken throughout is told where it is first met."""
-        told = set[tuple[str, str, str]]()
+        met = set[tuple[str, str, str]]()
         for key in sorted(self.seen, key=lambda key: (-self.seen[key].box.high, self.seen[key].box.left)):
             if key not in self.asked.cells:
                 continue
             said, cell = self._one(key), self.asked.cells[key]
             if said.kind in ONCE:
                 again = said.kind, said.of, cell.unit
-                said = said._replace(kind=verdict.FOLLOWS) if again in told else said
-                told.add(again)
+                said = said._replace(kind=verdict.FOLLOWS) if again in met else said
+                met.add(again)
             yield said
 
     def _one(self, key: Key) -> Verdict:
-        cell, seen = self.asked.cells[key], self.seen[key]
+        cell, drawn = self.asked.cells[key], self.seen[key]
         if not cell.told:
             return self._said(key, verdict.DEAD)
         if key in self.doubled:
             return self._said(key, verdict.DOUBLED)
-        if not seen.texts or not is_read(seen.texts):
-            return self._said(key, verdict.ILLEGIBLE if seen.inked or seen.texts else verdict.MISSING)
-        written = number(seen.texts, cell.unit)
+        if not drawn.texts or not is_read(drawn.texts):
+            return self._said(key, verdict.ILLEGIBLE if drawn.inked or drawn.texts else verdict.MISSING)
+        written = number(drawn.texts, cell.unit)
         if written is None:
             return self._said(key, verdict.WRONG)
         if not written.understood:
@@ -226,15 +226,15 @@ class TableDrawn(NamedTuple):
 Drawn = Sequence[TableDrawn]
 
 
-def tables_drawn(seen: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
+def tables_drawn(sheet: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
     """Find the tables that are asked for on a sheet; all parts of one are put together."""
     corners = {table.corner for table in asked}
     found: dict[int, dict[Key, SeenCell]] = {}
     doubled: dict[int, set[Key]] = {}
     parts = Counter[int]()
-    for table in tables_seen(ruling(seen.leaf, seen.measured.moved), corners) if asked else ():
-        fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], seen))
-        if _fit(table, asked[fits], seen)[0] > 0:
+    for table in tables_seen(ruling(sheet.leaf, sheet.measured.moved), corners) if asked else ():
+        fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], sheet))
+        if _fit(table, asked[fits], sheet)[0] > 0:
             cells = found.setdefault(fits, {})
             parts[fits] += 1
             doubled.setdefault(fits, set()).update(_doubled(asked[fits], cells, table.cells))
@@ -258,9 +258,9 @@ def answered(found: Drawn, others: Collection[str]) -> bool:
     return any(_filled(asked, cells) or not set(asked.sheets) & set(others) for asked, cells, *_ in found)
 
 
-def alone(found: Drawn, seen: SeenSheet) -> set[str]:
+def alone(found: Drawn, sheet: SeenSheet) -> set[str]:
     """Give the sheets of tables that are written in on the only sheet of its kind, of which all is due then."""
-    written = (asked for asked, cells, *_ in found if _filled(asked, cells) and seen.measured.metadata.get("of") == 1)
+    written = (asked for asked, cells, *_ in found if _filled(asked, cells) and sheet.measured.metadata.get("of") == 1)
     return {name for asked in written for name in asked.sheets}
 
 
@@ -268,47 +268,47 @@ def _filled(asked: TableAsked, cells: Mapping[Key, SeenCell]) -> bool:
     return any(cells[key].texts for key in asked.cells if key in cells)
 
 
-def _fit(table: SeenTable, asked: TableAsked, seen: SeenSheet) -> tuple[int, bool, int]:
+def _fit(table: SeenTable, asked: TableAsked, sheet: SeenSheet) -> tuple[int, bool, int]:
     """Give how many cells of a table are asked for, whether its sheet is titled so, how many cells are as they must."""
     keys = [key for key in table.cells if key in asked.cells]
     said = sum(_says(table.cells[key], asked.cells[key]) for key in keys)
-    return len(keys), seen.leaf.title in asked.titles, said
+    return len(keys), sheet.leaf.title in asked.titles, said
 
 
-def _says(seen: SeenCell, asked: CellAsked) -> bool:
-    written = number(seen.texts, asked.unit)
+def _says(drawn: SeenCell, asked: CellAsked) -> bool:
+    written = number(drawn.texts, asked.unit)
     return written is not None and abs(written.value - asked.true) <= asked.printed
 
 
 def table_verdicts(
-    found: Drawn, asked: Sequence[TableAsked], shown: BesideTables, by: Allowances, seen: SeenSheet
+    found: Drawn, asked: Sequence[TableAsked], shown: BesideTables, by: Allowances, sheet: SeenSheet
 ) -> Iterator[Verdict]:
     """Judge the tables of a sheet; what is due of them and not there is missing, or told where that is not sure."""
     for table, cells, _, doubled in found:
-        yield from CellJudge(table, cells, seen.measured.moved, by, seen.measured.quantum, shown, doubled).verdicts()
-        yield from _missing(table, cells, shown.sheets, seen)
+        yield from CellJudge(table, cells, sheet.measured.moved, by, sheet.measured.quantum, shown, doubled).verdicts()
+        yield from _missing(table, cells, shown.sheets, sheet)
     there = {found_.asked.sought for found_ in found}
     for table in asked:
         if table.sought not in there and set(table.sheets) & shown.sheets:
-            lost = [] if _stands(table, found, seen) else list(_missing(table, {}, shown.sheets, seen))
+            lost = [] if _stands(table, found, sheet) else list(_missing(table, {}, shown.sheets, sheet))
             yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]
 
 
-def _missing(asked: TableAsked, cells: Mapping[Key, SeenCell], sheets: Set[str], seen: SeenSheet) -> Iterator[Verdict]:
+def _missing(asked: TableAsked, cells: Mapping[Key, SeenCell], sheets: Set[str], sheet: SeenSheet) -> Iterator[Verdict]:
     """Name the cells that must stand on a sheet of ours, and do not."""
-    due = {asked.cells[key].sheet for key in cells if key in asked.cells} | sheets if _is_whole(seen) else set()
+    expected = {asked.cells[key].sheet for key in cells if key in asked.cells} | sheets if _is_whole(sheet) else set()
     for key, cell in asked.cells.items():
-        if key not in cells and cell.told and cell.sheet in due:
+        if key not in cells and cell.told and cell.sheet in expected:
             yield Verdict(asked.name, cell.position, cell.name, verdict.MISSING, unit=cell.unit)
 
 
-def _stands(asked: TableAsked, found: Drawn, seen: SeenSheet) -> bool:
+def _stands(asked: TableAsked, found: Drawn, sheet: SeenSheet) -> bool:
     """Tell whether the word in the corner of a table is still there: its lines are not read, and it is not missing."""
-    words = sum(folded(text.plain) == asked.corner for text in texts(seen.leaf.groups))
+    words = sum(folded(text.plain) == asked.corner for text in texts(sheet.leaf.groups))
     return words > sum(table.parts for table in found if table.asked.corner == asked.corner)
 
 
-def _is_whole(seen: SeenSheet) -> bool:
+def _is_whole(sheet: SeenSheet) -> bool:
     """Tell whether all that its sheets of the task have stands on a sheet: it is ours, or the only one of a form."""
-    data = seen.measured.metadata
-    return data.get("of") == 1 if "form" in data else bool(data or seen.measured.marks)
+    data = sheet.measured.metadata
+    return data.get("of") == 1 if "form" in data else bool(data or sheet.measured.marks)

@@ -126,10 +126,10 @@ class _CamSheet:
     def sizes(self) -> Iterator[FigureAsked]:
         """Give the diagram of the main sizes."""
         behind = (VELOCITY, TRAVEL) if not self.expected.cam.flat else (ACCELERATION, TRAVEL)
-        laid = bool(self.sheet.vectors(law_named(self.expected.cam, TRAVEL)))
+        has_travel = bool(self.sheet.vectors(law_named(self.expected.cam, TRAVEL)))
         yield from self.sheet.figure(
-            DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
-            course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
+            DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if has_travel else (),
+            course=self.cam.sizes_points if has_travel else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
             slack=self._sized(), why=because("cam_laid"), mistakes=tuple(self._wrong_sizes()),
             curved=tuple(range(len(self.cam.turned))),
         )  # fmt: skip
@@ -196,9 +196,9 @@ class _CamSheet:
 
     def _angles_by_hand(self) -> Floats:
         """Give how far angles are out that are measured off the diagram of the sizes, mm of their graph."""
-        seen, count = self.sheet.marks(SIZES), len(self.cam.turned)
+        marks, count = self.sheet.marks(SIZES), len(self.cam.turned)
         angles = self.sheet.vectors(ANGLES)
-        if not seen or not angles:
+        if not marks or not angles:
             return np.full(len(self.cam.angles), PRICKED)
         rays = np.abs(self.cam.ends[:count] - self.cam.ends[count]) / self._scale(SIZES)
         moved = np.degrees(2 * PRICKED / np.maximum(rays, 1.0)) / next(iter(angles.values())).scale

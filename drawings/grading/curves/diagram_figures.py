@@ -96,16 +96,16 @@ def _corners(
         at = complex(mark.start.real - whole.start.real, mark.value.imag / mark.scale)
         return min(law, key=lambda corner: abs(complex(corner.share * step, corner.size / mark.scale) - at))
 
-    due = [of(vector) for vector in drawn]
-    shares, long = np.array([corner.share for corner in due]), whole.value.real
+    corners = [of(vector) for vector in drawn]
+    shares, long = np.array([corner.share for corner in corners]), whole.value.real
     feet: Complexes = np.asarray(complex(whole.start.real, first.start.imag) + shares * step)
     yield from sheet.figure(
         first.plan, first.plan, {(vector.name, None): k for k, vector in enumerate(drawn)},
-        1j * np.array([corner.size for corner in due]), kind=ORDINATES, returns=True, why=because("load"),
+        1j * np.array([corner.size for corner in corners]), kind=ORDINATES, returns=True, why=because("load"),
         scales={whole.quantity: whole.scale, first.quantity: first.scale}, units={whole.quantity: whole.unit},
         called=lambda mark: f"{mark.quantity}({mark.name})",
         paper=sheet.over(first.plan, feet, shares * (math.radians(long) if whole.name == SWING else long)),
-        mistakes=(Mistake(verdict.MIRRORED, 1j * np.array([corner.mirrored for corner in due])),),
+        mistakes=(Mistake(verdict.MIRRORED, 1j * np.array([corner.mirrored for corner in corners])),),
     )  # fmt: skip
 
 
@@ -137,12 +137,12 @@ def _figure(sheet: SceneSheet, rows: Mapping[str, ExpectedRow], key: str, speed:
     whole = bool(np.isclose(row.axis.turned[-1] - row.axis.turned[0], TURN))
     paper = sheet.paper(plan, row.axis.turned, places)
     course = None if above is None else Slope(above, rows[above].at, row.at, row.axis.turned / speed, whole)
-    seen = [] if above is None else list(sheet.vectors(named(above)).values())
+    vectors = [] if above is None else list(sheet.vectors(named(above)).values())
     error = np.full(len(row.at), PRICKED)
-    if paper is not None and seen:
+    if paper is not None and vectors:
         # Both ends of a chord over two positions are out; what their rise says of the derivative is out by so much.
         time = float(np.median(np.diff(row.axis.turned))) / speed
-        error = np.full(len(row.at), float(np.hypot(PRICKED, PRICKED * seen[0].scale / (np.sqrt(2) * time * mu))))
+        error = np.full(len(row.at), float(np.hypot(PRICKED, PRICKED * vectors[0].scale / (np.sqrt(2) * time * mu))))
     yield from sheet.figure(
         key, plan, by_number(marks, places), np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES,
         paper=paper, behind=() if above is None else (above,), course=course, linear=above is not None,
@@ -193,10 +193,10 @@ def rings(sheet: SceneSheet, rows: Sequence[Row], sense: int) -> Iterator[Figure
     radii = [] if group is None else sorted(stroke.radius for stroke in flat((group,)) if isinstance(stroke, Circle))
     if len(radii) != len(rows) + 1:
         return
-    due = [
+    found = [
         (f"{k}.{number}", k, span.start) for k, row in enumerate(rows, 1) for number, span in enumerate(row.spans, 1)
     ]
-    names, places, turned = zip(*due, strict=True)
+    names, places, turned = zip(*found, strict=True)
     reach = np.array([radii[len(rows) + 1 - k] for k in places])
     true = np.asarray(reach * np.exp(1j * sense * np.array(turned)))
     yield FigureAsked(

@@ -107,18 +107,18 @@ class DrawnFigure:
     doubled: bool = False  # whether another curve, which differs, is drawn on its axes
     lines: tuple[Complexes, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
 
-    def off(self, due: Complexes) -> Floats:
+    def off(self, expected: Complexes) -> Floats:
         """Give how far what is drawn is from what is due, true units; NaN of what is not drawn."""
         if not self.lines:
-            return self.asked.off(self.values, due)
-        apart = np.min([away(line, due) for line in self.lines], axis=0)
+            return self.asked.off(self.values, expected)
+        apart = np.min([away(line, expected) for line in self.lines], axis=0)
         return np.where(self.there, apart, np.nan)
 
-    def nearest(self, due: Complexes) -> Complexes:
+    def nearest(self, expected: Complexes) -> Complexes:
         """Give the values of a figure that is read off lines where these are nearest to what is due."""
         found = self.values.copy()
         for k in np.flatnonzero(self.there).tolist():
-            found[k] = foot(self.lines, complex(due[k]))
+            found[k] = foot(self.lines, complex(expected[k]))
         return found
 
     @property
@@ -127,45 +127,45 @@ class DrawnFigure:
         return ~np.isnan(self.values)
 
 
-def from_marks(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+def from_marks(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     """Give a figure by the marks of a sheet; None where it has none of it."""
-    marks = {(mark.name, mark.position): mark for mark in seen.measured.marks if mark.plan == asked.plan}
+    marks = {(mark.name, mark.position): mark for mark in sheet.measured.marks if mark.plan == asked.plan}
     drawn = {item.place: marks[item.name, item.position] for item in asked.items if (item.name, item.position) in marks}
     if not drawn:
         return None
-    scale, written = scales_on(asked, seen)
-    by, arrows = seen.measured.moved, dict[int, Arrow]()
+    scale, written = scales_on(asked, sheet)
+    by, arrows = sheet.measured.moved, dict[int, Arrow]()
     values = np.full(len(asked.true), complex(np.nan, np.nan))
     for place, mark in drawn.items():
         ends = (mark.start, mark.end) if isinstance(mark, MeasuredVector) else (mark.at, mark.at)
         values[place], arrows[place] = mark.value, Arrow(by(ends[0]), by(ends[1]))
     if asked.kind == ORDINATES and asked.paper is not None:
         mu = asked.scale * _ratio(tuple(scale.values())[-1], asked.scale)
-        return _OnAxis(asked, seen, asked.paper, arrows).read(values, mu, written)
+        return _OnAxis(asked, sheet, asked.paper, arrows).read(values, mu, written)
     ratios = [_ratio(scale[letter], mu) for letter, mu in asked.scales.items()]
     values = np.asarray(values.real * ratios[0] + 1j * values.imag * ratios[-1])  # across by the first, up by the last
     beside = frozenset[int]()
     if asked.kind == CHAIN and asked.paper is not None:
-        beside = frozenset(_OnAxis(asked, seen, asked.paper, arrows).beside(values))
+        beside = frozenset(_OnAxis(asked, sheet, asked.paper, arrows).beside(values))
     return DrawnFigure(asked, values, arrows, written, aside=beside)
 
 
-def scales_on(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:
+def scales_on(asked: FigureAsked, sheet: SeenSheet) -> tuple[Mapping[str, float], bool]:
     """Give the scales that stand over a figure, ours where none stand; and whether all do.
 
     On a sheet whose figures an editor has dissolved ours may stand anywhere.
     """
-    group, due = group_named(seen.leaf.groups, asked.plan), {letter: asked.scales[letter] for letter in asked.stated}
+    group, mus = group_named(sheet.leaf.groups, asked.plan), {letter: asked.scales[letter] for letter in asked.stated}
     if group is not None:
         found = stated_scales(texts((group,)), asked.stated)
     else:
-        every = [stated_scales((text,), asked.stated) for text in texts(seen.leaf.groups)]
+        every = [stated_scales((text,), asked.stated) for text in texts(sheet.leaf.groups)]
         found = {
             letter: mu
-            for letter, mu in due.items()
+            for letter, mu in mus.items()
             if any(_ratio(scales.get(letter, 0.0), mu) == 1.0 for scales in every)
         }
-    return {**asked.scales, **found}, due.keys() <= found.keys()
+    return {**asked.scales, **found}, mus.keys() <= found.keys()
 
 
 def _ratio(written: float, true: float) -> float:
@@ -218,10 +218,10 @@ class _OnAxis:
             for place, arrow in self.arrows.items()
         }
         for place, aside in off.items():
-            due = [0.0]
+            shifts = [0.0]
             if place - 1 in off and rows[place - 1] == rows[place]:
-                due.append(off[place - 1] + (values[place - 1] - self.asked.true[place - 1]).real / self.asked.scale)
-            if min(abs(aside - start) for start in due) > PLACED:
+                shifts.append(off[place - 1] + (values[place - 1] - self.asked.true[place - 1]).real / self.asked.scale)
+            if min(abs(aside - start) for start in shifts) > PLACED:
                 yield place
 
     def read(self, values: Complexes, mu: float, written: bool) -> DrawnFigure:

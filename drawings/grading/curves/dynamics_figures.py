@@ -166,14 +166,14 @@ class _DynamicsSheet:
 
     def _tangents(self, turn: TurnCourses) -> Iterator[FigureAsked]:
         wheel, ratio = turn.wheel, turn.scales[0] / turn.scales[1]
-        seen = {
+        drawn = {
             vector.name: vector
             for vector in self.sheet.measured.vectors
             if vector.plan == LOOP and vector.position is None
         }
         slopes = np.array([complex(1.0, slope * ratio) for slope in wheel.slopes])
         bearings = np.array(
-            [seen[name].value if name in seen else slope for name, slope in zip(TANGENTS, slopes, strict=True)]
+            [drawn[name].value if name in drawn else slope for name, slope in zip(TANGENTS, slopes, strict=True)]
         )
         true = np.abs(bearings) * slopes / np.abs(slopes)
         swapped = np.abs(bearings) * slopes[::-1] / np.abs(slopes[::-1])

@@ -41,15 +41,15 @@ class FigureJudge:
     def verdicts(self, drawn: DrawnFigure, allowed: Floats) -> Iterator[Verdict]:
         """Judge one figure, and keep it for those that go on from it."""
         asked = drawn.asked
-        told = _Told(drawn, allowed, self._going_on(asked), set(asked.behind) <= self.right)
-        yield from told.verdicts()
-        self.values[asked.key] = told.whole_values
-        if told.mistake is not None:
-            self.wholes[asked.key] = told.mistake.values
-        factor = told.factor or self._factor(asked)
-        if factor != 1.0 and (told.factor is not None or told.fits(factor * asked.true)):
+        judged = _Told(drawn, allowed, self._going_on(asked), set(asked.behind) <= self.right)
+        yield from judged.verdicts()
+        self.values[asked.key] = judged.whole_values
+        if judged.mistake is not None:
+            self.wholes[asked.key] = judged.mistake.values
+        factor = judged.factor or self._factor(asked)
+        if factor != 1.0 and (judged.factor is not None or judged.fits(factor * asked.true)):
             self.factors[asked.key] = factor
-        if not told.good:
+        if not judged.good:
             self.right.discard(asked.key)
 
     def _going_on(self, asked: FigureAsked) -> list[Complexes]:
@@ -85,27 +85,27 @@ class _Told:
         """Which places have a value that is asked for."""
         return np.asarray(self.drawn.there & np.isin(np.arange(len(self.drawn.values)), self.asked.places))
 
-    def fits(self, due: Complexes) -> bool:
+    def fits(self, expected: Complexes) -> bool:
         """Tell whether all values are as they are due."""
-        return bool(self._fits(due)[self.marked].all())
+        return bool(self._fits(expected)[self.marked].all())
 
-    def _fits(self, due: Complexes) -> Truths:
+    def _fits(self, expected: Complexes) -> Truths:
         """Tell which values are as they are due; one that is not there is none."""
         with np.errstate(invalid="ignore"):
-            near = np.asarray(self.drawn.off(due) <= self.allowed)
+            near = np.asarray(self.drawn.off(expected) <= self.allowed)
         if not self.asked.stepped:
             return near
         last = 0  # where the curve begins
         for k in np.flatnonzero(near).tolist():
-            near[k] = self._stepped(last, k, due) or k == 0
+            near[k] = self._stepped(last, k, expected) or k == 0
             last = k if near[k] else last
         return near
 
-    def _stepped(self, start: int, end: int, due: Complexes) -> bool:
+    def _stepped(self, start: int, end: int, expected: Complexes) -> bool:
         """Tell whether the step from one place to another is as it is due."""
         drawn = self.drawn.values
-        begun = drawn[start] if self.drawn.there[start] else due[start]
-        apart = self.asked.off(drawn[end : end + 1] - begun, due[end : end + 1] - due[start])
+        begun = drawn[start] if self.drawn.there[start] else expected[start]
+        apart = self.asked.off(drawn[end : end + 1] - begun, expected[end : end + 1] - expected[start])
         return bool(apart[0] <= self.allowed[end] * self.asked.step(start, end))
 
     @property
@@ -121,9 +121,9 @@ class _Told:
         if not there.any():
             return true
         named = () if self.mistake is None else (self.mistake.values,)
-        for due in (*self.going_on, true, *named):
-            if self.fits(due):
-                return np.asarray(np.where(there, self.drawn.values, due))
+        for expected in (*self.going_on, true, *named):
+            if self.fits(expected):
+                return np.asarray(np.where(there, self.drawn.values, expected))
         # What is too short to be drawn is not marked: it is where it should be.
         known = there | (np.abs(true) <= SHORT * self.asked.scale)
         at, moved, there = np.arange(len(true)), np.where(there, self.drawn.values - true, 0), known
@@ -137,8 +137,8 @@ class _Told:
         if left.sum() < 1:
             return None, None
         for mistake in map(self._fitted, self.asked.mistakes):
-            told = self.marked & (self.asked.off(mistake.values, self.asked.true) > 2 * self.allowed)
-            if told.any() and (self._fits(mistake.values) | ~told).all() and (left & told).any():
+            distinct = self.marked & (self.asked.off(mistake.values, self.asked.true) > 2 * self.allowed)
+            if distinct.any() and (self._fits(mistake.values) | ~distinct).all() and (left & distinct).any():
                 return mistake, None
         if left.sum() < SEVERAL:
             return None, None
@@ -219,7 +219,7 @@ class _Told:
         before = np.flatnonzero(self.drawn.there[:k])
         if not self.asked.stepped or not before.size:
             return False
-        return any(self._stepped(int(before[-1]), k, due) for due in (self.asked.true, *self.going_on))
+        return any(self._stepped(int(before[-1]), k, expected) for expected in (self.asked.true, *self.going_on))
 
     def _said(self, kind: str, item: ValueAsked | None = None, off: float | None = None) -> Verdict:
         asked = self.asked
@@ -231,11 +231,11 @@ class _Told:
         return Verdict(asked.plan, None, item.called, kind, off, allowed, asked.unit, at, ("", item.name))
 
 
-def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tuple[DrawnFigure, ...]]:
+def figures_drawn(drawn_sheet: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tuple[DrawnFigure, ...]]:
     """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
     sheets: dict[str, list[DrawnFigure]] = {}
     for figure in asked:
-        drawn = _drawn(figure, seen)
+        drawn = _drawn(figure, drawn_sheet)
         if drawn is not None:
             sheets.setdefault(figure.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
@@ -246,10 +246,10 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
     return kept
 
 
-def _drawn(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+def _drawn(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     if asked.rings or asked.arms:
-        return from_rings(asked, seen) if asked.rings else from_arms(asked, seen)
-    return from_marks(asked, seen) or from_form(asked, seen)
+        return from_rings(asked, sheet) if asked.rings else from_arms(asked, sheet)
+    return from_marks(asked, sheet) or from_form(asked, sheet)
 
 
 def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
@@ -275,9 +275,9 @@ def figure_verdicts(
     `empty` ones nothing is drawn.
     """
     for sheet in dict.fromkeys(figure.sheet for figure in asked):
-        due, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
-        judge, there = FigureJudge(due, vectors), {figure.asked.key: figure for figure in found}
-        for figure in due if found or sheet in sheets else ():
+        figures, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
+        judge, there = FigureJudge(figures, vectors), {figure.asked.key: figure for figure in found}
+        for figure in figures if found or sheet in sheets else ():
             if figure.key in there and there[figure.key].doubled:
                 yield Verdict(figure.plan, None, "", verdict.DOUBLED, unit=figure.unit)
             elif figure.key in there:

@@ -38,25 +38,25 @@ class Blank(NamedTuple):
         aside = max(self.origin.real - middle.real, middle.real - 2 * self.right + self.origin.real, 0.0)
         return float(np.hypot(aside, middle.imag))
 
-    def written(self, seen: SeenSheet, letters: Mapping[str, str]) -> dict[str, float]:
+    def written(self, sheet: SeenSheet, letters: Mapping[str, str]) -> dict[str, float]:
         """Give the scales that are written nearest to the axes, by letters with their units."""
         head = complex((self.origin.real + self.right) / 2, self.top)
-        near = sorted(texts(seen.leaf.groups), key=lambda text: abs(text.at - head))
+        near = sorted(texts(sheet.leaf.groups), key=lambda text: abs(text.at - head))
         return stated_scales((text for text in near if abs(text.at - head) <= NEAR), letters)
 
-    def lines(self, seen: SeenSheet) -> Iterator[Complexes]:
+    def lines(self, sheet: SeenSheet) -> Iterator[Complexes]:
         """Give the lines and chains that lie within the axes."""
-        straight = (np.array([line.start, line.end]) for line in flat(_ink(seen)) if isinstance(line, Line))
-        for line in (*chains(_ink(seen)), *straight):
+        straight = (np.array([line.start, line.end]) for line in flat(_ink(sheet)) if isinstance(line, Line))
+        for line in (*chains(_ink(sheet)), *straight):
             apart = line - self.origin
             low, high = -PLACED, max(self.top - self.origin.imag, self.right - self.origin.real)
             if apart.real.min() >= low and apart.real.max() <= high and np.abs(apart.imag).max() <= high:
                 yield line
 
 
-def every_axes(seen: SeenSheet) -> dict[str, Blank]:
+def every_axes(sheet: SeenSheet) -> dict[str, Blank]:
     """Give all axes of a form by the plans that they are for."""
-    found = (group for group in groups(seen.leaf.groups) if group.data.get("kind") == AXES)
+    found = (group for group in groups(sheet.leaf.groups) if group.data.get("kind") == AXES)
     blanks = ((group.data.get("plan", ""), _blank(group)) for group in found)
     return {plan: blank for plan, blank in blanks if blank is not None}
 
@@ -78,51 +78,51 @@ def _is_tick(line: Line, origin: complex) -> bool:
     return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
 
 
-def _ink(seen: SeenSheet) -> list[Group]:
+def _ink(sheet: SeenSheet) -> list[Group]:
     """Give what is no part of the form's own axes and page."""
-    return [group for group in seen.leaf.groups if group.data.get("kind") != AXES and group.name != FRAME]
+    return [group for group in sheet.leaf.groups if group.data.get("kind") != AXES and group.name != FRAME]
 
 
-def _curves(seen: SeenSheet, plan: str) -> Iterator[Complexes]:
+def _curves(sheet: SeenSheet, plan: str) -> Iterator[Complexes]:
     """Give the curves that are nearer to the axes of a graph than to any others."""
-    blanks = every_axes(seen)
-    for curve in chains(_ink(seen)):
+    blanks = every_axes(sheet)
+    for curve in chains(_ink(sheet)):
         if min(blanks, key=lambda name: blanks[name].away(curve)) == plan:
             yield curve
 
 
-def empty_axes(seen: SeenSheet) -> frozenset[str]:
+def empty_axes(sheet: SeenSheet) -> frozenset[str]:
     """Give the plans on whose axes nothing is drawn that might be a curve."""
     return frozenset(
-        plan for plan, blank in every_axes(seen).items()
-        if next(_curves(seen, plan), None) is None and next(blank.lines(seen), None) is None
+        plan for plan, blank in every_axes(sheet).items()
+        if next(_curves(sheet, plan), None) is None and next(blank.lines(sheet), None) is None
     )  # fmt: skip
 
 
-def from_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+def from_form(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     """Give a figure by what is drawn on its axes or in its place on a form; None where nothing of it is there."""
-    blank = every_axes(seen).get(asked.plan)
+    blank = every_axes(sheet).get(asked.plan)
     if asked.kind == ORDINATES and asked.paper is not None and blank is not None:
-        return (_course if asked.returns else _graph)(asked, seen, blank)
-    return _line(asked, seen, blank) if asked.curved else None
+        return (_course if asked.returns else _graph)(asked, sheet, blank)
+    return _line(asked, sheet, blank) if asked.curved else None
 
 
-def _course(asked: FigureAsked, seen: SeenSheet, blank: Blank) -> DrawnFigure | None:
+def _course(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | None:
     """Give a course by the lines that are drawn on its axes; None where no scales are written, or none are drawn.
 
     At each place it is read on the branch that is nearer to what is asked for, or to a mistake that has a name if the
     whole course is nearer to that.
     """
     assert asked.paper is not None  # asked before
-    written = blank.written(seen, asked.stated)
+    written = blank.written(sheet, asked.stated)
     across, up = (written.get(letter) for letter in asked.scales)
-    lines = [line - blank.origin for line in blank.lines(seen)]
+    lines = [line - blank.origin for line in blank.lines(sheet)]
     if across is None or up is None or not lines:
         return None
     places = asked.paper.along / across
     known = (asked.true, -asked.true, *(mistake.values for mistake in asked.mistakes))
     dues = [(values / asked.way).real / up for values in known]
-    read = (np.array([_nearest(lines, spot) for spot in (places + 1j * due).tolist()]) for due in dues)
+    read = (np.array([_nearest(lines, spot) for spot in (places + 1j * expected).tolist()]) for expected in dues)
     high, _ = min(zip(read, dues, strict=True), key=lambda row: float(np.nansum(np.abs(row[0] - row[1]))))
     if not np.isfinite(high).any():
         return None
@@ -130,13 +130,13 @@ def _course(asked: FigureAsked, seen: SeenSheet, blank: Blank) -> DrawnFigure | 
     return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True)
 
 
-def _nearest(lines: Iterable[Complexes], due: complex) -> float:
+def _nearest(lines: Iterable[Complexes], expected: complex) -> float:
     """Give how high lines are over the place of a spot, mm: where they are nearest to it; NaN where none is over it."""
-    found = [high for line in lines for high in _heights(line[:-1], line[1:], due)]
-    return min(found, key=lambda high: abs(high - due.imag), default=float("nan"))
+    found = [high for line in lines for high in _heights(line[:-1], line[1:], expected)]
+    return min(found, key=lambda high: abs(high - expected.imag), default=float("nan"))
 
 
-def _heights(start: Complexes, end: Complexes, due: complex) -> list[float]:
+def _heights(start: Complexes, end: Complexes, expected: complex) -> list[float]:
     """Give the heights of segments over a place; of an upright one that which is nearest to the spot.
 
     >>> _heights(np.array([0j, 2 + 1j]), np.array([2 + 1j, 2 + 3j]), 2 + 2j)
@@ -145,23 +145,23 @@ def _heights(start: Complexes, end: Complexes, due: complex) -> list[float]:
     turned = end.real < start.real
     low, high = np.where(turned, end, start), np.where(turned, start, end)
     wide = high.real - low.real
-    over = (low.real <= due.real + PLACED) & (high.real >= due.real - PLACED)
-    share = np.clip((due.real - low.real) / np.where(wide > PLACED, wide, 1.0), 0.0, 1.0)
+    over = (low.real <= expected.real + PLACED) & (high.real >= expected.real - PLACED)
+    share = np.clip((expected.real - low.real) / np.where(wide > PLACED, wide, 1.0), 0.0, 1.0)
     sloped = low.imag + share * (high.imag - low.imag)
-    upright = np.clip(due.imag, np.minimum(low.imag, high.imag), np.maximum(low.imag, high.imag))
+    upright = np.clip(expected.imag, np.minimum(low.imag, high.imag), np.maximum(low.imag, high.imag))
     return list(map(float, np.where(wide > PLACED, sloped, upright)[over]))
 
 
-def _line(asked: FigureAsked, seen: SeenSheet, blank: Blank | None) -> DrawnFigure | None:
+def _line(asked: FigureAsked, sheet: SeenSheet, blank: Blank | None) -> DrawnFigure | None:
     """Give a figure by the line on its axes or about its pole, where it is nearest to what is asked for."""
     if blank is not None:
-        pole, scales, lines = blank.origin, blank.written(seen, asked.stated), list(_curves(seen, asked.plan))
+        pole, scales, lines = blank.origin, blank.written(sheet, asked.stated), list(_curves(sheet, asked.plan))
     else:
-        place = next((place for place in form_places(seen.leaf) if place.plan[0] == asked.plan), None)
+        place = next((place for place in form_places(sheet.leaf) if place.plan[0] == asked.plan), None)
         if place is None or place.pole is None:
             return None
         pole, scales = place.pole, dict.fromkeys(asked.scales, place.scale)
-        lines = [line for line in chains(_ink(seen)) if place.off(complex(line.mean())) == 0]
+        lines = [line for line in chains(_ink(sheet)) if place.off(complex(line.mean())) == 0]
     if not lines:
         return None
     written = asked.scales.keys() <= scales.keys()
@@ -181,8 +181,8 @@ def _measures(asked: FigureAsked, scales: Mapping[str, float], lines: Sequence[C
     if scales:
         mu = [scales[letter] / (true if asked.on_paper else 1.0) for letter, true in asked.scales.items()]
         return mu[0], mu[-1]
-    drawn, due = np.concatenate(lines), asked.true[list(asked.curved)]
-    return float(np.ptp(due.real) / np.ptp(drawn.real)), float(np.ptp(due.imag) / np.ptp(drawn.imag))
+    drawn, expected = np.concatenate(lines), asked.true[list(asked.curved)]
+    return float(np.ptp(expected.real) / np.ptp(drawn.real)), float(np.ptp(expected.imag) / np.ptp(drawn.imag))
 
 
 class ReadCurve(NamedTuple):
@@ -208,17 +208,17 @@ class ReadCurve(NamedTuple):
         return self.frame == other.frame and bool((apart[np.isfinite(apart)] > THROUGH).any())
 
 
-def _graph(asked: FigureAsked, seen: SeenSheet, blank: Blank) -> DrawnFigure | None:
+def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | None:
     """Give a graph by the curve that is drawn on its axes; None where no curve is on them."""
     assert asked.paper is not None  # asked before
-    written = blank.written(seen, dict.fromkeys(ABSCISSAS, "") | asked.stated)
+    written = blank.written(sheet, dict.fromkeys(ABSCISSAS, "") | asked.stated)
     step = _step(blank, written, asked.paper.turn)
     if step is None:
         return None
     # A graph of inertia stands on its side, its angles up or down.
     ways = (1 + 0j,) if asked.way == 1j else (1j, -1j)
     frames = (Frame(blank.origin, along, asked.way, 1.0, 1.0) for along in ways)
-    found = [curve for frame in frames for curve in _read(seen, asked, frame, asked.paper.along / step)]
+    found = [curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step)]
     best = max(found, key=lambda curve: int((~np.isnan(curve.high)).sum()), default=None)
     if best is None or np.isnan(best.high).all():
         return None
@@ -237,11 +237,11 @@ def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
     return {k: Arrow(complex(feet[k]), complex(ends[k])) for k in np.flatnonzero(np.isfinite(high)).tolist()}
 
 
-def _read(seen: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats) -> Iterator[ReadCurve]:
+def _read(sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats) -> Iterator[ReadCurve]:
     """Give the heights of each curve over the places, mm, and those a position to either side."""
     places = stations - stations[0]
     beside = float(np.median(np.diff(np.unique(places))))
-    for curve in _curves(seen, asked.plan):
+    for curve in _curves(sheet, asked.plan):
         drawn = frame.true(curve)
         if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places[-1] + 2 * beside + PLACED:
             shifts = {by: heights(drawn, places + by) for by in (-beside, beside)}

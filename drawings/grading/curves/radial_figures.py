@@ -35,13 +35,13 @@ class Rings(NamedTuple):
         return self.radii[-1 - number], self.radii[-number]
 
 
-def from_rings(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+def from_rings(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     """Give the bearings of the rays in the rings of a sheet; None where it has no rings of so many rows."""
     count = max(asked.rings, default=0)
-    rings = _rings(seen, count) if count else None
+    rings = _rings(sheet, count) if count else None
     if rings is None:
         return None
-    lines, by = [stroke for stroke in flat(seen.leaf.groups) if isinstance(stroke, Line)], seen.measured.moved
+    lines, by = [stroke for stroke in flat(sheet.leaf.groups) if isinstance(stroke, Line)], sheet.measured.moved
     values = np.full(len(asked.true), complex(np.nan, np.nan))
     for number in range(1, count + 1):
         places = np.flatnonzero(np.array(asked.rings) == number)
@@ -57,9 +57,9 @@ def from_rings(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     return DrawnFigure(asked, values, arrows, free=True)
 
 
-def _rings(seen: SeenSheet, count: int) -> Rings | None:
+def _rings(sheet: SeenSheet, count: int) -> Rings | None:
     """Give the widest circles about one centre, one more than there are rings between them."""
-    circles = [stroke for stroke in flat(seen.leaf.groups) if isinstance(stroke, Circle)]
+    circles = [stroke for stroke in flat(sheet.leaf.groups) if isinstance(stroke, Circle)]
     found = []
     for middle in sorted(circles, key=lambda circle: -circle.radius):
         about = sorted(circle.radius for circle in circles if abs(circle.centre - middle.centre) <= PLACED)
@@ -91,8 +91,8 @@ def _paired(rays: Complexes, dues: Sequence[Complexes]) -> Complexes:
     [(1+0j), 1j]
     """
     found = []
-    for due in dues:
-        ways, none = due / np.abs(due), np.full(len(due), complex(np.nan, np.nan))
+    for expected in dues:
+        ways, none = expected / np.abs(expected), np.full(len(expected), complex(np.nan, np.nan))
         costs = np.hstack([np.abs(ways[:, None] - rays), np.full((len(ways), len(ways)), OPPOSITE)])
         columns = paired(costs.tolist())
         found.append((float(costs[np.arange(len(ways)), columns].sum()), np.append(rays, none)[columns]))
@@ -107,14 +107,14 @@ def written(name: str) -> str:
     return Text(0j, lowered_bank(name)).plain
 
 
-def from_arms(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+def from_arms(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     """Give the arms of a figure by the letters of their masses; None where none is found."""
-    found = {k: arm_at(seen.leaf, asked.plan, letter) for k, letter in enumerate(asked.arms)}
+    found = {k: arm_at(sheet.leaf, asked.plan, letter) for k, letter in enumerate(asked.arms)}
     arrows = {k: Arrow(*arm) for k, arm in found.items() if arm is not None}
     if not arrows:
         return None
-    scale, is_written = scales_on(asked, seen)
-    values, turn = np.full(len(asked.true), complex(np.nan, np.nan)), seen.measured.moved.p
+    scale, is_written = scales_on(asked, sheet)
+    values, turn = np.full(len(asked.true), complex(np.nan, np.nan)), sheet.measured.moved.p
     for k, arrow in arrows.items():
         arm = arrow.vector / turn * (1.0 if asked.on_paper else scale["l"])
         values[k] = arm * abs(asked.true[k]) / abs(arm) if asked.kind == BEARINGS and arm else arm

@@ -143,8 +143,8 @@ def tachogram(sheet: SceneSheet, constructed: Run | None, exact: Run | None) -> 
     if not marks or constructed is None or exact is None or not {"t", "ω"} <= scales.keys():
         return
     instants = dict(_instants(constructed))
-    due = {name: instants[name] for name in instants if name in marks or not _ends(name)}
-    names, t = list(due), np.array(list(due.values()))
+    expected = {name: instants[name] for name in instants if name in marks or not _ends(name)}
+    names, t = list(expected), np.array(list(expected.values()))
     true, drawn = (np.interp(t, *_rising(run)) for run in (exact, constructed))
     first = next(name for name in names if name in marks)
     zero = marks[first].start - instants[first] / scales["t"]
@@ -216,8 +216,8 @@ class Bare:
     def __call__(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Find the energy at which the mean of the least and the greatest speed is what it must be."""
         surplus, inertia = drawn[SURPLUS].imag, drawn[INERTIA].real + self.true.inertia
-        due = float(np.ptp(self.true.omega) / 2 + self.true.omega.min())
-        energy = energy_at(due, surplus, inertia)
+        expected = float(np.ptp(self.true.omega) / 2 + self.true.omega.min())
+        energy = energy_at(expected, surplus, inertia)
         if energy is None:  # with such energies the machine would stop: nothing follows from them
             return np.full(len(surplus), complex(np.nan, np.nan))
         omega = np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia)

@@ -39,8 +39,8 @@ def record_of_linkage(study: Study, leaf: Leaf) -> Record:
     for k in dict.fromkeys(k for _, k in shown):
         drafts = linkage.drafts([k])
         boards |= {(order.plan, k): drafts.plan(order.number).board for order in ORDERS[1:]}
-        spans = ((name, told) for name, told in by_hand.read(drafts).items() if isinstance(told, Span))
-        found |= {(told.end.subject, k, told.start.name, told.end.name): Found(name, told) for name, told in spans}
+        spans = ((name, span) for name, span in by_hand.read(drafts).items() if isinstance(span, Span))
+        found |= {(span.end.subject, k, span.start.name, span.end.name): Found(name, span) for name, span in spans}
     if drawn is not None:
         plan = linkage.drafts([drawn]).positions
         names = comparison.analysis.points.keys() - linkage.mechanism.links[FRAME].points

@@ -186,9 +186,9 @@ def _moments(expected: Balanced) -> Iterator[Found]:
         f"m_{link}r_S{link}": [(f"m_{other}", mass / masses[link]) for other, mass in masses.items() if other != link]
         for link in masses
     }
-    laid = list(expected.moments())
-    sides, corners = _laid(MOMENTS, laid)
-    for moment, side, found in zip(laid, sides, corners, strict=True):
+    vectors = list(expected.moments())
+    sides, corners = _laid(MOMENTS, vectors)
+    for moment, side, found in zip(vectors, sides, corners, strict=True):
         wrong = (Slip(verdict.PRODUCT, moment.value * times, of) for of, times in slips[moment.name])
         yield Found(moment.name, side, found, slips=tuple(wrong))
     if corners:
@@ -198,11 +198,11 @@ def _moments(expected: Balanced) -> Iterator[Found]:
 
 def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
     """Give the vectors of main points to the common mass centre, the points of the links, and the counterweights."""
-    laid = list(expected.chain(state))
-    sides, corners = _laid(SCHEME + state, laid)
+    vectors = list(expected.chain(state))
+    sides, corners = _laid(SCHEME + state, vectors)
     board = Board(SCHEME + state)
     datum = board.given("O", 0j)
-    for vector, side, found in zip(laid, sides, corners, strict=True):
+    for vector, side, found in zip(vectors, sides, corners, strict=True):
         yield Found(vector.name, side, found, slips=tuple(_lacking(expected, state, vector)))
     if corners:
         yield Found(CENTRE, Span(corners[0].start, corners[-1].end))
@@ -214,12 +214,12 @@ def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
         yield Found(name, Span(datum, board.given(name, place)), slips=(other,))
 
 
-def _laid(plan: str, laid: Sequence[ChainVector]) -> tuple[list[Span], list[Span]]:
+def _laid(plan: str, vectors: Sequence[ChainVector]) -> tuple[list[Span], list[Span]]:
     """Lay vectors end to end as a student does; give each from nothing, and between its corners."""
     board = Board(plan)
     pole = board.given("0", 0j)
     sides, corners, end = list[Span](), list[Span](), pole
-    for number, side in enumerate(laid, 1):
+    for number, side in enumerate(vectors, 1):
         vector: Mark = board.given(side.name, side.value)
         start, end = end, board.lay_off(f"{plan}:{number}", end, vector)
         sides.append(Span(pole, vector))

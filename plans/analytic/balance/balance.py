@@ -236,7 +236,7 @@ def _chosen(course: Course, task: Task, found: FoundWeights, share: float | None
     """Take the share of the reciprocating mass that is asked for, off the crank's counterweight."""
     if task.aim != SHARE:
         return found, None
-    told = weighing(course, found).shares
-    taken = next(value for value in (share, task.share, told.best(task.least).share) if value is not None)
+    shares = weighing(course, found).shares
+    taken = next(value for value in (share, task.share, shares.best(task.least).share) if value is not None)
     step = shared(course.mechanism, found.left)
-    return replace(found, counterweights=shifted(course, found.counterweights, step, taken)), told
+    return replace(found, counterweights=shifted(course, found.counterweights, step, taken)), shares

@@ -46,15 +46,15 @@ def harmonics(vector: Callable[[Floats], Complexes], orders: Iterable[int], scal
 
     `scale` is the size of what the vector is the sum of: where all but nothing is left of it, rounding counts by that.
     """
-    told = sorted(set(orders))
+    ordered = sorted(set(orders))
     samples = vector(even(FEWEST))
     before, now = np.fft.fft(samples) / FEWEST, _finer(vector, samples)
-    while not _settled(before, now, told, scale) and len(now[0]) < MOST:
+    while not _settled(before, now, ordered, scale) and len(now[0]) < MOST:
         before, now = np.fft.fft(now[0]) / len(now[0]), _finer(vector, now[0])
     samples = now[0]
     row = np.fft.fft(samples) / len(samples)
     slack = ROUNDING * EPS * max(float(np.abs(samples).max()), scale)
-    return {n: _harmonic(n, row, before, slack) for n in told}
+    return {n: _harmonic(n, row, before, slack) for n in ordered}
 
 
 def _finer(vector: Callable[[Floats], Complexes], samples: Complexes) -> tuple[Complexes, Complexes]:

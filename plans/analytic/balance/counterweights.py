@@ -336,11 +336,11 @@ class Sums:
         """Tell what is found; what rounding alone has left is nothing."""
         count, values = len(self.links), np.where(np.abs(found) <= slack + self.blurred, 0, found).tolist()
         moments = dict(zip(self.links, values, strict=False))
-        told = tuple(carrying(weight, moments.get(weight.link, 0j)) for weight in known.counterweights)
+        carried = tuple(carrying(weight, moments.get(weight.link, 0j)) for weight in known.counterweights)
         left = dict(zip(self.left, values[count:], strict=False))
         off = slack.tolist()
         return FoundWeights(
-            told, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
+            carried, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
         )
 
     def _slack(self, found: Complexes, sizes: Floats) -> Floats:

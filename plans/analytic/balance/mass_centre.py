@@ -68,7 +68,7 @@ def vectors(solid: Sequence[Body], begun: Iterable[Begun]) -> dict[int, complex]
         for link, arm in _path(stems, body):
             terms[link].append(body.mass * arm)
     whole = sum(body.mass for body in solid)
-    return {link: complex(np.sum(told)) / whole for link, told in terms.items()}
+    return {link: complex(np.sum(values)) / whole for link, values in terms.items()}
 
 
 def _path(stems: Mapping[int, Begun], body: Body) -> Iterator[tuple[int, complex]]:

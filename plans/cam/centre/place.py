@@ -163,7 +163,7 @@ Laid: TypeAlias = Callable[[RulerTouch, str], tuple[Mark, Mark]]
 
 
 def tangents(
-    board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: Sequence[Limit], laid: Laid, prime: str = ""
+    board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: Sequence[Limit], locus: Laid, prime: str = ""
 ) -> tuple[SizeTangent, ...]:
     """Draw the limiting lines through the points that rulers touch, numbered; those that O lies on come first."""
     bounds = [line.bound for line in binding]
@@ -172,7 +172,7 @@ def tangents(
     for number, edge in enumerate(ordered):
         bound, name = edge.bound, f"{number + 1}{prime}"
         assert isinstance(bound, PressureBound)
-        point, way = laid(edge.touch, name)
+        point, way = locus(edge.touch, name)
         angle = f"{math.degrees(bound.side * bound.angle):.4g}"
         by = diagram.limit(bound.side, bound.angle) / 1j
         direction = board.turn(f"t_{name}", way, by, because("cam_limit_angle", angle=angle))

@@ -208,7 +208,7 @@ def _notched(board: Board, cam: Cam, ends: tuple[Mark, Mark], arc: Mark, base: f
 
 
 def _chord(
-    board: Board, diagram: SlopeDiagram, limits: Limits, ends: tuple[Mark, Mark], centre: Mark, laid: Laid
+    board: Board, diagram: SlopeDiagram, limits: Limits, ends: tuple[Mark, Mark], centre: Mark, locus: Laid
 ) -> Chord | None:
     """Draw the book's construction: the arc straightened to its chord, and tangents at the limits to that."""
     cam, start = diagram.cam, ends[1]
@@ -221,7 +221,7 @@ def _chord(
     top = complex(diagram.leaning(np.array([cam.lift]))[0])
     last = board.divide("K_m", board["l"], board.given("ψ_m", cam.rising * top, because("cam_arms")))
     way = board.join("K_0K_m", start, last, because("cam_chord"))
-    lines = tangents(board, diagram, (), found.limits, lambda touch, name: (laid(touch, name)[0], way), "'")
+    lines = tangents(board, diagram, (), found.limits, lambda touch, name: (locus(touch, name)[0], way), "'")
     by_chord = met(board, "O'", lines, start, "cam_chord_centre")
     board.join("OO'", centre, by_chord, because("cam_error"))
     return Chord(lines, by_chord)

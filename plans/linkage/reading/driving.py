@@ -36,11 +36,11 @@ def by_ram(
     if stroke is None or points is None or not _moves(survey):
         return None
     fixed, point = points
-    told = Ram(fixed, point, float(stroke.from_), float(stroke.to), *stroke.rates, 0.0)
-    drive = Drive(survey.form.drive.link, *ends, 1.0, 0.0, ram=told, law=stroke.law)
+    ram = Ram(fixed, point, float(stroke.from_), float(stroke.to), *stroke.rates, 0.0)
+    drive = Drive(survey.form.drive.link, *ends, 1.0, 0.0, ram=ram, law=stroke.law)
     if not _on_crank(survey, points, ends):
         owners = survey.owners((fixed,))[0], survey.owners((point,))[0]
-        return drive._replace(ram=told._replace(links=owners))
+        return drive._replace(ram=ram._replace(links=owners))
     if not _reached(survey, points, links, ends):
         return None
     hinge, foot = links[FRAME].points[ends[0]], links[FRAME].points[fixed]
@@ -48,7 +48,7 @@ def by_ram(
         survey.report(BETWEEN, "ram_sketch", name=point)
         return None
     turned = float(cross(np.asarray(hinge - foot), np.asarray(sketch[point] - foot)))
-    found = told._replace(side=1.0 if turned >= 0 else -1.0)
+    found = ram._replace(side=1.0 if turned >= 0 else -1.0)
     whole = Mechanism("", (stroke.to, stroke.to), links, (), drive._replace(ram=found), sketch, None)
     return _begun(whole, found)
 
@@ -62,19 +62,19 @@ def between_links(survey: LinkageSurvey, mechanism: Mechanism) -> Mechanism | No
     if ram is None or ram.links is None or mechanism.mobility != 1:
         return mechanism
     try:
-        told = passage(mechanism)
+        passed = passage(mechanism)
     except (StructureError, SketchError):
         return mechanism
     line = f"{ram.foot}{ram.point}"
-    if told is None:
+    if passed is None:
         survey.report(BETWEEN, "ram_nowhere", line=line)
         return None
     for name, way in (("from", ram.begin), ("to", ram.end)):
-        if not told[1][0] < way < told[1][1]:
-            least, most = (_millimetres(float(f"{end:.6g}")) for end in told[1])
+        if not passed[1][0] < way < passed[1][1]:
+            least, most = (_millimetres(float(f"{end:.6g}")) for end in passed[1])
             survey.report(("drive", "stroke", name), "ram_passage", line=line, least=least, most=most)
             return None
-    found = ram._replace(passage=told[0])
+    found = ram._replace(passage=passed[0])
     whole = replace(mechanism, drive=mechanism.drive._replace(ram=found))
     return replace(whole, drive=_begun(whole, found))
 

@@ -128,14 +128,14 @@ def position_list(value: tuple[Decimal, ...]) -> tuple[Decimal, ...]:
         raise wrong("empty")
     if len(value) > POSITIONS_LIMIT:
         raise LimitError(placed("drive.positions", MANY))
-    seen: dict[Decimal, Decimal] = {}
+    met: dict[Decimal, Decimal] = {}
     for place in value:
         # In EXACT the remainder is exact; a whole turn more is the same position of the crank.
         turn = units.EXACT.remainder(place, Decimal(360))
         turn = units.EXACT.add(turn, Decimal(360)) if turn < 0 else turn
-        if turn in seen:
-            raise wrong("repeated", entry=f"{place.normalize(units.WORKING):f} deg", at=(len(seen),))
-        seen[turn] = place
+        if turn in met:
+            raise wrong("repeated", entry=f"{place.normalize(units.WORKING):f} deg", at=(len(met),))
+        met[turn] = place
     return value
 
 
@@ -280,8 +280,8 @@ class StrokeTable(Table):
     def law(self) -> tuple[tuple[float, float], ...]:
         """The law: places m that rise, and signed speeds m/s there; none where one speed is told."""
         even = [self.from_ + (self.to - self.from_) * k / max(len(self.speeds) - 1, 1) for k in range(len(self.speeds))]
-        told = zip(self.places or even, self.speeds, strict=True)
-        return tuple(sorted((float(place), self.sense * float(speed)) for place, speed in told))
+        pairs = zip(self.places or even, self.speeds, strict=True)
+        return tuple(sorted((float(place), self.sense * float(speed)) for place, speed in pairs))
 
     def check(self) -> None:
         """See that the stroke has a length, and that a law is told over the whole of it."""

@@ -165,8 +165,8 @@ class BankBalance:
     @property
     def left_slack(self) -> float:
         """How far rounding can have moved `left` anywhere, N."""
-        taken = (self.forces[one.asked.order] for one in self.compensators)
-        return self.force_slack + sum(2 * one.slack + ROUNDING * EPS * one.size for one in taken)
+        taken = (self.forces[compensator.asked.order] for compensator in self.compensators)
+        return self.force_slack + sum(2 * harmonic.slack + ROUNDING * EPS * harmonic.size for harmonic in taken)
 
     @property
     def unanswered(self) -> tuple[Gap, ...]:

@@ -56,7 +56,7 @@ class Task(NamedTuple):
 
     def place(self, link: int) -> Place | None:
         """Give what is allowed on a link; None where nothing may be put there."""
-        return next((one for one in self.places if one.link == link), None)
+        return next((place for place in self.places if place.link == link), None)
 
 
 class Counterweight(NamedTuple):
@@ -196,7 +196,7 @@ class State:
     def reactions(self) -> Mapping[str, float]:
         """The largest reaction N of every pair."""
         force, _ = self.none
-        return {key: _largest(one.force, force) for key, one in self.forces.reactions.items()}
+        return {key: _largest(reaction.force, force) for key, reaction in self.forces.reactions.items()}
 
     def reaction(self, link: int) -> float:
         """Give the largest reaction N of the frame on a link that is hinged to it."""
@@ -263,9 +263,9 @@ class Balance:
     @property
     def added(self) -> float:
         """The mass kg of all counterweights."""
-        return sum(one.mass for one in self.counterweights)
+        return sum(weight.mass for weight in self.counterweights)
 
     @property
     def still(self) -> bool:
         """Whether nothing needs to be put on, though it is asked for: the mechanism is balanced so far already."""
-        return self.task.aim != NONE and not any(one.needed for one in self.counterweights)
+        return self.task.aim != NONE and not any(weight.needed for weight in self.counterweights)
