@@ -234,6 +234,7 @@ class WorkDiagram:
     middle: Reducing  # the levers at the middles of the strips
     edge: Reducing  # and at their edges
     bent: Floats  # (n, 2) N*m: by how much those at the edges may be off, as they were carried on
+    loads: Floats  # (n, 2) N*m: what the cycle's moments are without the weights
 
     @property
     def board(self) -> Board:
@@ -264,13 +265,13 @@ class SteadyStrips:
         means = settled(middle.moment, middle.size)
         board = Board(WORKS)
         curve = integral(board, "A", self.edges, means, why=REASONS)
-        sides, bent = self._sides
+        sides, bent, loads = self._sides
         cycle = Cycle(CONSTRUCTION, self.edges, self.breaks, sides, means, curve.values, edge.inertia)
-        return WorkDiagram(curve, _drive(board, curve), cycle, middle, edge, bent)
+        return WorkDiagram(curve, _drive(board, curve), cycle, middle, edge, bent, loads)
 
     @property
-    def _sides(self) -> tuple[Floats, Floats]:
-        """The moments at the beginning and at the end of each strip, (n, 2), from inside it, and how they bend there.
+    def _sides(self) -> tuple[Floats, Floats, Floats]:
+        """The moments at both ends of each strip, (n, 2), from inside it; how they bend there; those of loads alone.
 
         They are carried on by a parabola, which leaves out less than its own second difference; a break that is placed
         otherwise shifts them along it.
@@ -279,10 +280,12 @@ class SteadyStrips:
         near = np.minimum(np.maximum(BESIDE * (high - low), APART), (high - low) / 6)
         places = [edge + k * sense * near for edge, sense in ((low, 1), (high, -1)) for k in (1, 2, 3)]
         read = self.reduction.at(np.concatenate(places))
-        first, second, third = np.moveaxis(read.moment.reshape(2, 3, -1), 1, 0)
-        carried = 3 * (first - second) + third
+        near_by = np.array((read.moment, read.moment - read.weight)).reshape(2, 2, 3, -1)
+        sides, loads = (settled((3 * (row[:, 0] - row[:, 1]) + row[:, 2]).T, read.size) for row in near_by)
+        first, second, third = np.moveaxis(near_by[0], 1, 0)
         lag = 2 * ROUNDING * TURN / near  # by which the two roads may put one break apart
-        return settled(carried.T, read.size), (np.abs(first - 2 * second + third) + lag * np.abs(first - second)).T
+        bent = np.abs(first - 2 * second + third) + lag * np.abs(first - second)
+        return sides, bent.T, loads
 
 
 def _drive(board: Board, curve: Integral) -> Mark:

@@ -152,6 +152,11 @@ class Reducing:
         return self._total(self.acting)
 
     @property
+    def weight(self) -> Floats:
+        """The part of it that the weights have, N*m."""
+        return self._total(_moments(self.forces, self._names(WEIGHT)))
+
+    @property
     def inertia(self) -> Floats:
         """The reduced inertia of the linkage, kg*m2."""
         return self._total(self.moved)

@@ -86,8 +86,10 @@ def reduced_link(works: WorkDiagram, constant: float) -> ReducedLink:
     """Read the reduced link off the graphs of a steady turn; `constant`: inertia kg*m2 of shafts and flywheel."""
     cycle = works.cycle
     inertia = curve(cycle.turned, cycle.inertia + constant, works.edge.slope)
-    moments = Ordinates(cycle.turned.tolist(), *cycle.moments.T.tolist())
-    return ReducedLink(inertia.value, inertia.slope, moments.straight, breaks=tuple(cycle.breaks.tolist()))
+    of_loads, of_weights = (
+        Ordinates(cycle.turned.tolist(), *row.T.tolist()).straight for row in (works.loads, cycle.moments - works.loads)
+    )
+    return ReducedLink(inertia.value, inertia.slope, of_loads, of_weights, tuple(cycle.breaks.tolist()))
 
 
 REDUCTION, WORKS, FLYWHEEL, SPEEDS, RUN = "reduction", "works", "flywheel", "speeds", "run"

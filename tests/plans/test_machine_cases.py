@@ -85,6 +85,23 @@ def test_the_run_is_told_as_plain_numbers(by: str) -> None:
     assert run["steady"]["extremes"][0] < run["steady"]["mean"] < run["steady"]["extremes"][1]
 
 
+@pytest.mark.parametrize(("by", "off"), [("construction", 0.04), ("analysis", 1e-7)])
+def test_weights_of_a_run_work_by_how_far_they_fall_and_use_nothing(by: str, off: float) -> None:
+    """Mass centres lie 0.04 and 0.0625 sin(phi) high; the cut takes 2000 N over 0.9 of 0.2 m a turn."""
+    motor = f"{ASKED}\nmotor = {{ starting = 300, synchronous = 14 }}\nrun = {{ turns = 1, brake = 300 }}"
+    falling = PLANING.replace("[[loads.forces]]", "[loads]\ngravity = 9.81\n[[loads.forces]]", 1)
+    run = numbers(Study(parse_scene(text(falling, asked=motor)), ["run"]), by).plain()["dynamics"]["run"]
+    most = 9.81 * (3 * 0.04 + 4 * 0.0625)
+    for stage in run["stages"]:
+        begun, ended = most * np.sin(np.interp(stage["t"], run["t"], run["turned"]))
+        assert stage["works"]["weights"] == pytest.approx(begun - ended, abs=off * most)
+    up, down = run["stages"][0], run["stages"][-1]
+    assert abs(up["works"]["weights"]) > 0.1 * most
+    assert abs(down["works"]["weights"]) > 0.1 * most
+    assert up["works"]["useful"] == down["works"]["useful"] == 0
+    assert run["steady"]["works"]["useful"] == pytest.approx(360, rel=off)
+
+
 def test_machine_that_drives() -> None:
     """I4: a force along the motion gives more than it takes: the moment that keeps the motion steady is a brake's."""
     pushed = PLANING.replace("value = 2000", "value = -2000")

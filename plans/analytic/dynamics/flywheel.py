@@ -46,7 +46,8 @@ class Exact:
     """
 
     breaks: Floats
-    load: Curve
+    load: Curve  # of loads and weights
+    weight: Curve  # of the weights alone
     mass: Curve
     growth: Curve
     noise: float
@@ -113,12 +114,12 @@ def exact(reduction: Reduction, strokes: Mapping[Track, StrokeRun]) -> Exact:
     def loads(motion: Motion) -> tuple[Floats, Floats]:
         found = reduction.ordinates(motion)
         sizes.append(float(found.gross.max()))
-        return found.moment[None], found.gross.max()[None]
+        return np.array((found.moment, found.weight)), np.full(2, found.gross.max())
 
     at = breaks(reduction, strokes, noise)
     mass, growth = smooth(reduction, masses, noise)
-    (load,) = broken(reduction, loads, at, noise) if at.size else smooth(reduction, loads, noise)
-    return Exact(at, load, mass, growth, noise, max(sizes))
+    load, weight = broken(reduction, loads, at, noise) if at.size else smooth(reduction, loads, noise)
+    return Exact(at, load, weight, mass, growth, noise, max(sizes))
 
 
 def _noise(reduction: Reduction) -> float:
@@ -207,12 +208,13 @@ def _farthest(turned: Floats, varying: Floats, surplus: Floats, slope: float, si
 def reduced_link(found: Exact, constant: float) -> ReducedLink:
     """Give the reduced link of a machine; `constant`: inertia kg*m2 of shafts and flywheel."""
     breaks = sorted({float(place) % TURN for place in found.breaks})
-    inertia = _raised(found.mass.value, constant)
-    return ReducedLink(inertia, found.growth.value, found.load.value, breaks=tuple(breaks))
+    both, weight = found.load.value, found.weight.value
+    inertia, loads = _raised(found.mass.value, lambda _: constant), _raised(both, lambda turned: -weight(turned))
+    return ReducedLink(inertia, found.growth.value, loads, weight, tuple(breaks))
 
 
-def _raised(curve: OfTurn, constant: float) -> OfTurn:
-    return lambda turned: curve(turned) + constant
+def _raised(curve: OfTurn, by: OfTurn) -> OfTurn:
+    return lambda turned: curve(turned) + by(turned)
 
 
 def methods(found: Exact, task: Task) -> Methods | None:

@@ -30,7 +30,7 @@ Loads = Callable[[Motion], Loading]  # the loads over the positions of a motion
 
 
 class Ordinates(NamedTuple):
-    """Over some positions, (N,): moment of loads and weights N*m, inertia kg*m2 and its derivative by the angle.
+    """Over some positions, (N,): moment of loads and weights N*m, inertia kg*m2 and its derivative, that of weights.
 
     `gross` N*m is the moment that all loads would have if none worked against another: the measure of its rounding.
     """
@@ -38,6 +38,7 @@ class Ordinates(NamedTuple):
     moment: Floats
     inertia: Floats
     slope: Floats
+    weight: Floats
     gross: Floats
 
 
@@ -77,10 +78,12 @@ class Reduction:
         constraints, poses = self.road.constraints, self.road.poses(motion)
         first, second = _transfers(constraints, poses, motion)
         loading = self.loads(motion)
-        moment = reduced_moment(self.road, motion, loading, first) + self._weights(poses, first)
+        weight = self._weights(poses, first)
+        moment = reduced_moment(self.road, motion, loading, first) + weight
         inertia = reduced_inertia(constraints, self.machine, poses, first)
         slope = self._slope(poses, first, second)
-        return Ordinates(self.sense * moment, inertia, self.sense * slope, self._gross(loading, poses, first))
+        turning = self.sense * moment, inertia, self.sense * slope, self.sense * weight
+        return Ordinates(*turning, self._gross(loading, poses, first))
 
     def _weights(self, poses: Floats, first: Floats) -> Floats:
         """Reduce the weights to the crank, N*m."""
