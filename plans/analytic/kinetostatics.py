@@ -186,15 +186,17 @@ def _in_order(pairs: Sequence[Pair], found: dict[str, Reaction]) -> dict[str, Re
 
 
 def _hinge_reactions(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:
-    """Read the reactions of all hinges: the equations tie every link of a hinge to its lowest, x rows before y rows."""
+    """Read the reactions of all hinges: the equations tie all links of a hinge to one of them, x rows before y rows."""
     found: dict[str, Reaction] = {}
     hinges, row = forces.constraints.hinges, 0
     for point, links in forces.mechanism.hinges.items():
         rows = slice(row, row + len(links) - 1)
         row = rows.stop
         x, y = forces.multipliers[:, :hinges][:, rows].T, forces.multipliers[:, hinges : 2 * hinges][:, rows].T
-        on_lowest = (x + 1j * y) / forces.constraints.size
-        on_links = dict(zip(links, (on_lowest.sum(axis=0), *-on_lowest), strict=True))
+        first, others = forces.constraints.links[:, rows]
+        tied = [forces.constraints.numbers[place] for place in (first[0], *others)]
+        on_first = (x + 1j * y) / forces.constraints.size
+        on_links = dict(zip(tied, (on_first.sum(axis=0), *-on_first), strict=True))
         r = forces.motion.points[point].r
         for pair, force in _peel([pair for pair in pairs if pair.joint == point], on_links):
             found[pair.key] = Reaction(pair.giver, pair.taker, point, r, force)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from collections.abc import Set as AbstractSet
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +12,7 @@ import numpy.typing as npt
 
 from plans.analytic import drive as placement
 from plans.analytic.drive import DriveEquation, Placement, SlidingDrive, drive_equation
-from plans.model.mechanism import Mechanism, StructureError, Way
+from plans.model.mechanism import FRAME, Mechanism, StructureError, Way
 from plans.model.motion import Complexes, Floats, Motion
 from plans.words.words import message
 
@@ -43,10 +45,14 @@ class Constraints(NamedTuple):
         """Write down the equations of a mechanism of mobility 1."""
         if mechanism.mobility != 1:
             raise StructureError(message("structure.mobility"), found=mechanism.mobility)
-        numbers, size, drive = tuple(sorted(mechanism.links)), _size(mechanism), mechanism.drive
+        numbers, size = tuple(sorted(mechanism.links)), _size(mechanism)
         local = {number: mechanism.links[number].points for number in numbers}
-        pairs = [(links[0], link, point) for point, links in mechanism.hinges.items() for link in links[1:]]
-        slides, count = mechanism.slides, len(pairs)
+        slides, count = mechanism.slides, mechanism.lower_pairs - len(mechanism.slides)
+        drive_row = drive_equation(mechanism, numbers, count, size)
+        order = _placing(mechanism, {numbers[place] for place in drive_row.moved})
+        # Every link of a hinge is tied to the one that is placed first, lest links rest on such as come after them.
+        tied = [(point, sorted(links, key=order.index)) for point, links in mechanism.hinges.items()]
+        pairs = [(first, link, point) for point, (first, *others) in tied for link in others]
         joined = [(a, b) for a, b, _ in pairs] + [(s.slider, s.owner) for s in slides]
         feet = [(_foot(s.on_slider), _foot(s.on_owner)) for s in slides]
         links = _indices((numbers.index(a), numbers.index(b)) for a, b in joined)
@@ -58,8 +64,8 @@ class Constraints(NamedTuple):
             links=links,
             points=_places([(local[a][p], local[b][p]) for a, b, p in pairs] + feet) / size,
             slide_ways=ways / np.abs(ways),
-            crank=numbers.index(drive.link),
-            drive=drive_equation(mechanism, numbers, count, size),
+            crank=numbers.index(mechanism.drive.link),
+            drive=drive_row,
             driven=True,
             pattern=_pattern(len(numbers), links, count),
             changing=_changing(len(numbers), links, count),
@@ -145,6 +151,32 @@ class Constraints(NamedTuple):
         bends = (at.ways[:, 1].conj() * lines).imag
         rows = (still.real, still.imag, np.zeros_like(turning), bends)
         return np.concatenate((*rows, self.drive.bend(at, lines)[:, None]) if self.driven else rows, axis=1)
+
+
+TOGETHER = 4  # links at the most whose equations are looked at by themselves: two dyads, or a group of class III
+
+
+def _placing(mechanism: Mechanism, moved: AbstractSet[int]) -> list[int]:
+    """Order the links as they can be placed, always as few together as have equations enough of their own."""
+    order, left = [FRAME], [number for number in sorted(mechanism.links) if number != FRAME]
+    if all(len(links) < 3 for links in mechanism.hinges.values()):
+        return order + left
+    while left:
+        sets = (each for size in range(1, TOGETHER + 1) for each in combinations(left, size))
+        placed = next((each for each in sets if _gives(mechanism, moved, {*order}, {*each})), tuple(left))
+        order += placed
+        left = [number for number in left if number not in placed]
+    return order
+
+
+def _gives(mechanism: Mechanism, moved: AbstractSet[int], known: AbstractSet[int], sought: AbstractSet[int]) -> bool:
+    """Tell whether joints with each other and with known links, and perhaps the drive, give the poses of some links."""
+    there, count = known | sought, int(moved <= known | sought and not moved <= known)
+    for links in mechanism.hinges.values():
+        count += 2 * max(len(there & {*links}) - max(len(known & {*links}), 1), 0)
+    slides = ({slide.slider, slide.owner} for slide in mechanism.slides)
+    count += 2 * sum(links <= there and not links <= known for links in slides)
+    return count == 3 * len(sought)
 
 
 def _indices(pairs: Iterable[tuple[int, int]]) -> Indices:

@@ -206,7 +206,7 @@ def _at_parallel(found: Positions, shape: Shape, turn: March, end: End, places: 
 def _away(last: Station, end: End, left: float) -> Floats:
     """Predict poses `left` rad before guides are parallel: what slides on them is as far away as that is short."""
     whole = abs(end.singular - last.phi)
-    runs = np.array([whole * whole * (1.0 / left - 1.0 / whole)] * 2 + [whole - left])
+    runs = np.array([whole * (whole / left - 1.0)] * 2 + [whole - left])
     return np.asarray(last.poses + end.sense * runs * last.first)
 
 

@@ -223,7 +223,7 @@ def _out_of_reach(
     for group, margin, mark in zip(groups, field[:, 0], marks, strict=True):
         if margin < 0 and crossing(mark) is None:
             return
-        if np.isnan(mark.point).any():
+        if np.isnan(mark.point).any() or _parallel(mark).any():
             raise SketchError(message("sketch.nowhere", group=group.label, point=mark.name), ())
 
 
@@ -240,9 +240,16 @@ def _choices(mechanism: Mechanism, groups: Sequence[Group], turn: CrankPositions
             kind.positions(trial, group, side)
         places = [_places(trial, shown, len(turn)) for trial in trials]
         choice = _choose(mechanism, shown, places, len(turn))
-        choices.append(choice)
         kind.positions(plan, group, choice.side)
+        there = np.where(_parallel(meeting(plan, group)), np.nan, choice.misfit)
+        choices.append(choice._replace(misfit=there))
     return choices
+
+
+def _parallel(mark: Mark) -> npt.NDArray[np.bool_]:
+    """Tell where the two lines that meet in a mark have one direction, but for rounding: their pin has no place."""
+    turned = crossing(mark)
+    return np.zeros(1, dtype=bool) if turned is None else np.asarray(~(np.abs(turned) > NOWHERE))
 
 
 def _shown(mechanism: Mechanism, group: Group) -> list[str]:

@@ -17,14 +17,15 @@ from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.steps import Span
 from plans.analytic.kinematics import Analysis
-from plans.linkage.assembly import margins
+from plans.linkage.assembly import SketchError, margins
 from plans.linkage.drafts import Drafts
 from plans.linkage.ram import cylinder, length_of, ram_of, ways
 from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.linkage.sweep import at_angles
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, Extremes, Floats, Motion, numbers_of, stroke_rates
 from plans.quantity import Comparison, Quantity, gap_numbers, pairs, plain
-from plans.words.words import Message, message
+from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -62,6 +63,7 @@ ANALYSIS = 8.0
 # A difference allowed beyond this share of the plan's largest would let a drawn error through: except in positions that
 # are named as too near a dead centre it is not, however bad the conditions.
 MOST_ALLOWED = 1e-6
+MISTAKEN = 1e-3  # of the farthest point: far above what rounding does at a dead centre, where assemblies meet
 NOT_GRADED = 600.0  # kappa of a notch of 6 minutes of arc: 0.01 mm in a length moves such a point by 6 mm
 
 EXTREME_NAMES = ("φ_start", "φ_end", "H", "θ")
@@ -285,8 +287,21 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     with_ends = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
     found = (solved if by == "analysis" else _constructed)(linkage, order, with_ends)
+    _see_one_assembly(linkage, found[0])
     way = ways(linkage.mechanism, found[0].phi)
     return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2], way)
+
+
+def _see_one_assembly(study: LinkageStudy, motion: Motion) -> None:
+    """See that the other road assembles the mechanism alike at the first position: both begin at the sketch."""
+    phi = motion.phi[:1]
+    by_hand = study.sweep.motion(at_angles(phi), 0) if motion.by == "analysis" else None
+    other = by_hand or road_of(study).motion(phi, 0)
+    apart = {name: float(np.abs(point.r[0] - other.points[name].r[0])) for name, point in motion.points.items()}
+    name = max(apart, key=lambda name: np.nan_to_num(apart[name]))
+    if apart[name] > MISTAKEN * max(abs(complex(point.r[0])) for point in motion.points.values()):
+        line, column = study.scene.place(("mechanism", "sketch"))
+        raise SketchError(placed(f"{study.scene.file}:{line}:{column}", message("sketch.two_ways", name=name)), (name,))
 
 
 def _constructed(study: LinkageStudy, order: int, with_ends: bool) -> tuple[Motion, Extremes | None, None]:

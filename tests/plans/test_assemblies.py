@@ -12,14 +12,18 @@ import pytest
 from geometry.precision import condition
 from plans.analytic.ends import least, sharpness
 from plans.analytic.kinematics import Analysis, solve
-from plans.linkage.assembly import assembly, meeting
+from plans.linkage.assembly import SketchError, assembly, meeting
+from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import Sweep, at_angles
 from plans.linkage.travel import ExtremePositions
 from plans.model.dyad import decompose
 from plans.model.mechanism import Mechanism, StructureError
+from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests import parts
 from tests.plans import linkages
 from tests.plans.digits import printed
+from tests.plans.scenes import scene
 from tests.plans.studies import driven, shown, study_of
 
 CHANGE, BEYOND = "change point", "beyond a change point"
@@ -158,3 +162,51 @@ def test_a_block_is_as_sharp_as_the_notch_of_its_group(make: Callable[[], Mechan
         assert sharpness(block, poses) == pytest.approx(notch, rel=1e-9)
     jacobian = road.constraints.jacobian(road.constraints.place(poses))
     assert (least(road.shape.blocks, jacobian, poses) > 0.01).all()
+
+
+SLOT_IN_CRANK = scene(
+    frame="O = [0, 0]",
+    links="OA B B",
+    lengths="OA = 0.1",
+    slides=['link = 2; along = "OA"', "link = 3; along = { through = [0, 0.3], angle = 0 }"],
+)
+
+
+@pytest.mark.parametrize("start", [0, 30, 180, 45])
+def test_a_pin_in_a_slot_of_the_crank_and_on_a_guide_is_where_they_cross(start: int) -> None:
+    """B = 0.3 (cot phi + i), nowhere where the crank is along the guide: there no start is possible."""
+    study = LinkageStudy(parse_scene(f"{SLOT_IN_CRANK}[drive]\nlink = 1\nspeed = 5\nstart = {start}\npositions = 12\n"))
+    roads = [solve(study.mechanism, study.turn.phi)]
+    if start % 180:
+        roads.append(study.motion())
+    else:
+        with pytest.raises(SketchError, match=r"no one place at the first position.*start from another crank angle"):
+            study.motion()
+    for motion in roads:
+        places, lost = motion.points["B"].r, {gap.position for gap in motion.gaps}
+        assert len(lost) == 7 - (start == 45)
+        for k in set(range(12)) - lost:
+            assert places[k] == pytest.approx(0.3 * (1 / np.tan(motion.phi[k]) + 1j), abs=1e-12)
+
+
+@pytest.mark.parametrize("numbers", [(53, 40, 55, 21, 3), (5, 4, 3, 2, 1), (1, 2, 3, 4, 5)])
+def test_a_hinge_of_three_links_is_where_the_sketch_has_it_however_they_are_numbered(numbers: tuple[int, ...]) -> None:
+    """A slider-crank with a triangle on its rod: four assemblies. Sketched within 3 mm, by either road it is so."""
+    crank, rod, stone, first, second = numbers
+    text = scene(
+        frame="O = [-0.059, -0.084]; A = [-0.14, -0.038]; B = [-0.16, -0.027]",
+        links=f'{crank} = "OC"; {rod} = "CD"; {stone} = ["D"]; {first} = "EC"; {second} = "DE"',
+        lengths="CO = 0.0078; DC = 0.061; CE = 0.031; DE = 0.052",
+        slides=[f'link = {stone}; along = ["A", "B"]'],
+        sketch="D = [-0.12, -0.051]; E = [-0.068, -0.046]",
+        masses=f"{first} = {{ mass = 2, centre = [0.01, 0] }}; {second} = {{ mass = 3, centre = [0.02, 0] }}",
+        loads="gravity = 9.81",
+        drive=f"link = {crank}; speed = 1.1; positions = 4; start = 140",
+    )
+    study = Study.of_all(parse_scene(text))
+    for by in ("construction", "analysis"):
+        told = study.numbers("linkage", by).plain()["points"]
+        C, D, E = (complex(*told[name]["r"][0]) for name in "CDE")
+        assert abs(D + 0.12 + 0.051j) < 3e-3 > abs(E + 0.068 + 0.046j)
+        assert (abs(C - D), abs(C - E), abs(D - E)) == pytest.approx((0.061, 0.031, 0.052), abs=1e-12)
+    assert study.comparison("forces").agrees
