@@ -73,7 +73,7 @@ BOTH = np.array([1.0, -1.0])  # signs of a determinant
 # Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
 # rounding must not choose between them.
 ALIKE = 1e-9
-NOWHERE = 1.0 / (
+INFINITE = 1.0 / (
     1000.0 * EPS
 )  # sizes of the mechanism: a pin farther away is where guides are parallel but for rounding
 
@@ -137,7 +137,7 @@ def home(shape: Shape, first: float | None, looks: Floats) -> Assembly | None:
     """
     for phi in ([] if first is None else [np.array([first])]) + [looks]:
         poses = assemblies(shape, phi)
-        misfits = np.where(far(poses) < NOWHERE, shape.whole_misfits(poses), np.nan)
+        misfits = np.where(far(poses) < INFINITE, shape.whole_misfits(poses), np.nan)
         if np.isfinite(misfits).any():
             best = int(np.argmax(misfits <= np.nanmin(misfits) * (1.0 + ALIKE)))
             return Assembly(float(phi[best]), poses[best])

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from plans.analytic.assembly import Assembly, Shape, assemblies, gap, signs_of
+from plans.analytic.assembly import INFINITE, Assembly, Shape, assemblies, gap, signs_of
 from plans.analytic.blocks import Block
-from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
+from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed, far
 from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, DOUBTFUL, SHORTEST, End, Station, least
 from plans.analytic.points import TURN, Indices
 from plans.analytic.turn import FULL, March, survey
@@ -199,7 +199,7 @@ def _at_parallel(found: Positions, shape: Shape, turn: March, end: End, places: 
         poses, reached = close(shape.constraints, guess, found.phi[[k]])
         if left >= UNBORNE and reached[0] and _same(shape, turn.near(end.reached), poses[0]):
             found.poses[k], found.regular[k] = wrapped(poses)[0], True
-        elif abs(left) < UNBORNE:
+        elif abs(left) < UNBORNE or not far(poses)[0] < INFINITE:  # the march knows their angle not to its last digits
             found.miss(k, "positions", PARALLEL_GUIDES, end)
 
 

@@ -164,29 +164,34 @@ def test_a_block_is_as_sharp_as_the_notch_of_its_group(make: Callable[[], Mechan
     assert (least(road.shape.blocks, jacobian, poses) > 0.01).all()
 
 
-SLOT_IN_CRANK = scene(
-    frame="O = [0, 0]",
-    links="OA B B",
-    lengths="OA = 0.1",
-    slides=['link = 2; along = "OA"', "link = 3; along = { through = [0, 0.3], angle = 0 }"],
-)
-
-
-@pytest.mark.parametrize("start", [0, 30, 180, 45])
-def test_a_pin_in_a_slot_of_the_crank_and_on_a_guide_is_where_they_cross(start: int) -> None:
-    """B = 0.3 (cot phi + i), nowhere where the crank is along the guide: there no start is possible."""
-    study = LinkageStudy(parse_scene(f"{SLOT_IN_CRANK}[drive]\nlink = 1\nspeed = 5\nstart = {start}\npositions = 12\n"))
-    roads = [solve(study.mechanism, study.turn.phi)]
-    if start % 180:
-        roads.append(study.motion())
-    else:
+@pytest.mark.parametrize(("start", "tilt"), [(0, 0), (30, 0), (180, 0), (45, 0), (0, 30), (90, 30)])
+def test_a_pin_in_a_slot_of_the_crank_and_on_a_guide_is_where_they_cross(start: int, tilt: int) -> None:
+    """Nowhere where the crank goes along the guide, which no start is possible at, and not beyond."""
+    text = scene(
+        frame="O = [0, 0]",
+        links="OA B B",
+        lengths="OA = 0.1",
+        slides=['link = 2; along = "OA"', f"link = 3; along = {{ through = [0.02, 0.3], angle = {tilt} }}"],
+        drive=f"link = 1; speed = 5; start = {start}; positions = 12",
+    )
+    study = LinkageStudy(parse_scene(text))
+    roads, parallel = (
+        [solve(study.mechanism, study.turn.phi)],
+        {k for k in range(12) if not (start + 30 * k - tilt) % 180},
+    )
+    if 0 in parallel:
         with pytest.raises(SketchError, match=r"no one place at the first position.*start from another crank angle"):
             study.motion()
+    else:
+        roads.append(study.motion())
     for motion in roads:
-        places, lost = motion.points["B"].r, {gap.position for gap in motion.gaps}
-        assert len(lost) == 7 - (start == 45)
-        for k in set(range(12)) - lost:
-            assert places[k] == pytest.approx(0.3 * (1 / np.tan(motion.phi[k]) + 1j), abs=1e-12)
+        lost = {gap.position: gap.reason for gap in motion.gaps}
+        assert {k for k, reason in lost.items() if reason == "parallel guides"} == parallel
+        assert len(lost) == 5 + len(parallel) + (start == 45)
+        crank, guide = np.exp(1j * motion.phi), np.exp(1j * np.radians(tilt))
+        for k in set(range(12)) - set(lost):
+            crossing = crank[k] * ((0.02 + 0.3j) / guide).imag / (crank[k] / guide).imag
+            assert motion.points["B"].r[k] == pytest.approx(crossing, abs=1e-12)
 
 
 @pytest.mark.parametrize("numbers", [(53, 40, 55, 21, 3), (5, 4, 3, 2, 1), (1, 2, 3, 4, 5)])
