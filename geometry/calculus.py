@@ -20,9 +20,9 @@ from geometry.board import Board, Mark
 from geometry.meet import EPS
 from geometry.strips import (
     SILENT,
-    Axes,
     Floats,
     Reasons,
+    StripAxes,
     axes_of,
     curve,
     middles,
@@ -48,7 +48,7 @@ class Integral:
 
     board: Board
     name: str
-    axes: Axes
+    axes: StripAxes
     distance: float
     edges: Floats  # (n+1,)
     means: Floats  # (n,)
@@ -87,7 +87,7 @@ class Derivative:
 
     board: Board
     name: str
-    axes: Axes
+    axes: StripAxes
     distance: float
     middles: Floats  # abscissas of the values, (n,)
     directions: tuple[Mark, ...]
@@ -144,7 +144,7 @@ def integral(
 
 
 def _strip(
-    board: Board, name: str, k: int, axes: Axes, last: Mark, sizes: tuple[float, float], why: Reasons
+    board: Board, name: str, k: int, axes: StripAxes, last: Mark, sizes: tuple[float, float], why: Reasons
 ) -> tuple[Mark, ...]:
     """Draw the chord of one strip: all its vectors are laid off from the last point, so that no digit is lost."""
     width, mean = sizes
@@ -218,7 +218,7 @@ def derivative_by_tangents(
 
 
 def _slope(
-    board: Board, name: str, k: int, axes: Axes, along: tuple[Mark, Mark], why: Reasons
+    board: Board, name: str, k: int, axes: StripAxes, along: tuple[Mark, Mark], why: Reasons
 ) -> tuple[Mark, Mark, Mark]:
     """Draw the ray along a direction, and carry what it cuts off the y axis over the place of the value."""
     direction, place = along
@@ -232,7 +232,7 @@ def _slope(
 def _derivative(
     board: Board,
     name: str,
-    axes: Axes,
+    axes: StripAxes,
     distance: float,
     places: Floats,
     rows: Sequence[tuple[Mark, Mark, Mark]],

@@ -116,7 +116,7 @@ def slopes(hand: SlippingHand, *marks: Mark) -> dict[Mark, Slopes]:
     0.666666666667
     """
     record = behind(*marks)
-    drawing = _Drawing(hand, sum(mark.step.op not in RECKONED for mark in record))
+    drawing = _HandRecord(hand, sum(mark.step.op not in RECKONED for mark in record))
     places = pricked_givens(record)
     with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN inside, a dead centre infinite
         for mark in record:
@@ -131,7 +131,7 @@ class _Moved(NamedTuple):
     turn: Sizes | float = 0.0
 
 
-class _Drawing:
+class _HandRecord:
     """A record on its way through the hand: what each mark is moved by, and the slips made so far."""
 
     def __init__(self, hand: SlippingHand, acts: int) -> None:
@@ -168,24 +168,24 @@ class _Drawing:
         return np.asarray(np.where(bent, np.nan, divisor))
 
 
-def _laid_off(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _laid_off(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     start, vector = inputs
     if is_nothing(mark.step.inputs[1], drawing.hand.scales[mark.subject]):
         return start
     return _Moved(start.place + vector.place + drawing.slip(mark.subject))
 
 
-def _ruled(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _ruled(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     through, along = inputs
     vector = drawing.firm(np.asarray(mark.step.inputs[1].point), along.place)
     return _Moved(through.place + drawing.slip(mark.subject), (along.place / vector).imag)
 
 
-def _struck(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _struck(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     return _Moved(inputs[0].place, drawing.slip(mark.subject, both=False).real)
 
 
-def _met(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _met(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     """Solve for the meeting that keeps on both loci: each says how far it is moved square to itself."""
     pairs = zip(mark.step.inputs, inputs, mark.rays, strict=True)
     (along, first), (other, second) = (_pushed(locus, moved, np.asarray(ray)) for locus, moved, (_, ray) in pairs)
@@ -218,20 +218,20 @@ def _direction(line: Mark) -> npt.NDArray[np.complex128]:
     return np.asarray(vector / np.abs(vector))
 
 
-def _tangent(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _tangent(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     unit, base = np.asarray(mark.point), np.asarray(between(*mark.step.inputs))
     moved = inputs[1].place - inputs[0].place + drawing.slip(mark.subject)
     reach = drawing.firm(np.asarray(dot(unit, base)), moved)
     return _Moved(1j * unit * cross(unit, moved) / reach)
 
 
-def _transferred(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _transferred(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     plan = mark.step.inputs[0].subject
     mu = np.asarray(drawing.hand.scales.get(plan, np.inf))
     return _Moved(inputs[0].place + drawing.slip(plan, np.maximum(np.abs(mark.point) / mu / EDGE, 1.0)))
 
 
-def _similar(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _similar(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     image, of, shape = (np.asarray(source.point) for source in mark.step.inputs)
     firm = drawing.firm(of, inputs[1].place)
     ratio = image / firm
@@ -239,28 +239,28 @@ def _similar(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
     return _Moved(np.asarray(mark.step.size) * grown)
 
 
-def _divided(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _divided(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     circle, directions = mark.step.inputs
     radius = circle.value.radius if isinstance(circle.value, Arc) else 0.0
     moved = inputs[0].place + np.asarray(directions.point) * inputs[0].turn + radius * inputs[1].place
     return _Moved(moved + drawing.slip(mark.subject))
 
 
-def _moment(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _moment(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     about, at, force = mark.step.inputs
     arm = inputs[1].place - inputs[0].place + drawing.slip(about.subject)
     found = cross(arm, np.asarray(force.point)) + cross(np.asarray(between(about, at)), inputs[2].place)
     return _Moved(np.asarray(found, dtype=np.complex128))
 
 
-def _couple(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _couple(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     arm, turning = (np.asarray(source.point) for source in mark.step.inputs)
     firm = drawing.firm(arm, inputs[0].place)
     grown = (inputs[1].place - turning / firm * inputs[0].place) / firm
     return _Moved(np.asarray(np.real(mark.step.size) * grown.imag, dtype=np.complex128))
 
 
-def _balanced(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
+def _balanced(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     about, line = mark.step.inputs[:2]
     unit, base = _direction(line), np.asarray(between(about, line.step.inputs[0]))
     arm = inputs[1].place - inputs[0].place + drawing.slip(about.subject)
@@ -271,7 +271,7 @@ def _balanced(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
     return _Moved(unit * (-(total + size * moved) / lever + 1j * size * inputs[1].turn))
 
 
-_RULES: dict[str, Callable[[_Drawing, Mark, list[_Moved]], _Moved]] = {
+_RULES: dict[str, Callable[[_HandRecord, Mark, list[_Moved]], _Moved]] = {
     "lay_off": _laid_off,
     "join": lambda _, mark, inputs: _Moved(inputs[1].place - inputs[0].place),
     "parallel": _ruled,

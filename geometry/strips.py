@@ -134,7 +134,7 @@ class Reasons(NamedTuple):
 SILENT = Reasons()
 
 
-class Axes(NamedTuple):
+class StripAxes(NamedTuple):
     """The axes of a diagram and the pole on the left of them: the origin, the direction of x, the y axis (полюс)."""
 
     origin: Mark
@@ -143,14 +143,14 @@ class Axes(NamedTuple):
     pole: Mark
 
 
-def axes_of(board: Board, name: str, distance: float, why: Reasons) -> Axes:
+def axes_of(board: Board, name: str, distance: float, why: Reasons) -> StripAxes:
     """Put the axes down with the pole on the left of them, so that a positive ordinate rises."""
     if not 0 < distance < np.inf:
         raise ValueError(f"the pole distance must be more than 0, found {distance}")
     origin = board.given(f"{name}:O", 0j, why.axes)
     x = board.given(f"{name}:x", 1 + 0j, why.axes)
     y = board.square(f"{name}:y", origin, x, why.axes)
-    return Axes(origin, x, y, board.given(f"{name}:P", complex(-distance), why.pole))
+    return StripAxes(origin, x, y, board.given(f"{name}:P", complex(-distance), why.pole))
 
 
 def curve(board: Board, name: str, xs: Floats, ys: npt.ArrayLike, why: Reasons) -> list[Mark]:

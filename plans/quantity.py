@@ -110,7 +110,7 @@ def numbers_of(found: Iterable[Quantity], by: str) -> dict[str, Any]:
     return {name: row if len(row) > 1 else row[0] for name, row in rows.items()}
 
 
-class Told(Protocol):
+class Stated(Protocol):
     """What a technique found by one road."""
 
     @property

@@ -7,7 +7,7 @@ from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from plans.quantity import Comparison, Quantity, Told
+from plans.quantity import Comparison, Quantity, Stated
 from plans.scene.forms import resting
 from plans.scene.scene import Scene
 from plans.techniques import Technique, name_of, techniques
@@ -36,7 +36,7 @@ class Study:
         self.whole = False  # asked for with all that it rests on
         self._made: dict[str, Made] = {}
         self._compared: dict[str, Comparison] = {}
-        self._numbers: dict[tuple[str, str], Told] = {}
+        self._numbers: dict[tuple[str, str], Stated] = {}
 
     @classmethod
     def of_all(cls, scene: Scene, whole: bool = False) -> Study:
@@ -92,7 +92,7 @@ class Study:
         """The comparisons of all techniques that are asked for."""
         return tuple(self.comparison(technique) for technique in self.techniques)
 
-    def numbers(self, technique: str, by: str) -> Told:
+    def numbers(self, technique: str, by: str) -> Stated:
         """Give the numbers of a technique by one road."""
         if (technique, by) not in self._numbers:
             self._numbers[technique, by] = techniques()[technique].numbers(self, by)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, ClassVar, Final
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
     from plans.model.motion import Pace
-    from plans.quantity import Comparison, Quantity, Told
+    from plans.quantity import Comparison, Quantity, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
@@ -68,7 +68,7 @@ class Technique(ABC):
         """Give all that its tables tell, which may be more than is compared."""
         return study.comparison(name_of(self)).findings
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         """Give what it finds by a road as plain data, for `solve`: its quantities, where it has no more to say."""
         from plans.quantity import Numbers, numbers_of
 

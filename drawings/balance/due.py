@@ -36,7 +36,7 @@ ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of
 APART = 1e-3  # of its link: a mass centre nearer to a point than this bears no letter of its own
 
 
-class Nothing(NamedTuple):
+class Negligible(NamedTuple):
     """The force N, the moment N*m about the shaft and the way m that are no more than rounding."""
 
     force: float
@@ -90,10 +90,10 @@ class Balanced:
         return frozenset({*range(0, count, every), self.shown})
 
     @cached_property
-    def none(self) -> Nothing:
+    def none(self) -> Negligible:
         """What is nothing on the sheets."""
         largest = max(state.forces.largest for state in self.states.values())
-        return Nothing(VANISHING * largest, VANISHING * largest * self.reach, VANISHING * self.reach)
+        return Negligible(VANISHING * largest, VANISHING * largest * self.reach, VANISHING * self.reach)
 
     @cached_property
     def reach(self) -> float:

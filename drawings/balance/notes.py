@@ -26,7 +26,7 @@ NO_BREAK = "\N{NO-BREAK SPACE}"
 EQUALS = f"{NO_BREAK}= "  # a long equation may be broken behind it
 
 
-class Moment(NamedTuple):
+class MomentTerm(NamedTuple):
     """A term of m*h: the letters of the masses with their sum kg, and the letter of their arm with its vector m."""
 
     masses: tuple[str, ...]
@@ -75,7 +75,7 @@ class Equations(NamedTuple):
             if moments:
                 yield self._main_point(stem, moments, vectors[stem.link])
 
-    def _main_point(self, stem: Stem, moments: Sequence[Moment], vector: complex) -> str:
+    def _main_point(self, stem: Stem, moments: Sequence[MomentTerm], vector: complex) -> str:
         along = line_of(self.mechanism, stem.link, stem.begin)
         arms = [moment.arm / along for moment in moments]
         parts = [lowered(f"h_{stem.link}"), f"{bracketed([moment.letters for moment in moments])}/m"]
@@ -88,17 +88,17 @@ class Equations(NamedTuple):
     def _term(self, mass: float, arm: float) -> str:
         return f"{'−' if arm < 0 else ''}{self._number(mass)}·{self._number(abs(arm))}"
 
-    def _moments(self, stem: Stem) -> Iterator[Moment]:
+    def _moments(self, stem: Stem) -> Iterator[MomentTerm]:
         """Give the own mass of a link at its centre, then the masses behind each point on which others begin."""
         body = self.bodies.get(stem.link)
         if body is not None and body.mass and body.centre != stem.origin:
             letter = f"l_{{{stem.begin}S{stem.link}}}"
-            yield Moment((f"m_{{{stem.link}}}",), body.mass, letter, body.centre - stem.origin)
+            yield MomentTerm((f"m_{{{stem.link}}}",), body.mass, letter, body.centre - stem.origin)
         for point, links, at in self._borne(stem):
             mass = sum(self.bodies[link].mass for link in links)
             if mass and at != stem.origin:
                 letters = tuple(f"m_{{{link}}}" for link in links)
-                yield Moment(letters, mass, f"l_{{{stem.begin}{point}}}", at - stem.origin)
+                yield MomentTerm(letters, mass, f"l_{{{stem.begin}{point}}}", at - stem.origin)
 
     def _borne(self, stem: Stem) -> Iterator[tuple[str, list[int], complex]]:
         """Give the points of a link on which others begin, with all links that have masses behind each."""

@@ -17,7 +17,7 @@ from drawings.forces.letters import REACTION
 from drawings.forces.sheet import of_forces
 from drawings.kinds import curve_graph, polygon
 from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
-from drawings.kinds.working import Working
+from drawings.kinds.working import Workings
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
@@ -32,7 +32,7 @@ from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit, figures_facts
 from geometry.board import at
-from plans.balance.mass_centre import Side
+from plans.balance.mass_centre import ChainSide
 from plans.balance.study import BalanceStudy
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
@@ -116,7 +116,7 @@ def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ..
     )
 
 
-def _vector(side: Side) -> ShownVector:
+def _vector(side: ChainSide) -> ShownVector:
     return ShownVector(side.vector.name, MAIN, at(side.start.point, 0), at(side.vector.point, 0))
 
 
@@ -175,7 +175,7 @@ class _BalancingSheet:
         placed = tuple(placed_weight(weight, bones) for weight in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
 
-    def _workings(self) -> Iterator[Working]:
+    def _workings(self) -> Iterator[Workings]:
         """How schemes and polygon are laid off: beside them, where paper would stay bare."""
         mechanism = self.shown.bones.mechanism
         for shown, _ in self._rooms:

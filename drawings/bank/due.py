@@ -58,7 +58,7 @@ class OrderPolygon(NamedTuple):
         return abs(self.whole) > self.rounding * DOUBTFUL
 
 
-class Body(NamedTuple):
+class CompensatorBody(NamedTuple):
     """A mass of a compensator: its letter, its place from its shaft m or direction, and how fast it turns."""
 
     name: str
@@ -208,15 +208,15 @@ class Bank:
         shown = {WHOLE: not self.compensated, LEFT: self.compensated}.get(name, True)
         return shown and self.most(name) < SEEN * self.largest * arm
 
-    def bodies(self, compensator: Compensator) -> Iterator[Body]:
+    def bodies(self, compensator: Compensator) -> Iterator[CompensatorBody]:
         """Give the masses of a compensator at phi = 0."""
         order = compensator.asked.order
         for signed, moment, angle in compensator.masses:
-            yield Body(letters("m", signed), moment, cmath.rect(1.0, angle) * self.turn, signed)
+            yield CompensatorBody(letters("m", signed), moment, cmath.rect(1.0, angle) * self.turn, signed)
         if compensator.couple_angle is not None and compensator.couple is not None:
             name, way = couple_letters(order).replace("mr", "m"), cmath.rect(1.0, compensator.couple_angle) * self.turn
-            yield Body(name, compensator.couple, way, order, True)
-            yield Body(f"{name}'", compensator.couple, -way, order, True)
+            yield CompensatorBody(name, compensator.couple, way, order, True)
+            yield CompensatorBody(f"{name}'", compensator.couple, -way, order, True)
 
     def nominal(self, compensator: Compensator, stated: bool) -> bool:
         """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
@@ -339,7 +339,7 @@ class _BankSheet(Bank):
                 if not body.name.endswith("'"):
                     yield from self._mass(compensator, body)
 
-    def _mass(self, compensator: Compensator, body: Body) -> Iterator[Expected]:
+    def _mass(self, compensator: Compensator, body: CompensatorBody) -> Iterator[Expected]:
         slack, mass = self.slack_of(compensator), None if body.coupled else compensator.asked.mass
         far = None if mass is None else (1000 * body.moment / mass, 1000 * slack / mass)
         angle = math.degrees(cmath.phase(body.way / self.turn))

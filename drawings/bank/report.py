@@ -14,7 +14,7 @@ from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters
 from drawings.report.letters import listed, plain
-from drawings.report.table import ANGLE, Report, Subject, chapter, header, row
+from drawings.report.table import ANGLE, Report, TableSubject, chapter, header, row
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
 from plans.linkage.study import LinkageStudy
@@ -273,14 +273,14 @@ class BankNotes(NamedTuple):
 ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
 
 
-def subject(study: Study) -> Subject:
+def subject(study: Study) -> TableSubject:
     """Tell a bank in a few words, for the gallery's page."""
     task = study.of(BankStudy).task
     kind = "linkages" if task.unit is None else "slider-cranks"
     count, orders = len(task.members), ", ".join(str(asked.order) for asked in task.asked)
     structure = f"bank of {count} {kind}"
     output = f"compensators of order {orders}" if orders else "no compensators"
-    return Subject(structure, output, f"A {structure} on one shaft; {output}.")
+    return TableSubject(structure, output, f"A {structure} on one shaft; {output}.")
 
 
 def headline(study: Study) -> str:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from drawings.bench.sheet import BY_HAND, SLIPS
 from geometry.errors import DraftError
 from geometry.meet import EPS
-from plans.bench.trial import Bench, Row
+from plans.bench.trial import Bench, Timed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -115,7 +115,7 @@ def _timed(axes: Axes, bench: Bench, looks: Mapping[str, Series]) -> None:
     axes.set_axisbelow(True)
 
 
-def looks_of(rows: Sequence[Row]) -> dict[str, Series]:
+def looks_of(rows: Sequence[Timed]) -> dict[str, Series]:
     """Give how every technique that can be shown is drawn."""
     shown = [name for name in dict.fromkeys(row.technique for row in rows) if _spots(rows, name)]
     return dict(zip(shown, itertools.cycle(LOOKS), strict=False))
@@ -140,7 +140,7 @@ def _level(axes: Axes, error: float, text: str, above: float) -> None:
     )  # fmt: skip
 
 
-def _untimed(axes: Axes, rows: Sequence[Row]) -> None:
+def _untimed(axes: Axes, rows: Sequence[Timed]) -> None:
     """Draw the hands beside: from the median of all quantities to the worst."""
     hands = [
         (f"{slip:g}\n{row.technique[:3]}", row.errors)
@@ -160,7 +160,7 @@ def _untimed(axes: Axes, rows: Sequence[Row]) -> None:
     axes.set_axisbelow(True)
 
 
-def _spots(rows: Sequence[Row], name: str) -> list[Spot]:
+def _spots(rows: Sequence[Timed], name: str) -> list[Spot]:
     """Find a technique's spots: where it has both a time and a finite error; what has no positions counts as one."""
     found = ((row.each, row.errors.worst, row.positions or 1) for row in rows if row.technique == name and row.errors)
     return [(time, max(error, LOWEST), count) for time, error, count in found if time and math.isfinite(error)]

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, fields
 from typing import Any
 
-from plans.bench.trial import Bench, Computer, Errors, Ratio, Row, Times
+from plans.bench.trial import Bench, Computer, Errors, Ratio, Timed, Times
 
 WIDTH = 118
 MANY = 1e6  # roundings: so many are no measure of rounding
@@ -28,7 +28,7 @@ def written(bench: Bench) -> str:
     return "\n".join([*lines, "", *_ratios(bench.ratios)])
 
 
-def _rows(rows: list[Row], count: int | None, accepted: float) -> Iterator[str]:
+def _rows(rows: list[Timed], count: int | None, accepted: float) -> Iterator[str]:
     title = "any number of positions" if count is None else f"{count} positions"
     yield _line(title, "worst, %", "median, %", "roundings", "accepted", _timing("one run", "(quartiles)", "times"))
     for row in rows:
@@ -135,7 +135,7 @@ def json_text(bench: Bench) -> str:
     return json.dumps(data, allow_nan=False, ensure_ascii=False)
 
 
-def _row(row: Row, accepted: float) -> dict[str, Any]:
+def _row(row: Timed, accepted: float) -> dict[str, Any]:
     found = row.errors
     return {
         "technique": row.technique, "positions": row.positions, "of": row.of,
@@ -168,4 +168,4 @@ def _held(ratio: Ratio) -> dict[str, Any]:
 
 
 # The machine stands in every line, so that files of several machines can be laid together.
-COLUMNS = ("scene", *_row(Row("", None), 0.0), *(field.name for field in fields(Computer)))
+COLUMNS = ("scene", *_row(Timed("", None), 0.0), *(field.name for field in fields(Computer)))

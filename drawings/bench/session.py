@@ -15,17 +15,17 @@ from plans.bench import cams, motion, series
 from plans.bench.motion import NothingToMeasure, turns, with_positions
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.quantities import ANALYSIS, CONSTRUCTION, DEFINED, follows, quantities, roads
-from plans.bench.trial import BUDGET, DRAWN, Bench, Goal, Order, Ratio, Road, Row, machine, orders, timed
+from plans.bench.trial import BUDGET, DRAWN, Bench, Demand, Goal, Ratio, Timed, Timing, machine, orders, timed
 from plans.linkage.study import LinkageStudy
 from plans.scene.forms import resting
 from plans.scene.scene import Scene
 from plans.study import Study
 
-Others = Callable[[Study, int], tuple[list[Road], Mapping[str, str]]]
+Others = Callable[[Study, int], tuple[list[Timing], Mapping[str, str]]]
 # Of a study and a number of positions to other roads and to why some are left out, with what is said of them.
 OTHERS: Final[Mapping[str, tuple[Others, str]]] = {"linkage": (motion.roads, motion.TRUE)}
 # Of a study and an order to roads over several counts, with what is said of them.
-SERIES: Final[Mapping[str, tuple[Callable[[Study, Order], Iterator[Road]], str]]] = {
+SERIES: Final[Mapping[str, tuple[Callable[[Study, Demand], Iterator[Timing]], str]]] = {
     "dynamics": (series.dynamics, series.DYNAMICS_DEFINED),
     "diagrams": (series.diagrams, series.DIAGRAMS_DEFINED),
     "bank": (series.bank, series.BANK_DEFINED),
@@ -46,7 +46,7 @@ PENS, PENS_GOAL = "writing the sheet: svgwrite's defaults / ours", Goal(5.0)
 STARTED = "start-up: plandraft draw / {}"
 
 
-def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
+def session(scene: Scene, order: Demand, tell: Callable[[str], None]) -> Bench:
     """Run a session; `tell` hears what is being timed, and nothing when all is."""
     there, ours = machine(), Session(scene, order, tell)
     ours.run()
@@ -58,9 +58,9 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
 class Session:
     """What is found of a scene, as it is found."""
 
-    def __init__(self, scene: Scene, order: Order, tell: Callable[[str], None]) -> None:
+    def __init__(self, scene: Scene, order: Demand, tell: Callable[[str], None]) -> None:
         self.scene, self.order, self.tell = scene, order, tell
-        self.rows: list[Row] = []
+        self.rows: list[Timed] = []
         self.ratios: list[Ratio] = []
         self.words: list[str] = [DEFINED]
         self.gaps = False
@@ -118,7 +118,7 @@ class Session:
             self._left_out([name], count, why)
         self.ratios += _ratios(self.rows[before:], technique)
 
-    def _timed(self, ways: Sequence[Road]) -> None:
+    def _timed(self, ways: Sequence[Timing]) -> None:
         """Time some roads but for those that will take too long."""
         long = [(way, self._expected(name, way.positions)) for way in ways for name in [*way.judged][:1]]
         for way, seconds in long:
@@ -135,7 +135,7 @@ class Session:
         return took + max(took - before, 0.0) * (count - last) / (last - fewer)
 
     def _left_out(self, names: Iterable[str], count: int | None, why: str) -> None:
-        self.rows += [Row(name, count, note=why) for name in names]
+        self.rows += [Timed(name, count, note=why) for name in names]
 
     def _series(self, study: Study) -> None:
         """Time and judge what techniques have over counts of their own, and say of which order it is."""
@@ -175,7 +175,7 @@ def _too_long(seconds: float) -> str:
     return f"left out: it would take about {seconds:.0f} s"
 
 
-def _ratios(rows: Sequence[Row], technique: str) -> Iterator[Ratio]:
+def _ratios(rows: Sequence[Timed], technique: str) -> Iterator[Ratio]:
     """Hold the roads that answer the same question against each other, side by side."""
     found = {(row.technique, row.positions): row for row in rows}
     for name, under in ((ANALYSIS.format(technique), CONSTRUCTION.format(technique)), *PAIRS):
@@ -186,7 +186,7 @@ def _ratios(rows: Sequence[Row], technique: str) -> Iterator[Ratio]:
                 yield Ratio(f"{name} / {under}", count, first.times, second.times, goal, note)
 
 
-def _terms(order: Order) -> tuple[str, ...]:
+def _terms(order: Demand) -> tuple[str, ...]:
     return (
         f"accepted: an error of at most {100 * order.accepted:g} per cent",
         f"time: wall time of one run, roads in turns (A B C A B C), {order.rounds} times each, or until a row has "

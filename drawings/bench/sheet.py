@@ -26,7 +26,7 @@ from drawings.reading.sheet import SeenSheet, see
 from drawings.redrawn.originals import leaves_of
 from drawings.sheets.kind import sheet_kind
 from plans.bench.quantities import quantities
-from plans.bench.trial import BUDGET, Errors, Road, Row, Times, interleaved
+from plans.bench.trial import BUDGET, Errors, Timed, Times, Timing, interleaved
 from plans.by_hand import SLIP
 from plans.forces.marks import forces_by_hand
 from plans.forces.statics import Statics
@@ -71,7 +71,7 @@ def draw(scene: Scene) -> Drawn:
     return Drawn(study, tuple((kind, leaf, see(svg(lettered(leaf, scene.sheet.lettering)))) for kind, leaf in leaves))
 
 
-def road(scene: Scene, count: int | None, keep: Callable[[Drawn], None]) -> Road:
+def road(scene: Scene, count: int | None, keep: Callable[[Drawn], None]) -> Timing:
     """Give the road of drawing all sheets, judged by what is measured back and by the numbers that are written."""
 
     def measured(drawn: Drawn) -> Errors | None:
@@ -79,7 +79,7 @@ def road(scene: Scene, count: int | None, keep: Callable[[Drawn], None]) -> Road
         return errors(drawn, by_ruler)
 
     judged = {MEASURED: measured, NUMBERS: lambda drawn: errors(drawn, by_cells)}
-    return Road(lambda: draw(scene), count, judged)
+    return Timing(lambda: draw(scene), count, judged)
 
 
 Pairs = Iterator[tuple[str, str, float, float]]  # name, whose largest counts, how far off, size
@@ -147,7 +147,7 @@ def _forces(drawn: Drawn) -> Mapping[tuple[str, int], float]:
 HANDS: Final[Mapping[str, Hand]] = {"linkage": _linkage, "forces": _forces}
 
 
-def by_hand(drawn: Drawn) -> Iterator[Row]:
+def by_hand(drawn: Drawn) -> Iterator[Timed]:
     """Give the rows of hands that slip, of the techniques whose figures are known to be drawn by hand."""
     for technique in (name for name in drawn.study.techniques if name in HANDS):
         largest = {quantity.name: quantity.largest for quantity in quantities(drawn.study, technique)}
@@ -159,7 +159,7 @@ def by_hand(drawn: Drawn) -> Iterator[Row]:
         if whole is not None:  # an error goes with the slip
             for slip in SLIPS:
                 scaled = Errors(whole.worst * slip / SLIP, whole.typical * slip / SLIP, whole.name)
-                yield Row(BY_HAND.format(technique, slip), None, scaled, note=HAND_NOTE)
+                yield Timed(BY_HAND.format(technique, slip), None, scaled, note=HAND_NOTE)
 
 
 def pens(leaf: Leaf, rounds: int) -> tuple[Times, Times]:

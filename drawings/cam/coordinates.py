@@ -14,7 +14,7 @@ from drawings.checks.expected import KNOWN, Wrong
 from drawings.files.coordinate_table import CURVATURE, DIGITS, THETA, read, written
 from drawings.files.file_error import Enclosure
 from plans.analytic.cam.contour import contour
-from plans.cam.course import Course, settled
+from plans.cam.course import FollowerCourse, settled
 from plans.cam.study import CamStudy
 from plans.model.cam import MM, Cam
 from plans.model.cam_motion import CamFound, Points
@@ -36,7 +36,7 @@ def enclosures(study: Study) -> Iterator[Enclosure]:
 
 def turns(cam: Cam) -> Floats:
     """Give the turns at which a profile is told, rad, (N,): the last is the first again, none beside a joint."""
-    return settled(np.linspace(0.0, cam.turn, cam.coordinates + 1), Course(cam))
+    return settled(np.linspace(0.0, cam.turn, cam.coordinates + 1), FollowerCourse(cam))
 
 
 def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:

@@ -22,7 +22,7 @@ from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, stated
 from drawings.reading.pathdata import pair
 from geometry.strips import departure
-from plans.analytic.cam.contour import Curve
+from plans.analytic.cam.contour import ContourValues
 from plans.cam.numbers import cam_by_hand, readings
 from plans.cyclogram.rows import EVERY
 from plans.model.cam import MM, RETURN, RISE, limits_of
@@ -49,7 +49,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         drawn = {mark.data["name"]: mark.data for mark in marks if _is_length(mark.data)}
         said = [mark.states for leaf in leaves for mark in stated(leaf.groups) if mark.states is not None]
         axes = {(axis.figure, axis.name): axis.scale for axis in said if axis.kind is Kind.AXIS}
-        cam = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
+        cam = _ExpectedCam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
         yield from chain(cam.laws(), cam.phases(), cam.pressure(), cam.profile(), cam.sizes(), cam.table())
     yield from every_cam(study)
 
@@ -60,7 +60,7 @@ def _is_length(data: Mapping[str, str]) -> bool:
 
 
 @dataclass(frozen=True)
-class _Cam:
+class _ExpectedCam:
     """A cam by the analysis, with the scales and the data of chosen directions that its sheets show."""
 
     numbers: CamNumbers
@@ -132,7 +132,7 @@ class _Cam:
             return
 
         def angle(turned: Floats) -> Floats:
-            return np.degrees(Curve(cam, values.sizes, turned).pressure)
+            return np.degrees(ContourValues(cam, values.sizes, turned).pressure)
 
         slack = DEGREES * self.numbers.slack("α")
         yield Expected(Kind.CURVE, PRESSURE, "α", angle, slack, ends=(0.0, cam.turn))

@@ -16,10 +16,10 @@ from drawings.checks.hold import bows
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.pressure import stretches
-from plans.cam.quantities import Compared
+from plans.cam.quantities import ComparedCam
 from plans.cam.study import CamDrawing
 from plans.model.cam import RETURN, RISE, Cam
-from plans.model.cam_motion import HARD, SOFT, CamFound, Contour, FollowerTravel, Sizes
+from plans.model.cam_motion import HARD, SOFT, CamFound, CamSizes, Contour, FollowerTravel
 from plans.model.motion import Complexes, Floats
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
@@ -58,7 +58,7 @@ class CamValues:
         return self.found.cam
 
     @property
-    def sizes(self) -> Sizes:
+    def sizes(self) -> CamSizes:
         """Its main sizes."""
         return self.found.sizes
 
@@ -77,9 +77,9 @@ class CamValues:
         return contour(self.cam, self.sizes, self.found.roller, turned, before)
 
     @cached_property
-    def compared(self) -> Compared:
+    def compared(self) -> ComparedCam:
         """Both roads of the cam."""
-        return Compared(self.drawing, self.found)
+        return ComparedCam(self.drawing, self.found)
 
     @cached_property
     def edges(self) -> Floats:

@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.cam.law_frame import LEVEL, LawPlate, LawRow, name_of
 from drawings.cam.notes import ACCELERATION, letters, phase_letter
-from drawings.kinds.axes import Axes, Curve, Letter, Part, Parts
+from drawings.kinds.axes import Axes, Letter, Part, Parts, Plot
 from drawings.kinds.graph import LEAST, Graph
 from drawings.kinds.row_frame import RowFrame
 from drawings.layout.labels import Labels
@@ -153,7 +153,7 @@ def _given(row: LawRow, axes: Axes, hand: Hand) -> Iterator[Circle]:
         yield from (Circle(spot, radius, hand.other) for spot in spots)
 
 
-def _polyline(curve: Curve, axes: Axes, style: LineStyle) -> Polyline:
+def _polyline(curve: Plot, axes: Axes, style: LineStyle) -> Polyline:
     points = zip(curve.x.tolist(), curve.y.tolist(), strict=True)
     return Polyline(tuple(apart(axes.on(x, y) for x, y in points)), False, style)
 

@@ -11,7 +11,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, letters, units
-from drawings.kinds.axes import Curve
+from drawings.kinds.axes import Plot
 from drawings.kinds.row_frame import Proportions, RowPlate
 from drawings.kinds.smooth import cubics
 from drawings.lettering.phrase import Slot
@@ -37,10 +37,10 @@ class LawRow(NamedTuple):
     unit: str
     after: Floats  # (n + 1,)
     before: Floats
-    result: Curve
-    chords: tuple[Curve, ...] = ()
-    exact: Curve | None = None
-    rays: Curve = Curve(np.zeros(0), np.zeros(0))  # the mean ordinates, in the middles of their strips
+    result: Plot
+    chords: tuple[Plot, ...] = ()
+    exact: Plot | None = None
+    rays: Plot = Plot(np.zeros(0), np.zeros(0))  # the mean ordinates, in the middles of their strips
     impulses: tuple[tuple[int, int], ...] = ()
     error: float = 0.0  # the largest, in shares of the largest value
     given: tuple[tuple[float, float], ...] = ()  # points of tables
@@ -64,7 +64,7 @@ def rows(shown: LawDiagrams) -> tuple[LawRow, ...]:
     return _acceleration(shown), _velocity(shown), _travel(shown)
 
 
-def _row(shown: LawDiagrams, key: str, after: Floats, before: Floats, result: Curve) -> LawRow:
+def _row(shown: LawDiagrams, key: str, after: Floats, before: Floats, result: Plot) -> LawRow:
     cam = shown.strips.course.cam
     return LawRow(key, letters(cam)[0] + LETTERS[key], units(cam)[key], after, before, result)
 
@@ -78,7 +78,7 @@ def _acceleration(shown: LawDiagrams) -> LawRow:
     hard = [k for k in strips.hard if k < len(begin) or strips.course.cam.translates]
     impulses = tuple((k, int(math.copysign(1, _jump(shown, k)))) for k in hard)
     sides = _sides(shown, begin, end, strips.jumps)
-    rays = Curve(middles(strips.edges), shown.means)
+    rays = Plot(middles(strips.edges), shown.means)
     return _row(shown, ACCELERATION, *sides, _joined(x, y, sides))._replace(rays=rays, impulses=impulses)
 
 
@@ -93,11 +93,11 @@ def _velocity(shown: LawDiagrams) -> LawRow:
     x = _dense(shown)
     y = cubics(x, (begin, end), (strips.after.bend[:-1], strips.before.bend[1:]))
     sides = _sides(shown, begin, end, strips.hard)
-    chords = tuple(Curve(run.edges, run.values) for run in shown.slopes)
+    chords = tuple(Plot(run.edges, run.values) for run in shown.slopes)
     exact = strips.course.at(x.ravel()).slope.reshape(x.shape)
     exact[:, -1] = strips.before.slope[1:]
     row = _row(shown, VELOCITY, *sides, _joined(x, y, sides))
-    rays, course = Curve(middles(strips.edges), shown.travel.means), Curve(x.ravel(), exact.ravel())
+    rays, course = Plot(middles(strips.edges), shown.travel.means), Plot(x.ravel(), exact.ravel())
     return row._replace(chords=chords, rays=rays, exact=course, error=shown.slope_departure.share)
 
 
@@ -105,9 +105,9 @@ def _travel(shown: LawDiagrams) -> LawRow:
     strips, values = shown.strips, shown.travel.values
     x = _dense(shown)
     y = cubics(x, (values[:-1], values[1:]), shown.slope)
-    row = _row(shown, TRAVEL, values, values, Curve(x.ravel(), y.ravel()))
-    exact = Curve(x.ravel(), strips.course.at(x.ravel()).s)
-    chords, given = (Curve(strips.edges, values),), tuple(_given(strips.course.cam))
+    row = _row(shown, TRAVEL, values, values, Plot(x.ravel(), y.ravel()))
+    exact = Plot(x.ravel(), strips.course.at(x.ravel()).s)
+    chords, given = (Plot(strips.edges, values),), tuple(_given(strips.course.cam))
     return row._replace(chords=chords, exact=exact, error=shown.travel_departure.share, given=given)
 
 
@@ -136,10 +136,10 @@ def _sides(shown: LawDiagrams, begin: Floats, end: Floats, jumps: tuple[int, ...
     return after, before
 
 
-def _joined(x: Floats, y: Floats, sides: tuple[Floats, Floats]) -> Curve:
+def _joined(x: Floats, y: Floats, sides: tuple[Floats, Floats]) -> Plot:
     """Join the strips to one curve, upright where it jumps."""
     after, before = sides
-    return Curve(np.concatenate([x[:1, 0], x.ravel(), x[-1:, -1]]), np.concatenate([before[:1], y.ravel(), after[-1:]]))
+    return Plot(np.concatenate([x[:1, 0], x.ravel(), x[-1:, -1]]), np.concatenate([before[:1], y.ravel(), after[-1:]]))
 
 
 NAME = "law"

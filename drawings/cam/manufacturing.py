@@ -26,7 +26,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import TurnArrow, pole
-from plans.cam.course import Course, WorkshopTurns, stations
+from plans.cam.course import FollowerCourse, WorkshopTurns, stations
 from plans.cam.profile.profile import profile
 from plans.model.cam import DWELL, GROOVE, MM, Cam, Phase
 from plans.model.cam_motion import CamFound, Contour, Points
@@ -74,7 +74,7 @@ class Manufacture(NamedTuple):
 def manufacture(found: CamFound) -> Manufacture:
     """Give what the drawing of a cam to be made shows of one that the construction found."""
     turns = stations(found.cam)
-    at = profile(Course(found.cam), found.sizes, found.roller, turns.turned).contour
+    at = profile(FollowerCourse(found.cam), found.sizes, found.roller, turns.turned).contour
     return Manufacture(profile_view(found), turns, made(found, at))
 
 

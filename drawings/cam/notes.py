@@ -10,7 +10,7 @@ from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.scale import Drafting
 from plans.cam.tables import smoothing
 from plans.model.cam import GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions, interval_of
-from plans.model.cam_motion import HARD, CamFlaw, CamFound, Extreme, Shock, Sizes
+from plans.model.cam_motion import HARD, CamFlaw, CamFound, CamSizes, Extreme, Shock
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
 
@@ -239,7 +239,7 @@ class CamNotes(NamedTuple):
         if self.found.advised is not None:
             yield self._advised(self.found.advised)
 
-    def _advised(self, sizes: Sizes) -> str:
+    def _advised(self, sizes: CamSizes) -> str:
         """Say which main sizes would keep the pressure angle to its limits."""
         base = self._mm("R_0 advised", sizes.base)
         if self.cam.rocks:

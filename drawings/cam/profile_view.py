@@ -18,11 +18,11 @@ from drawings.paper.strokes import Curve, Group, LineStyle, Polyline, Stroke, nu
 from drawings.paper.walk import tied
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.path import PathCut, ProfilePath, path
 from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, Cam
-from plans.model.cam_motion import CamFlaw, CamFound, Contour, Points, Sizes
+from plans.model.cam_motion import CamFlaw, CamFound, CamSizes, Contour, Points
 from plans.model.motion import Complexes, Floats
 
 MANY = 1441  # turns at which the contour is known: every quarter of a degree
@@ -53,7 +53,7 @@ class ProfileView(NamedTuple):
         return self.found.cam
 
     @property
-    def sizes(self) -> Sizes:
+    def sizes(self) -> CamSizes:
         """Its main sizes."""
         return self.found.sizes
 
@@ -165,7 +165,7 @@ class ProfileView(NamedTuple):
 
 def profile_view(found: CamFound) -> ProfileView:
     """Give what a figure shows of a cam that the construction found."""
-    course = Course(found.cam)
+    course = FollowerCourse(found.cam)
     turns = course.with_joints(np.linspace(0.0, found.cam.turn, MANY))
     contour = profile(course, found.sizes, found.roller, turns).contour
     return ProfileView(found, contour, tuple(_curves(found)))

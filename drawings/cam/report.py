@@ -14,7 +14,7 @@ from drawings.lettering.words import ROUNDING
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters
 from drawings.report.letters import entry, plain, raised
-from drawings.report.table import Report, Subject, column, header, row
+from drawings.report.table import Report, TableSubject, column, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
 from plans.model.cam import MM
 from plans.model.cam_motion import CamFound
@@ -29,14 +29,14 @@ DEGREES = math.degrees(1)
 ENGLISH = "en"  # of the gallery's page
 
 
-def subject(study: Study) -> Subject:
+def subject(study: Study) -> TableSubject:
     """Tell a scene's cams in a few words, for the gallery's page."""
     found, drafting = study.of(CamStudy).found, drafting_of(study.scene)._replace(language=ENGLISH)
     kinds = [drafting.word(f"cam {result.cam.follower.motion} {result.cam.follower.end}") for result in found]
     structure = kinds[0] if len(kinds) == 1 else f"{len(kinds)} cams on a shaft"
     cams = "A cam with a " if len(kinds) == 1 else "Cams, each with its follower: "
     laws = ", ".join(dict.fromkeys(phase.law.name for cam in found for phase in cam.cam.moving() if phase.law))
-    return Subject(structure, f"law: {laws}", f"{cams}{'; '.join(kinds)} ({laws}).")
+    return TableSubject(structure, f"law: {laws}", f"{cams}{'; '.join(kinds)} ({laws}).")
 
 
 def headline(study: Study) -> str:

@@ -60,7 +60,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
 
 
-class _Contents(NamedTuple):
+class _CamContents(NamedTuple):
     """What a sheet shows of a cam however its figures are laid out."""
 
     drawing: CamDrawing
@@ -78,10 +78,10 @@ def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], d
     return first._replace(instead=tuple(further))
 
 
-def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> _Contents:
+def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> _CamContents:
     """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
     by_hand = any(readings(drawing))
-    return _Contents(
+    return _CamContents(
         drawing,
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
@@ -90,7 +90,7 @@ def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity]
     )
 
 
-def _variant(contents: _Contents, drafting: Drafting, way: str) -> Draft:
+def _variant(contents: _CamContents, drafting: Drafting, way: str) -> Draft:
     cam = contents.drawing.cam
     shows = (*_shows(contents, way, drafting), contents.profile)
     title = drafting.word("cam sheet title", name=cam.name)
@@ -104,7 +104,7 @@ def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
     return {"cam": cam.name, "figures": [*figures, *under]}
 
 
-def _shows(contents: _Contents, way: str, drafting: Drafting) -> Iterator[Exhibit]:
+def _shows(contents: _CamContents, way: str, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the law, and the sizes that follow from it."""
     drawing, angle = contents.drawing, contents.angle
     if way == JOINED:

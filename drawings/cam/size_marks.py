@@ -29,7 +29,7 @@ from drawings.symbols.symbols import TurnArrow, arrowhead
 from plans.cam.centre.bounds import PressureBound
 from plans.cam.centre.place import SizeTangent
 from plans.model.cam import DWELL, MM, Phase
-from plans.model.cam_motion import Extreme, Sizes
+from plans.model.cam_motion import CamSizes, Extreme
 
 PAST = 1.5  # mm that an axis goes past the arc that ends at it
 BESIDE = 1.2  # mm from an arc to its letter
@@ -243,7 +243,7 @@ def _main(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeM
         yield _mark("L", 0j, sizes.pivot, abs(sizes.pivot), place, drafting)
 
 
-def offset_seen(sizes: Sizes) -> bool:
+def offset_seen(sizes: CamSizes) -> bool:
     """Tell whether there is an offset, which is dimensioned however short it is: not one left by rounding."""
     return abs(sizes.offset) > ROUNDED * sizes.base
 

@@ -98,10 +98,10 @@ def obscured(sheet: SeenSheet) -> list[Message]:
     held = [of for of, unseen in under.items() if isinstance(unseen.stroke, Text) or of in large]
     if not held:
         return []
-    from drawings.sheet_diff.edit import Figures, lone  # noqa: PLC0415  (only what is badly drawn pays for it)
+    from drawings.sheet_diff.edit import SheetFigures, lone  # noqa: PLC0415  (only what is badly drawn pays for it)
     from drawings.sheet_diff.items import items  # noqa: PLC0415
 
-    figures, right = Figures(leaf), {id(item.stroke): item for item in items(leaf)}
+    figures, right = SheetFigures(leaf), {id(item.stroke): item for item in items(leaf)}
     return [lone("hidden", right[of], figures, reason=under[of].reason).told for of in held]
 
 

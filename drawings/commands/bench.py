@@ -9,7 +9,7 @@ from pathlib import Path
 from drawings.bench import plot, report, session
 from drawings.files import atomic_files
 from geometry.errors import LimitError
-from plans.bench.trial import ACCEPTED, DRAWN, Order
+from plans.bench.trial import ACCEPTED, DRAWN, Demand
 from plans.linkage.reading.fields import POSITIONS_LIMIT
 from plans.scene.scene import read_scene
 from plans.words.words import message, placed
@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
     return GAPS if found.gaps else 0
 
 
-def order(options: argparse.Namespace) -> Order:
+def order(options: argparse.Namespace) -> Demand:
     """Say what the command line orders: its own words go before those of --quick."""
     usual = (QUICK_POSITIONS, QUICK_REPETITIONS) if options.quick else (POSITIONS, REPETITIONS)
     positions = tuple(sorted(set(options.positions or usual[0])))
@@ -48,7 +48,7 @@ def order(options: argparse.Namespace) -> Order:
         )
     startup = not options.quick if options.startup is None else options.startup
     drawn = positions[0] if options.quick else DRAWN
-    return Order(positions, options.repetitions or usual[1], startup, min(drawn, DRAWN), options.accept or ACCEPTED)
+    return Demand(positions, options.repetitions or usual[1], startup, min(drawn, DRAWN), options.accept or ACCEPTED)
 
 
 def _tell(what: str) -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
-from drawings.commands.trace import Trace
+from drawings.commands.trace import TracedMark
 from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_name, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, placed_sheets, publish, sheet_path, stem_of
@@ -56,7 +56,7 @@ class SheetSet(NamedTuple):
 
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
-    trace: Trace = options.trace or Trace()
+    trace: TracedMark = options.trace or TracedMark()
     sheets = drawn(options.scene, options.output, trace)
     study = sheets.study
     print(summary(study.comparisons, study.scene.sheet.language))
@@ -72,9 +72,9 @@ def run(options: argparse.Namespace) -> int:
     return WITHHELD if sheets.withheld else GAPS if warnings else 0
 
 
-def draw(path: Path, folder: Path, trace: Trace | None = None) -> SheetSet:
+def draw(path: Path, folder: Path, trace: TracedMark | None = None) -> SheetSet:
     """Draw a scene's sheets and report into a folder; one that is withheld is raised once the others are written."""
-    sheets = drawn(path, folder, trace or Trace())
+    sheets = drawn(path, folder, trace or TracedMark())
     if sheets.withheld:
         from drawings.checks.verify import SelfCheckFailed
 
@@ -82,7 +82,7 @@ def draw(path: Path, folder: Path, trace: Trace | None = None) -> SheetSet:
     return sheets
 
 
-def drawn(path: Path, folder: Path, trace: Trace) -> SheetSet:
+def drawn(path: Path, folder: Path, trace: TracedMark) -> SheetSet:
     """Draw a scene's sheets and report into a folder, but for those that are withheld."""
     with trace.stage("reading the scene"):
         study = Study(read_scene(path))
@@ -94,7 +94,7 @@ def drawn(path: Path, folder: Path, trace: Trace) -> SheetSet:
         return _of_study(study, folder, trace)
 
 
-def _of_study(study: Study, folder: Path, trace: Trace) -> SheetSet:
+def _of_study(study: Study, folder: Path, trace: TracedMark) -> SheetSet:
     """Draw the sheets whose techniques find the same by both roads; where they do not for any, raise what differs."""
     from drawings.checks.verify import disagreement
 
@@ -124,7 +124,7 @@ def admit(scene: Scene) -> None:
         sheet_kind(kind).admit(scene)
 
 
-def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
+def _sheets(study: Study, folder: Path, trace: TracedMark) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: those that are right."""
     with trace.stage("imports"):
         from drawings.checks.hold import phrase_faults

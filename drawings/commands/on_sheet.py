@@ -15,7 +15,7 @@ from geometry.errors import DraftError
 from plans.study import Study
 
 
-class Drawn(NamedTuple):
+class DrawnMark(NamedTuple):
     """A vector or a point as a sheet has it: its figure, name and position, the scale in true units a mm, the unit."""
 
     figure: str
@@ -49,11 +49,11 @@ class OnSheet:
         return next(iter(found))[0] if len(found) == 1 and {unit} == {told for _, told in found} else None
 
 
-def _drawn(leaves: Iterable[Leaf]) -> Iterator[Drawn]:
+def _drawn(leaves: Iterable[Leaf]) -> Iterator[DrawnMark]:
     for data in (group.data for leaf in leaves for group in groups(leaf.groups)):
         if "plan" in data and "scale" in data:
             name, position, unit = (data.get(key, "") for key in ("name", "position", "unit"))
-            yield Drawn(data["plan"], name, position, float(data["scale"]), unit)
+            yield DrawnMark(data["plan"], name, position, float(data["scale"]), unit)
 
 
 def equations(study: Study, mark: Mark, position: int) -> list[str]:

@@ -60,7 +60,7 @@ def _draw(commands: Commands) -> None:
     draw.add_argument(
         "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the sheets (default: out)"
     )
-    draw.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
+    draw.add_argument("--trace", action=_TraceParser, nargs=0, help=TRACED)
 
 
 def _form(commands: Commands) -> None:
@@ -152,7 +152,7 @@ def _solve(commands: Commands) -> None:
         metavar="PLANS",
         help="some plans, joined by commas: positions,velocities or forces",
     )
-    solve.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
+    solve.add_argument("--trace", action=_TraceParser, nargs=0, help=TRACED)
 
 
 def _bench(commands: Commands) -> None:
@@ -217,7 +217,7 @@ def _orders(text: str) -> list[str]:
     return names
 
 
-class _Trace(argparse.Action):
+class _TraceParser(argparse.Action):
     """Begins the trace at once, before the command's libraries are imported."""
 
     def __call__(self, parser: object, namespace: argparse.Namespace, *_: object) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
-from drawings.commands.trace import Trace
+from drawings.commands.trace import TracedMark
 from drawings.files.file_error import print_json
 from plans.scene.scene import read_scene
 from plans.study import Study
@@ -17,7 +17,7 @@ GAPS = 4
 
 def run(options: argparse.Namespace) -> int:
     """Print the numbers; give the exit code."""
-    trace: Trace = options.trace or Trace()
+    trace: TracedMark = options.trace or TracedMark()
     with trace.stage("reading the scene"):
         scene = read_scene(options.scene)
         study = Study(scene, options.only)

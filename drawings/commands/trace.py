@@ -22,7 +22,7 @@ LIBRARIES = ("numpy", "svgwrite", "mpmath", "scipy", "shapely", "matplotlib")
 MADE = {"made": True, "not_made": False}
 
 
-class Trace:
+class TracedMark:
     """The stages of a run in their order, with what each took together; told only where it is asked for."""
 
     def __init__(self) -> None:
@@ -74,9 +74,9 @@ class Trace:
         return say("trace.cost", name=name, ms=f"{1000 * self.imports[name]:.1f}")
 
 
-def begin() -> Trace:
+def begin() -> TracedMark:
     """Begin a trace that times the imports of the libraries too."""
-    trace = Trace()
+    trace = TracedMark()
     sys.meta_path.insert(0, _Watch(trace.imports))
     return trace
 

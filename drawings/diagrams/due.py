@@ -15,7 +15,7 @@ from drawings.paper.strokes import Leaf
 from plans.diagrams.quantities import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy
-from plans.model.diagrams import TURN, Axis, Course, Diagrams
+from plans.model.diagrams import TURN, Axis, Diagrams, OutputRates
 from plans.model.motion import Floats
 from plans.study import Study
 
@@ -101,7 +101,7 @@ def expected_rows(comparison: DiagramsComparison) -> tuple[ExpectedRow, ...]:
 def _row(comparison: DiagramsComparison, order: int, allowed: float) -> ExpectedRow:
     found, axis = comparison.analysis, comparison.analysis.axis
 
-    def of(course: Course) -> Floats:
+    def of(course: OutputRates) -> Floats:
         return (course.s, course.v, course.even(found.lead))[order]
 
     def exact(turned: Floats) -> Floats:

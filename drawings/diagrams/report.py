@@ -17,7 +17,7 @@ from drawings.report.figures import see
 from drawings.report.formula import Chapters
 from drawings.report.table import Report, chapter, heading, tabled
 from plans.diagrams.study import DiagramsStudy
-from plans.model.diagrams import Course, Diagrams, chord_error
+from plans.model.diagrams import Diagrams, OutputRates, chord_error
 from plans.model.motion import Floats
 from plans.quantity import Quantity
 from plans.study import Study
@@ -110,7 +110,7 @@ class _Column(NamedTuple):
         return max(places, 0) if places in PLACES else None
 
 
-def _columns(course: Course, omega: float) -> Iterator[_Column]:
+def _columns(course: OutputRates, omega: float) -> Iterator[_Column]:
     """Give the columns of S, v, a."""
     could = 0.0
     for column in course:
@@ -119,10 +119,10 @@ def _columns(course: Course, omega: float) -> Iterator[_Column]:
         yield _Column(column.tolist(), could, largest)
 
 
-def whole(found: Diagrams, omega: float) -> Course:
+def whole(found: Diagrams, omega: float) -> OutputRates:
     """Give S, v and a at the positions; of an output that turns fully with its even turn, (M,) each."""
     s, v, a = found.at
-    return Course(s + found.count.turns * found.axis.turned, v + found.count.turns * omega, a)
+    return OutputRates(s + found.count.turns * found.axis.turned, v + found.count.turns * omega, a)
 
 
 def _shown(column: _Column, k: int, drafting: Drafting) -> str:

@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.kinds.axes import OVER, UNDER, Curve, Letter, Part, Parts
+from drawings.kinds.axes import OVER, UNDER, Letter, Part, Parts, Plot
 from drawings.kinds.graph import Graph
 from drawings.kinds.row_frame import Proportions, RowFrame, RowPlate
 from drawings.kinds.smooth import smooth
-from drawings.kinds.working import SCALES, Working, told
+from drawings.kinds.working import SCALES, Workings, told
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.extent import every, spaced
 from drawings.lettering.lettering import text_width
@@ -25,7 +25,7 @@ from drawings.paper.strokes import INK, Group, LineStyle, Stroke, Text
 from drawings.paper.walk import PLACES, flat
 from drawings.symbols.figure import heading
 from plans.diagrams.study import DiagramsStudy
-from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
+from plans.model.diagrams import TURN, Axis, ChordError, Diagrams, OutputRates, chord_error
 from plans.model.motion import Floats
 
 TRAVEL, VELOCITY, ACCELERATION = KEYS = ("travel", "velocity", "acceleration")  # from the top
@@ -43,14 +43,14 @@ class DiagramRow(NamedTuple):
     letter: str
     unit: str
     at: Floats  # (M,): of the plans, at the positions; NaN at gaps
-    results: tuple[Curve, ...]
-    thin: tuple[Curve, ...]
-    chords: Curve  # where the values by chords belong, and these; nothing in the first row
+    results: tuple[Plot, ...]
+    thin: tuple[Plot, ...]
+    chords: Plot  # where the values by chords belong, and these; nothing in the first row
     off: ChordError | None = None  # of the values by chords
     flat: bool = False  # whether it shows nothing that a scale could be told of
 
     @property
-    def rays(self) -> Curve:
+    def rays(self) -> Plot:
         """The values to which the rays of its pole go: those by chords."""
         return self.chords
 
@@ -99,7 +99,7 @@ def rows_of(diagrams: DiagramsStudy) -> tuple[DiagramRow, ...]:
     axis, nodes = found.axis, found.axis.nodes(STEPS)
     dense = [diagrams.course.at(row) for row in nodes]
     travel = _row(diagrams, 0, found.at.s, _curves(nodes, [course.s for course in dense]))
-    chords = tuple(Curve(axis.turned[run], found.at.s[run]) for run in axis.runs)
+    chords = tuple(Plot(axis.turned[run], found.at.s[run]) for run in axis.runs)
     return (
         travel._replace(thin=chords),
         _by_chords(
@@ -109,8 +109,8 @@ def rows_of(diagrams: DiagramsStudy) -> tuple[DiagramRow, ...]:
     )
 
 
-def _row(diagrams: DiagramsStudy, order: int, at: Floats, curves: tuple[Curve, ...]) -> DiagramRow:
-    nothing = Curve(np.zeros(0), np.zeros(0))
+def _row(diagrams: DiagramsStudy, order: int, at: Floats, curves: tuple[Plot, ...]) -> DiagramRow:
+    nothing = Plot(np.zeros(0), np.zeros(0))
     return DiagramRow(KEYS[order], letters_of(diagrams)[order], diagrams.units[order], at, curves, (), nothing)
 
 
@@ -122,19 +122,19 @@ def _by_chords(row: DiagramRow, diagrams: DiagramsStudy, places: Floats) -> Diag
     above = float(np.nanmax(np.abs(found.at.s if fast else found.speeds), initial=0.0))
     flat = bool(np.nanmax(np.abs(values), initial=0.0) <= NOUGHT * diagrams.course.omega * above)
     results = () if flat else tuple(_smooth(found.axis, places, values))
-    chords = Curve(places[there], values[there])
+    chords = Plot(places[there], values[there])
     return row._replace(results=results, thin=() if flat else row.results, chords=chords, off=off, flat=flat)
 
 
-def _even(found: Diagrams, dense: list[Course]) -> list[Floats]:
+def _even(found: Diagrams, dense: list[OutputRates]) -> list[Floats]:
     return [course.even(found.lead) for course in dense]
 
 
-def _curves(nodes: Sequence[Floats], values: list[Floats]) -> tuple[Curve, ...]:
-    return tuple(Curve(x, y) for x, y in zip(nodes, values, strict=True))
+def _curves(nodes: Sequence[Floats], values: list[Floats]) -> tuple[Plot, ...]:
+    return tuple(Plot(x, y) for x, y in zip(nodes, values, strict=True))
 
 
-def _smooth(axis: Axis, places: Floats, values: Floats) -> Iterator[Curve]:
+def _smooth(axis: Axis, places: Floats, values: Floats) -> Iterator[Plot]:
     """Join the values by chords of each run smoothly; those of a whole turn go on from its end to its beginning."""
     for run, nodes in zip(axis.runs, axis.nodes(STEPS), strict=True):
         part = slice(run.start, run.stop - (len(values) < len(axis.turned)))
@@ -144,7 +144,7 @@ def _smooth(axis: Axis, places: Floats, values: Floats) -> Iterator[Curve]:
             x, y = _around(x, y)
         if len(x) > 1:
             at = np.sort(np.concatenate([_within(nodes, x), _within(x, nodes)]))
-            yield Curve(at, smooth(x, y, at))
+            yield Plot(at, smooth(x, y, at))
 
 
 def _within(places: Floats, ends: Floats) -> Floats:
@@ -324,7 +324,7 @@ def _value(row: DiagramRow, k: int) -> float:
     return 0.0 if row.flat or math.isnan(row.at[k]) else float(row.at[k])
 
 
-def _course(row: DiagramRow, curves: Collection[Curve], name: str, graph: Graph, style: LineStyle) -> Iterator[Stroke]:
+def _course(row: DiagramRow, curves: Collection[Plot], name: str, graph: Graph, style: LineStyle) -> Iterator[Stroke]:
     """Draw curves as what they state; without a scale nothing is stated."""
     lines = [stroke for curve in curves for stroke in graph.curve(curve.x, curve.y, style)]
     yield from lines if row.flat or not lines else (graph.stated(name, lines),)
@@ -351,9 +351,9 @@ def title(diagrams: DiagramsStudy, drafting: Drafting) -> str:
     return drafting.word("diagrams of point" if point else "diagrams of link", link=out.link, point=point)
 
 
-def working(diagrams: DiagramsStudy, drafting: Drafting) -> Working:
+def working(diagrams: DiagramsStudy, drafting: Drafting) -> Workings:
     """Write beside the diagrams how the scale of time and the pole distances are found."""
-    return Working(SCALES, NAME, lambda spot: list(_lines(DiagramsPlate(diagrams, drafting), spot)), drafting)
+    return Workings(SCALES, NAME, lambda spot: list(_lines(DiagramsPlate(diagrams, drafting), spot)), drafting)
 
 
 def _lines(plate: DiagramsPlate, spot: Spot | None) -> Iterator[tuple[str, ...]]:

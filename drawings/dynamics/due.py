@@ -52,7 +52,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from _reduction(comparison.analysis)
         return
     turn = AnalysedTurn(study.of(DynamicsStudy).task, comparison.analysis)
-    machine, shown = _Machine(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
+    machine, shown = _FullTurn(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
     frame = shown.get((LOOP, None)) or Frame(0j, 1 + 0j, 1j, 1.0, 1.0)  # without a loop it is stated nowhere
     drawn = dict(chain(*map(_drawn, leaves)))
     yield from chain(graphs(turn, shown), machine.loop(frame, drawn), machine.rim())
@@ -93,7 +93,7 @@ def _rates(task: Task) -> Iterator[tuple[str, float, float]]:
 
 
 @dataclass(frozen=True)
-class _Machine:
+class _FullTurn:
     """A machine that turns fully."""
 
     turn: AnalysedTurn

@@ -15,7 +15,7 @@ from drawings.checks.readers import Frame, Place
 from drawings.paper.statement import Kind
 from plans.model.dynamics import TURN, Cycle, Flywheel, Speeds, Task, edge_names
 from plans.model.motion import Complexes, Floats
-from plans.model.run import Account, Run
+from plans.model.run import Account, MachineRun
 
 MOMENTS, WORKS, SURPLUS, INERTIA, SPEEDS = "moments", "works", "surplus", "inertia", "speeds"
 # A break is known to half the digits of an angle, however it is found; work and inertia beside it, to that share.
@@ -178,7 +178,7 @@ def _speed(turn: AnalysedTurn, figure: str, name: str, speeds: Speeds, base: flo
     return Expected(Kind.CURVE, figure, name, lambda at: turn.speed(at, speeds) - base, slack, ends=(0.0, TURN))
 
 
-def tachogram(run: Run) -> Iterator[Expected]:
+def tachogram(run: MachineRun) -> Iterator[Expected]:
     """Give the tachogram: the speed by the table of the run, the ends of its stages, the steady speed."""
     t, omega, most = run.t, run.omega, float(run.omega.max())
     if len(t) < 2:

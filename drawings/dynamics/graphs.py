@@ -65,7 +65,7 @@ NUMBERED = 36  # positions that are numbered at most where not all edges are mar
 SEEN = 1e-3  # of the largest moment: a smaller jump cannot be seen
 
 
-class Strips(NamedTuple):
+class DrawnStrips(NamedTuple):
     """The edges of the strips, rad, their names, and the places of those at which a load jumps."""
 
     turned: Floats
@@ -107,9 +107,9 @@ class Strips(NamedTuple):
         return tuple(sorted(spaced(places.tolist(), apart, (0, len(places) - 1, *self.jumps, *self.told(every)))))
 
 
-def strips(cycle: Cycle, divisions: int) -> Strips:
+def strips(cycle: Cycle, divisions: int) -> DrawnStrips:
     """Name the edges: positions by their numbers, an edge between two of them by the first one's with a prime."""
-    return Strips(cycle.turned, edge_names(cycle.turned, divisions), _jumps(cycle))
+    return DrawnStrips(cycle.turned, edge_names(cycle.turned, divisions), _jumps(cycle))
 
 
 def _jumps(cycle: Cycle) -> tuple[int, ...]:
@@ -140,7 +140,7 @@ DOT = 0.6  # mm, radius of a point of a curve
 APART = 2.4  # sizes of a number from one numbered edge to the next
 
 
-class Trace(NamedTuple):
+class GraphTrace(NamedTuple):
     """A curve of a graph: its points in true units, how it is drawn, its letter and where along it that stands."""
 
     x: Floats
@@ -162,7 +162,7 @@ class StripGraph(NamedTuple):
     unit: str
     values: Floats  # (n + 1,)
     before: Floats  # (n + 1,)
-    traces: tuple[Trace, ...]
+    traces: tuple[GraphTrace, ...]
     base: float = 0.0
     axis: str = ""  # the letter of the axis, if it is not that of the quantity
 
@@ -178,7 +178,7 @@ class StripGraph(NamedTuple):
         return min(float(ys.min()), 0.0), max(float(ys.max()), 0.0)
 
 
-def graph_part(shown: StripGraph, strips: Strips, axes: Axes, drafting: Drafting) -> Part:
+def graph_part(shown: StripGraph, strips: DrawnStrips, axes: Axes, drafting: Drafting) -> Part:
     """Draw a graph on its axes, each ordinate that is numbered measurable."""
     hand, values = drafting.hand, (shown.values - shown.base).tolist()
     graph = Graph(shown.name, axes, hand)
@@ -203,7 +203,7 @@ def graph_part(shown: StripGraph, strips: Strips, axes: Axes, drafting: Drafting
     return Part(shown.name, lines, (*ends, *_letters(shown, axes, drafting), *numbers))
 
 
-def _curve(trace: Trace, shown: StripGraph, graph: Graph) -> Iterator[Stroke]:
+def _curve(trace: GraphTrace, shown: StripGraph, graph: Graph) -> Iterator[Stroke]:
     """Draw a curve, dashed where it jumps so far that it is seen."""
     x, y = trace.x, trace.y - shown.base
     jumps = np.flatnonzero((np.diff(x) == 0) & (np.abs(np.diff(y)) > SEEN * np.abs(y).max()))
@@ -232,7 +232,7 @@ def moments(cycle: Cycle, dense: Dense) -> StripGraph:
     before = np.append(-cycle.moments[0, 0], -cycle.moments[:, 1])
     most = int(np.argmax(np.abs(dense.moment)))
     at, side = most / (len(dense.moment) - 1), _away(-dense.moment[most])
-    resisting = Trace(dense.turned, -dense.moment, "result", "M_{us}", at, side)
+    resisting = GraphTrace(dense.turned, -dense.moment, "result", "M_{us}", at, side)
     traces = (resisting, _level(cycle.driving, "relative", "M_{dr}", RIGHT, 1.0))
     return StripGraph(MOMENTS, "M_{red}", "N*m", after, before, traces)
 
@@ -240,31 +240,31 @@ def moments(cycle: Cycle, dense: Dense) -> StripGraph:
 def works(cycle: Cycle) -> StripGraph:
     """The work of resistance by the chords of its construction, and that of the drive, a straight line."""
     work = -cycle.work
-    resisting = Trace(cycle.turned, work, "result", "A_{us}", 0.6, _away(-cycle.driving))
+    resisting = GraphTrace(cycle.turned, work, "result", "A_{us}", 0.6, _away(-cycle.driving))
     line = np.array([0.0, 0.25, 1.0])  # its letter stands at a point of its own
-    driving = Trace(TURN * line, work[-1] * line, "relative", "A_{dr}", 0.5, OVER)
+    driving = GraphTrace(TURN * line, work[-1] * line, "relative", "A_{dr}", 0.5, OVER)
     return StripGraph(WORKS, "A", "J", work, work, (resisting, driving))
 
 
 def surplus(cycle: Cycle, dense: Dense) -> StripGraph:
     """The change of the kinetic energy."""
     energy = cycle.driving * dense.turned + dense.work
-    return StripGraph(SURPLUS, "ΔT", "J", cycle.surplus, cycle.surplus, (Trace(dense.turned, energy),))
+    return StripGraph(SURPLUS, "ΔT", "J", cycle.surplus, cycle.surplus, (GraphTrace(dense.turned, energy),))
 
 
 def inertia(cycle: Cycle, dense: Dense) -> StripGraph:
     """The part of the reduced inertia that changes."""
     varying = cycle.varying
-    return StripGraph(INERTIA, "ΔJ", "kg*m2", varying, varying, (Trace(dense.turned, dense.varying),))
+    return StripGraph(INERTIA, "ΔJ", "kg*m2", varying, varying, (GraphTrace(dense.turned, dense.varying),))
 
 
 def speeds(cycle: Cycle, dense: Dense, speeds: Speeds, before: Speeds | None = None) -> StripGraph:
     """The speed with the flywheel from its mean on, the extremes; that without it dashed, if it swings little more."""
     low, high = speeds.extremes
-    traces = [Trace(dense.turned, omega(cycle, dense, speeds))]
+    traces = [GraphTrace(dense.turned, omega(cycle, dense, speeds))]
     traces += [_level(high, "drafted", "ω_{max}"), _level(low, "drafted", "ω_{min}", UNDER)]
     if before is not None and beside(speeds, before):
-        traces.append(Trace(dense.turned, omega(cycle, dense, before), "path", "ω_0", 0.15))
+        traces.append(GraphTrace(dense.turned, omega(cycle, dense, before), "path", "ω_0", 0.15))
     return StripGraph(SPEEDS, "ω", "rad/s", speeds.omega, speeds.omega, tuple(traces), speeds.mean)
 
 
@@ -281,9 +281,9 @@ def omega(cycle: Cycle, dense: Dense, speeds: Speeds) -> Floats:
     return np.asarray(np.sqrt(2 * np.maximum(energy, 0.0) / whole))
 
 
-def _level(value: float, style: str, letter: str, side: float = OVER, at: float = 0.5) -> Trace:
+def _level(value: float, style: str, letter: str, side: float = OVER, at: float = 0.5) -> GraphTrace:
     """Draw a constant over the whole turn."""
-    return Trace(np.array([0.0, 0.9 * TURN, TURN]), np.full(3, value), style, letter, at, side)
+    return GraphTrace(np.array([0.0, 0.9 * TURN, TURN]), np.full(3, value), style, letter, at, side)
 
 
 def _away(value: float) -> float:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.dynamics.graphs import Dense, Strips
+from drawings.dynamics.graphs import Dense, DrawnStrips
 from drawings.kinds.axes import BEYOND, LEFT, OVER, UNDER, Axes, Letter, Part
 from drawings.kinds.graph import Graph
 from drawings.lettering.extent import spaced
@@ -226,7 +226,7 @@ class ShownLoop:
 
     cycle: Cycle
     dense: Dense
-    strips: Strips
+    strips: DrawnStrips
     flywheel: Flywheel | None
 
     @property

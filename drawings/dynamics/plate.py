@@ -14,7 +14,7 @@ import numpy as np
 
 from drawings.dynamics import graphs as quantities
 from drawings.dynamics import loop as equations
-from drawings.dynamics.graphs import Dense, Strips, dense, strips
+from drawings.dynamics.graphs import Dense, DrawnStrips, dense, strips
 from drawings.dynamics.loop import TAIL, ShownLoop
 from drawings.kinds.axes import BEYOND, wide
 from drawings.kinds.curve_graph import GraphCurve
@@ -107,7 +107,7 @@ class Plate:
         return dense(self.cycle)
 
     @cached_property
-    def strips(self) -> Strips:
+    def strips(self) -> DrawnStrips:
         """The strips of the turn."""
         return strips(self.cycle, self.task.divisions)
 

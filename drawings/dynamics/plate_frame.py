@@ -14,7 +14,7 @@ from drawings.dynamics.loop import NAME, TAIL, height, loop_part, write
 from drawings.dynamics.plate import TITLE, WIDE, Plate
 from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption, wide
 from drawings.kinds.row_frame import coarser, level, stacked
-from drawings.kinds.working import TANGENTS, Working, told
+from drawings.kinds.working import TANGENTS, Workings, told
 from drawings.layout.picture import Spot
 from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.scale import Scale, fitting
@@ -249,9 +249,9 @@ class PlateFrame:
             yield from (Line(source, spot, hand.drafted), Circle(source, graphs.DOT * hand.symbol, INK))
 
 
-def working(shown: Plate) -> Working:
+def working(shown: Plate) -> Workings:
     """Write beside a plate with the loop how steep the tangents to it are."""
-    return Working(TANGENTS, shown.name, lambda spot: list(_lines(shown, spot)), shown.drafting)
+    return Workings(TANGENTS, shown.name, lambda spot: list(_lines(shown, spot)), shown.drafting)
 
 
 def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:

@@ -13,7 +13,7 @@ from drawings.report.formula import DIGITS
 from drawings.report.table import column, header, row, tabled, tiny, united
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.motion import Floats
-from plans.model.run import Run, Stage
+from plans.model.run import MachineRun, Stage
 from plans.words.words import word
 
 OTHERS = (4.0, 2.0, 1.0, 0.5, 0.25)  # times the fluctuation that is asked for
@@ -82,7 +82,7 @@ def without_rounding(column: Floats) -> Floats:
 STAGES = ("stage", "from", "to", "driving", "useful_work", "braking", "weights", "energy", "closing")
 
 
-def stages(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
+def stages(runs: Mapping[str, MachineRun], drafting: Drafting) -> Iterator[str]:
     """Tell each stage by each road: its instants, works, kinetic energy, and by how much the account does not close."""
     yield from header([word(drafting.language, f"table.{head}") for head in STAGES])
     for said, run in runs.items():
@@ -94,7 +94,7 @@ def _named(stage: Stage, drafting: Drafting) -> str:
     return word(drafting.language, f"run.{stage.name.replace('-', '_')}")
 
 
-def _cells(run: Run, stage: Stage, drafting: Drafting) -> Iterator[str]:
+def _cells(run: MachineRun, stage: Stage, drafting: Drafting) -> Iterator[str]:
     write, works = partial(drafting.number, digits=DIGITS), stage.works
     yield from (write(float(run.t[at])) for at in (stage.first, stage.last))
     yield from (write(work) for work in (works.driving, works.useful, works.braking, works.weights))
@@ -103,7 +103,7 @@ def _cells(run: Run, stage: Stage, drafting: Drafting) -> Iterator[str]:
     yield ABSENT if abs(stage.closing) <= noise else tiny(stage.closing, drafting.language)
 
 
-def told(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
+def told(runs: Mapping[str, MachineRun], drafting: Drafting) -> Iterator[str]:
     """Say how the run ends, how even its steady turn is, and by what method and at what cost it was found."""
     say = partial(word, drafting.language)
     for key, run in runs.items():
@@ -119,7 +119,7 @@ def told(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
         yield _method(run, by, drafting)
 
 
-def _method(run: Run, by: str, drafting: Drafting) -> str:
+def _method(run: MachineRun, by: str, drafting: Drafting) -> str:
     """Tell the method: the step of a table, the tolerance and the cost of a solver."""
     how, write = run.method, partial(drafting.number, digits=3)
     if how.step is not None:

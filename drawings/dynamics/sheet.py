@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.dynamics import flywheel_sketch, plate, tachogram
 from drawings.dynamics.due import due
-from drawings.dynamics.graphs import Strips, strips
+from drawings.dynamics.graphs import DrawnStrips, strips
 from drawings.dynamics.plate import Plate, bare_speeds
 from drawings.dynamics.plate_frame import PlateFrame, working
 from drawings.dynamics.report import notes_of
@@ -111,7 +111,7 @@ def _even(row: Floats) -> Floats:
     return np.round(row, DIGITS - 1 - math.floor(math.log10(largest))) if largest else row
 
 
-def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
+def _edge(named: DrawnStrips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
     """Give the row of an edge, two of one at which a load jumps."""
     name, jumps = named.names[k], k in named.jumps
     after = columns.rows[:, k].tolist()
@@ -163,7 +163,7 @@ TOLD = (MOST, 12, 8)  # positions that the table of values tells at most, as the
 LARGEST = 2.0  # times the least size at which it is legible: a load is not drawn larger than the graphs
 
 
-class Machine(NamedTuple):
+class MachineMotion(NamedTuple):
     """What is asked of a machine's motion, and what was found of it: by construction, exactly, by other methods."""
 
     task: Task
@@ -179,11 +179,11 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of the motion of a scene's machine."""
     found, statics, said = study.of(DynamicsComparison), study.of(Statics), notes_of(study)
     loads = tuple(courses(statics.machine, statics.strokes))
-    machine = Machine(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
+    machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
     return sheets(study.scene, machine)
 
 
-def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
+def sheets(scene: Scene, machine: MachineMotion) -> tuple[Leaf, ...]:
     """Lay out the sheets of a machine whose motion is found."""
     return lay_out(scene, [_DynamicsSheet(scene, machine).draft])
 
@@ -200,7 +200,7 @@ class _DynamicsSheet:
     """What the sheets are drawn from."""
 
     scene: Scene
-    machine: Machine
+    machine: MachineMotion
 
     @cached_property
     def drafting(self) -> Drafting:

@@ -16,7 +16,7 @@ from drawings.page.scale import Drafting
 from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK
-from plans.model.run import Run
+from plans.model.run import MachineRun
 from plans.words.words import word
 
 NAME = "tachogram"
@@ -27,7 +27,7 @@ STEADY = "ω_{st}"  # the mean speed of the steady motion that is reached: not t
 APART = 1.6  # sizes of a text from one line to the next
 
 
-def measure(run: Run, drafting: Drafting) -> Picture:
+def measure(run: MachineRun, drafting: Drafting) -> Picture:
     """Measure the room of a tachogram: its scale is that of time."""
     hand, lines = drafting.hand, told(run, drafting)
     room = FORM.room(NAME, float(run.t[-1]), ("t", "s"), drafting.word("tachogram"), hand)
@@ -36,7 +36,7 @@ def measure(run: Run, drafting: Drafting) -> Picture:
     return room._replace(margins=margins, heading=wide)
 
 
-def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> Part:
+def draw(run: MachineRun, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw it in its spot: the speed over time, the ends of its stages measurable, the mean of the steady motion."""
     hand, long, most = drafting.hand, float(run.t[-1]), float(run.omega.max())
     axes = standing(room, spot, (0.0, most), ("ω", "rad/s"), drafting, under=1.0)
@@ -53,12 +53,12 @@ def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     return Part(NAME, lines, (*axis, *_letters(run, axes, most, drafting)))
 
 
-def ends(run: Run) -> tuple[int, ...]:
+def ends(run: MachineRun) -> tuple[int, ...]:
     """Give the rows in which the stages end."""
     return tuple(stage.last for stage in run.stages)
 
 
-def told(run: Run, drafting: Drafting) -> tuple[str, ...]:
+def told(run: MachineRun, drafting: Drafting) -> tuple[str, ...]:
     """Tell the instants at which the stages end, s, and the steady speed that is reached, rad/s."""
     times = (
         joined("", (f"t_{k} = ", drafting.slot(Slot(f"t_{k}", float(run.t[row])))))
@@ -71,7 +71,7 @@ def told(run: Run, drafting: Drafting) -> tuple[str, ...]:
     return instants, drafting.phrase("steady speed", **numbers)
 
 
-def _written(run: Run, spot: Spot, drafting: Drafting) -> Group:
+def _written(run: MachineRun, spot: Spot, drafting: Drafting) -> Group:
     """Write under the heading what the tachogram tells."""
     hand, box = drafting.hand, spot.box
     at = complex(box.centre.real, box.top - 1.6 * hand.title - hand.text)
@@ -82,7 +82,7 @@ def _written(run: Run, spot: Spot, drafting: Drafting) -> Group:
     return Group((Group(tuple(texts)),), NUMBERS)
 
 
-def _curve(run: Run, axes: Axes) -> Iterator[complex]:
+def _curve(run: MachineRun, axes: Axes) -> Iterator[complex]:
     """Give the points of the curve, those left out that lie close to the last one."""
     last = complex(math.inf)
     for k, (t, omega) in enumerate(zip(run.t.tolist(), run.omega.tolist(), strict=True)):
@@ -92,20 +92,20 @@ def _curve(run: Run, axes: Axes) -> Iterator[complex]:
             last = place
 
 
-def _end(run: Run, k: int, row: int, graph: Graph) -> Iterator[Stroke]:
+def _end(run: MachineRun, k: int, row: int, graph: Graph) -> Iterator[Stroke]:
     """Draw the end of a stage: its tick and its ordinate, which can be measured."""
     yield graph.tick(float(run.t[row]))
     yield from graph.ordinate(float(run.t[row]), float(run.omega[row]), f"t_{k}")
 
 
-def _mean(run: Run, graph: Graph) -> Iterator[Stroke]:
+def _mean(run: MachineRun, graph: Graph) -> Iterator[Stroke]:
     """Draw the mean of the steady motion across the whole of it."""
     if run.steady is not None:
         start, end = (graph.axes.on(float(t), run.steady.mean) for t in (0.0, run.t[-1]))
         yield graph.stated(STEADY, [Line(start, end, graph.hand.axis)])
 
 
-def _letters(run: Run, axes: Axes, most: float, drafting: Drafting) -> Iterator[Letter]:
+def _letters(run: MachineRun, axes: Axes, most: float, drafting: Drafting) -> Iterator[Letter]:
     """Letter the stages at their middles, the instants at which they end, the mean speed."""
     size = drafting.hand.letter
     if run.steady is not None:

@@ -41,7 +41,7 @@ def lever(acting: ExpectedForces, scales: Mapping[str, float], sheets: Sequence[
         names = {key[2] for keys in sheets for key in keys if key[0] is Kind.POINT and key[1] == LEVER}
         stated = {key[2] for keys in sheets for key in keys if key[1] in (LEVER, f"{EQUATION}-{acting.k}")}
         mu = scales[LEVER]
-        sheet = _Lever(acting, mu, 1.0 if alone else mu, frozenset(names), frozenset(stated))
+        sheet = _DrawnLever(acting, mu, 1.0 if alone else mu, frozenset(names), frozenset(stated))
         yield from (*sheet.points(), *sheet.directions(), *sheet.arms(), *sheet.equation(), *sheet.letters())
 
 
@@ -67,7 +67,7 @@ class _Hung(NamedTuple):
 
 
 @dataclass(frozen=True)
-class _Lever:
+class _DrawnLever:
     """The lever of one position at a scale, what a unit of its arms is in the equation, and the images it shows."""
 
     acting: ExpectedForces

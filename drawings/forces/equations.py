@@ -9,12 +9,12 @@ from drawings.forces.arms import POLE, Leverage, LeverTerm, leverages, statement
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import UNIT
 from drawings.kinds.working import DIGITS as WORKING_DIGITS
-from drawings.kinds.working import MASSES, Working
+from drawings.kinds.working import MASSES, Workings
 from drawings.layout.equation import (
     DIRECTION,
     FULL,
     UNKNOWN,
-    Passage,
+    EquationBlock,
     Term,
     WrittenEquation,
     forces,
@@ -46,11 +46,11 @@ class SheetEquations:
         self.nothing = nothing  # force N and moment N*m below which there is none
         self.arms = leverages(plan, cut, column)
 
-    def passage(self, name: str) -> Passage:
+    def passage(self, name: str) -> EquationBlock:
         """Write arms, equations of moments with what they give, and the equation of forces."""
         turning = (line for equation in self.cut.equations for line in self._moments(equation))
         lines = *self._given(), *self._slotted(), *turning, *self._forces(), *self._found()
-        return Passage(name, lines, self.drafting.hand.text, figure=f"{name}-{self.column}")
+        return EquationBlock(name, lines, self.drafting.hand.text, figure=f"{name}-{self.column}")
 
     def letter(self, name: str) -> str:
         """Write a force's name as the sheet does."""
@@ -194,13 +194,13 @@ class LeverEquation(NamedTuple):
             box, self.drafting.hand
         )
 
-    def _passage(self, mu: float | None, unit: str = "mm") -> Passage:
+    def _passage(self, mu: float | None, unit: str = "mm") -> EquationBlock:
         arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}
         figure = f"{NAME}-{self.column}"
         said = [Statement(Kind.LETTER, figure, term.letter) for term in self.told]
         letters = moments(POLE, [term.written for term in self.told], states=said)
         lines = (_lengths(arms, unit, self.drafting), letters, self._numbers(arms), *self._found())
-        return Passage(NAME, lines, self.drafting.hand.text, figure=figure)
+        return EquationBlock(NAME, lines, self.drafting.hand.text, figure=figure)
 
     def _arm(self, letter: str, length: float, mu: float | None) -> str:
         return WIDEST if mu is None else self.drafting.slot(Slot(letter, length / mu, ARM))
@@ -221,10 +221,10 @@ class LeverEquation(NamedTuple):
         yield listed(*parts)
 
 
-def forces_of_masses(plan: ForcePlan, links: Sequence[int], position: int, name: str, drafting: Drafting) -> Working:
+def forces_of_masses(plan: ForcePlan, links: Sequence[int], position: int, name: str, drafting: Drafting) -> Workings:
     """Write beside a figure how weights, inertia forces and inertia couples of some links are found."""
     lines = list(_lines(plan, links, position, drafting))
-    return Working(MASSES, name, lambda spot: lines, drafting)
+    return Workings(MASSES, name, lambda spot: lines, drafting)
 
 
 def _lines(plan: ForcePlan, links: Sequence[int], position: int, drafting: Drafting) -> Iterator[tuple[str, ...]]:

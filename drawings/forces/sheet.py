@@ -19,7 +19,7 @@ from drawings.forces.notes import notes
 from drawings.forces.report import drafting_of_forces
 from drawings.kinds import curve_graph, hodograph, working
 from drawings.kinds.axes import Part
-from drawings.kinds.working import Working
+from drawings.kinds.working import Workings
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
@@ -180,7 +180,7 @@ class _ForceSheet:
             equation = LeverEquation(terms, moment, self.drafting, self.position)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
-    def _workings(self) -> Iterator[Working]:
+    def _workings(self) -> Iterator[Workings]:
         """How forces of masses are found, and lengths laid off: beside the figures, where paper would stay bare."""
         plan, drafting = self.plan, self.drafting
         for cut in plan.cuts:
@@ -192,7 +192,7 @@ class _ForceSheet:
             yield forces_of_masses(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
             yield vector_plan.plan_working(diagram(plan.velocities, self.position), LEVER, drafting)
 
-    def _polygon_workings(self, cut: CutGroup) -> Iterator[Working]:
+    def _polygon_workings(self, cut: CutGroup) -> Iterator[Workings]:
         """How the known forces of a cut are laid off, and those that close its polygon are read."""
         name, drafting = f"{POLYGON}{cut.label}", self.drafting
         known, found = dict[str, float](), dict[str, float]()

@@ -240,12 +240,12 @@ COMMON = (
 def form_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
     """Lay out the form of a scene, by kinds of sheets: all that its task gives, and no answer."""
     scene = study.scene.changed(sheet=study.scene.sheet.changed(drawn="", date=""))
-    task = _Task(scene, given(scene), _fixed(study), leaves_of(study))
+    task = _BlankTask(scene, given(scene), _fixed(study), leaves_of(study))
     found = bind(task.laid_out(PARTS), scene)
     return {kind: tuple(_signed(leaf, kind) for leaf in leaves) for kind, leaves in found.items()}
 
 
-class _Task(NamedTuple):
+class _BlankTask(NamedTuple):
     """What a form is laid out from: the scene and all that it gives, and the sheets with their answer."""
 
     scene: Scene

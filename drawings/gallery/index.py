@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from drawings.gallery.catalogue import Entry
 from drawings.lettering.words import number
-from drawings.report.table import Subject, report_of
+from drawings.report.table import TableSubject, report_of
 from plans.bank.engines import ENGINES, Engine
 from plans.bank.harmonics import SliderCrank
 from plans.bank.study import BankStudy
@@ -73,7 +73,7 @@ def section(exhibit: GalleryScene) -> str:
     return f"\n## {entry.title}\n\n{entry.about}\n\n{subject.sentence}\n\n{pictures}\n\n{links}\n"
 
 
-def subject_of(study: Study) -> Subject:
+def subject_of(study: Study) -> TableSubject:
     """Tell what is studied: the first technique of a scene says it."""
     return report_of(study.techniques[0]).subject(study)
 

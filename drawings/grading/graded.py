@@ -59,7 +59,7 @@ class Graded(NamedTuple):
         return tuple(said for said in self.verdicts if said.kind in verdict.UNSEEN)
 
 
-class _Found(NamedTuple):
+class _FoundOnSheet(NamedTuple):
     """What of that is found on a sheet."""
 
     plans: Sequence[DrawnPlan]
@@ -79,7 +79,7 @@ def grade(source: bytes, task: SheetTask, by: Allowances) -> Graded:
 def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     sheet, onlooker = _seen(source)
     tables = tables_drawn(sheet, task.tables)
-    found = _Found(plans_drawn(sheet, onlooker, task.plans), figures_drawn(sheet, task.curves), tables)
+    found = _FoundOnSheet(plans_drawn(sheet, onlooker, task.plans), figures_drawn(sheet, task.curves), tables)
     if _is_bare(sheet, found, task):
         return Graded(UNREAD, reason=message("grade.bare"))
     said = tuple(_verdicts(sheet, found, task, by))
@@ -105,7 +105,7 @@ def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
     return sheet._replace(leaf=legible(sheet.leaf)), onlooker
 
 
-def _is_bare(sheet: SeenSheet, found: _Found, task: SheetTask) -> bool:
+def _is_bare(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask) -> bool:
     """Tell whether a sheet bears neither our marks nor a figure in a place of our form, nor tables to be graded."""
     if not (sheet.measured.marks or form_places(sheet.leaf) or every_axes(sheet)):
         lost = any(plan.sheet in alone(found.tables, sheet) for plan in task.plans)
@@ -115,7 +115,7 @@ def _is_bare(sheet: SeenSheet, found: _Found, task: SheetTask) -> bool:
     return not found.plans and not found.figures and not answered(found.tables, others)
 
 
-def _verdicts(sheet: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -> Iterator[Verdict]:
+def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allowances) -> Iterator[Verdict]:
     """Judge all that is found on a sheet; what its sheet of the task asks for beside is missing."""
     yield from (said for plan in found.plans if (said := plan.unread) is not None)
     read = [plan for plan in found.plans if plan.unread is None]

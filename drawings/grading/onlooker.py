@@ -17,7 +17,7 @@ from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Fill, Leaf, Line, Polyline, Run, Stroke, Text
 from drawings.paper.walk import flat, groups, texts
 from drawings.reading.alphabet import folded
-from drawings.reading.ink import Ink, length
+from drawings.reading.ink import LineInk, length
 from drawings.reading.pathdata import number
 from drawings.reading.sheet import EM, Observer, Opened, without
 from drawings.reading.transform import Viewport
@@ -93,7 +93,7 @@ class Onlooker(Observer):
             placed = {name: ended.attributes[name] for name in ("x", "y") if name in ended.attributes}
             self.open[-1].attributes = {**placed, **self.open[-1].attributes}
 
-    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], ink: Ink) -> None:
+    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], ink: LineInk) -> None:
         if self.open and (heads := _heads(self.open[-1].attributes)):
             self.heads |= {id(part): heads for part in flat(strokes)}
         super()._add(outer, strokes, ink)

@@ -117,7 +117,7 @@ class Pole(NamedTuple):
 BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
 
 
-class Curve(NamedTuple):
+class Plot(NamedTuple):
     """A curve in true units, its abscissas and ordinates, (N,); where it jumps two of its points have one abscissa."""
 
     x: Floats

@@ -19,7 +19,7 @@ from drawings.paper.strokes import Anchor, Group, Line, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, around, heading
 from drawings.symbols.symbols import TICK, arrowhead
-from plans.model.cyclogram import TURN, Row, within
+from plans.model.cyclogram import TURN, BarRow, within
 
 NAME, TITLE = "bars", "cyclogram bars"
 ROWS, SETTING = "rows", "set."  # the group of its bars; the names of setting angles begin so
@@ -40,13 +40,13 @@ PAST = 3.0  # mm that the abscissa goes past the turn
 class Chart(NamedTuple):
     """What the charts show: rows, the numbered positions of the main shaft, if there are any, and its sense."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[BarRow, ...]
     sense: int = 1
     numbered: tuple[float, ...] = ()
     begin: float = 0.0  # turn of the main shaft where the abscissa begins
 
     @property
-    def settings(self) -> tuple[Row, ...]:
+    def settings(self) -> tuple[BarRow, ...]:
         """The rows with a setting angle."""
         return tuple(row for row in self.rows if row.setting)
 
@@ -163,7 +163,7 @@ class BarFigure(ChartFigure):
             first = self._on(-NAMES, -ROW * (k + 0.5)) + BESIDE + 0.5j * size * (STEP * (len(lines) - 1) - 1)
             yield from (self._text(first - 1j * n * STEP * size, text, "start") for n, text in enumerate(lines))
 
-    def _named(self, row: Row) -> tuple[str, ...]:
+    def _named(self, row: BarRow) -> tuple[str, ...]:
         """Give the lines of a row's name in the column; none, if they have no room there."""
         wide, high = (self.place.length(side) - 2 * BESIDE for side in (NAMES, ROW))
         found = broken(course.name(row, self.drafting), wide, self._wide)
@@ -235,7 +235,7 @@ class BarFigure(ChartFigure):
         left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - self.hand.number / 2)
         return self._text(left, text, "end")
 
-    def _setting(self, row: Row) -> str:
+    def _setting(self, row: BarRow) -> str:
         """Write a setting angle; of one that stands before 0 what it lacks of a whole turn."""
         text, back = course.setting(row, self.drafting), self.chart.at(0.0) - self.chart.at(row.setting or 0.0)
         lack = self.drafting.number(math.degrees(back), course.DIGITS)
@@ -263,7 +263,7 @@ class BarFigure(ChartFigure):
                 yield labels.beside(spot, name, self.hand.number, BESIDE, math.pi)
 
 
-def _column(rows: Sequence[Row], drafting: Drafting) -> float:
+def _column(rows: Sequence[BarRow], drafting: Drafting) -> float:
     """Give the width, mm, of the column that bears the names: in two lines what has two words."""
     names = [course.name(row, drafting) for row in rows]
     lines = (line for name in names for line in min(_ways(name), key=lambda way: max(map(len, way))))

@@ -18,7 +18,7 @@ from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, 
 from drawings.paper.walk import tied
 from drawings.symbols.figure import around, heading
 from drawings.symbols.symbols import TICK, TurnArrow
-from plans.model.cyclogram import Row, Span
+from plans.model.cyclogram import BarRow, Period
 
 NAME, TITLE, RING_NAME = "circle", "cyclogram circle", "ring"
 BESIDE_RINGS = f"{RING_NAME}-names"  # the names that have no room in their rings
@@ -49,11 +49,11 @@ def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> CircleF
 class Ring(NamedTuple):
     """A row as a ring of the chart: its middle radius; the part of its longest span that bears its name, if any."""
 
-    row: Row
+    row: BarRow
     radius: float
-    named: Span | None
+    named: Period | None
 
-    def told(self, span: Span) -> Span:
+    def told(self, span: Period) -> Period:
         """Give the part of a span that bears its angle: what the name of the ring leaves."""
         return span if self.named is None or self.named.start != span.start else span._replace(start=self.named.end)
 
@@ -88,13 +88,13 @@ class CircleFigure(ChartFigure):
         """Give the direction of a turn of the shaft on the sheet."""
         return cmath.rect(1.0, self.chart.sense * turned)
 
-    def _named(self, row: Row, radius: float) -> Span | None:
+    def _named(self, row: BarRow, radius: float) -> Period | None:
         """Give the part of the longest span that bears the name of a row; None: it has no room for it."""
         longest = max(row.spans, key=lambda span: span.end - span.start)
         half = longest._replace(end=(longest.start + longest.end) / 2)
         return half if self._fits(half, course.name(row, self.drafting), radius) else None
 
-    def _fits(self, span: Span, text: str, radius: float) -> bool:
+    def _fits(self, span: Period, text: str, radius: float) -> bool:
         """Tell whether a text has room along a ring: between the ends of a span, straight though the ring is round."""
         size, far = self.hand.number, self.place.length(radius)
         wide = text_width(Text(0j, text, size, "middle", True))
@@ -129,7 +129,7 @@ class CircleFigure(ChartFigure):
         if ring.named is not None:
             yield self._along(course.name(ring.row, self.drafting), ring.named, ring.radius)
 
-    def _along(self, text: str, span: Span, radius: float) -> Text:
+    def _along(self, text: str, span: Period, radius: float) -> Text:
         """Write along a ring in the middle of a span, upright as it is read."""
         turn, size = self.chart.sense * (span.start + span.end) / 2, self.hand.number
         way = turn - math.pi / 2 if tied(math.sin(turn)) >= 0 else turn + math.pi / 2

@@ -10,12 +10,12 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import LineStyle
 from plans.cyclogram import rows as r
 from plans.model.cam import DWELL, RETURN, RISE
-from plans.model.cyclogram import Row, Span, pieces, within
+from plans.model.cyclogram import BarRow, Period, pieces, within
 
 DIGITS = 5
 
 
-class Course(NamedTuple):
+class SpanLevels(NamedTuple):
     """From which level of a row to which a span leads, 0 the lower, and the line of the hand that draws it."""
 
     start: float
@@ -24,30 +24,30 @@ class Course(NamedTuple):
 
 
 COURSES: Final = {
-    RISE: Course(0.0, 1.0),
-    DWELL: Course(1.0, 1.0),
-    RETURN: Course(1.0, 0.0),
-    r.REST: Course(0.0, 0.0),
-    r.WORK: Course(0.0, 1.0),
-    r.IDLE: Course(1.0, 0.0, "other"),
-    r.CUT: Course(1.0, 1.0),
-    r.OVERRUN: Course(0.0, 0.0, "other"),
-    r.BACK_OVER: Course(0.0, 0.0, "other"),
-    r.FREE: Course(1.0, 0.0, "path"),
+    RISE: SpanLevels(0.0, 1.0),
+    DWELL: SpanLevels(1.0, 1.0),
+    RETURN: SpanLevels(1.0, 0.0),
+    r.REST: SpanLevels(0.0, 0.0),
+    r.WORK: SpanLevels(0.0, 1.0),
+    r.IDLE: SpanLevels(1.0, 0.0, "other"),
+    r.CUT: SpanLevels(1.0, 1.0),
+    r.OVERRUN: SpanLevels(0.0, 0.0, "other"),
+    r.BACK_OVER: SpanLevels(0.0, 0.0, "other"),
+    r.FREE: SpanLevels(1.0, 0.0, "path"),
 }
 
 
 class Stretch(NamedTuple):
     """A part of a span, counted from where the chart begins to a whole turn, with the levels at its ends."""
 
-    span: Span
+    span: Period
     start: float
     end: float
     low: float  # level at its start
     high: float  # level at its end
 
 
-def stretches(span: Span, begin: float = 0.0) -> tuple[Stretch, ...]:
+def stretches(span: Period, begin: float = 0.0) -> tuple[Stretch, ...]:
     """Cut a span where a turn from `begin` starts anew."""
     course, whole, found, gone = COURSES[span.kind], span.end - span.start, list[Stretch](), 0.0
     for piece in pieces(span, begin):
@@ -58,40 +58,40 @@ def stretches(span: Span, begin: float = 0.0) -> tuple[Stretch, ...]:
     return tuple(found)
 
 
-def style_of(span: Span, hand: Hand) -> LineStyle:
+def style_of(span: Period, hand: Hand) -> LineStyle:
     """Give the line that draws a span."""
     style: LineStyle = getattr(hand, COURSES[span.kind].style)
     return style
 
 
-def moves(span: Span) -> bool:
+def moves(span: Period) -> bool:
     """Whether something is done in a span: a main line draws it."""
     return COURSES[span.kind].style == "result" and span.kind != r.REST
 
 
-def doing(span: Span, drafting: Drafting) -> str:
+def doing(span: Period, drafting: Drafting) -> str:
     """Write what is done in a span: the letter of a phase, or a word."""
     return drafting.letter(f"φ_{{{span.label}}}") if span.label else drafting.word(f"cyclogram {span.kind}")
 
 
-def angle(span: Span, drafting: Drafting) -> str:
+def angle(span: Period, drafting: Drafting) -> str:
     """Write the angle of a span in degrees."""
     return f"{drafting.number(math.degrees(span.end - span.start), DIGITS)}°"
 
 
-def label(span: Span, drafting: Drafting) -> str:
+def label(span: Period, drafting: Drafting) -> str:
     """Write what is done in a span with its angle."""
     return f"{doing(span, drafting)}{' = ' if span.label else ' '}{angle(span, drafting)}"
 
 
-def name(row: Row, drafting: Drafting) -> str:
+def name(row: BarRow, drafting: Drafting) -> str:
     """Write the name of a row: that of a cam as the scene gives it."""
     if row.name in (r.STROKES, r.TOOL, r.FEED):
         return drafting.word(f"cyclogram {row.name}")
     return drafting.word("cyclogram cam", name=row.name)
 
 
-def setting(row: Row, drafting: Drafting) -> str:
+def setting(row: BarRow, drafting: Drafting) -> str:
     """Write the setting angle of a row."""
     assert row.setting is not None  # only what has one is asked
     return f"{drafting.number(math.degrees(within(row.setting)), DIGITS)}°"

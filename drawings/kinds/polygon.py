@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.kinds import working
-from drawings.kinds.working import Working
+from drawings.kinds.working import Workings
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, offset, parallel_offsets
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
@@ -216,7 +216,7 @@ class Polygon(NamedTuple):
         parts += [drafting.word("unlettered", names=faint)] if faint else []
         return ";  ".join(parts)
 
-    def working(self, drafting: Drafting) -> Working:
+    def working(self, drafting: Drafting) -> Workings:
         """Write beside it how long its vectors are drawn."""
         sizes = {self.letters.lower(vector.name): abs(vector.value) for vector in self.vectors}
         return working.segment_working(sizes, self.subject.quantity, self.name, drafting)

@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import pairwise, product
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
-from drawings.kinds.axes import BEYOND, Axes, Curve, Part, Pole, caption, wide
+from drawings.kinds.axes import BEYOND, Axes, Part, Plot, Pole, caption, wide
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import joined, telling
@@ -49,7 +49,7 @@ class Row(Protocol):
         """Whether it shows nothing that a scale could be told of."""
 
     @property
-    def rays(self) -> Curve:
+    def rays(self) -> Plot:
         """The values to which the rays of its pole go, where they belong."""
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.layout.contents import Panel
-from drawings.layout.equation import Passage, WrittenEquation, plain
+from drawings.layout.equation import EquationBlock, WrittenEquation, plain
 from drawings.layout.picture import Spot
 from drawings.page.page import Field
 from drawings.page.scale import Drafting, Scale
@@ -60,7 +60,7 @@ class ScaleFactor(NamedTuple):
 Lines = Callable[[Spot | None], Sequence[tuple[str, ...]]]  # where a figure stands; None: not known yet
 
 
-class Working(NamedTuple):
+class Workings(NamedTuple):
     """The lines of a kind beside a figure, by its name; they are written by where the figure stands."""
 
     kind: str
@@ -77,8 +77,10 @@ class Working(NamedTuple):
         """Write it in its box."""
         return self._passage(spot).write(box, self.drafting.hand)
 
-    def _passage(self, spot: Spot | None) -> Passage:
-        return Passage(f"{self.kind}-{self.of}", tuple(map(_line, self.lines(spot))), self.drafting.hand.text, 0.0)
+    def _passage(self, spot: Spot | None) -> EquationBlock:
+        return EquationBlock(
+            f"{self.kind}-{self.of}", tuple(map(_line, self.lines(spot))), self.drafting.hand.text, 0.0
+        )
 
 
 def told(value: float, drafting: Drafting) -> str:
@@ -98,23 +100,23 @@ def _line(parts: Sequence[str]) -> WrittenEquation:
 
 def segment_working(
     sizes: Mapping[str, float], symbol: str, name: str, drafting: Drafting, shortest: float = 0.0
-) -> Working:
+) -> Workings:
     """Write beside a polygon how long its vectors are drawn: true sizes by their letters, `symbol` of the scale.
 
     Those that are shorter than the `shortest`, mm, are passed over.
     """
     lines = at_scale(lambda scale: list(_laid(_seen(sizes, scale, shortest), ScaleFactor(scale, symbol, drafting))))
-    return Working(SEGMENTS, name, lines, drafting)
+    return Workings(SEGMENTS, name, lines, drafting)
 
 
 def reading(
     sizes: Mapping[str, float], symbol: str, unit: str, name: str, drafting: Drafting, shortest: float
-) -> Working:
+) -> Workings:
     """Write beside a polygon how large the vectors are that it gives; those that are not to be seen are passed over."""
     lines = at_scale(
         lambda scale: list(_read(_seen(sizes, scale, shortest), unit, ScaleFactor(scale, symbol, drafting)))
     )
-    return Working(READING, name, lines, drafting)
+    return Workings(READING, name, lines, drafting)
 
 
 def _seen(sizes: Mapping[str, float], scale: Scale | None, shortest: float) -> dict[str, float]:

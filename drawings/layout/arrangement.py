@@ -45,7 +45,7 @@ class Steps(NamedTuple):
         return max(sum(size <= level for size in self.sizes) - 1, 0)
 
 
-class _Figure(NamedTuple):
+class _Scaled(NamedTuple):
     """A picture with its scales, the smallest picture first."""
 
     picture: Picture
@@ -76,16 +76,16 @@ def can_be_read(picture: Picture, rung: Rung) -> bool:
 
 def steps_of(panels: Sequence[Panel], room: tuple[float, float], standard: str, legible: bool) -> tuple[Steps, ...]:
     """Give the steps of all figures that fit a room, the legible ones alone or all: those of one key together."""
-    keyed: dict[tuple[str, int], list[_Figure]] = {}
+    keyed: dict[tuple[str, int], list[_Scaled]] = {}
     for k, panel in enumerate(panels):
         if isinstance(panel.item, Picture):
             rungs = panel.item.ladder(*room, standard).rungs[::-1]
             key = (panel.scale, 0 if panel.scale else k)
-            keyed.setdefault(key, []).append(_Figure(panel.item, panel.weight, rungs))
+            keyed.setdefault(key, []).append(_Scaled(panel.item, panel.weight, rungs))
     return tuple(_steps(figures, legible) for figures in keyed.values())
 
 
-def _steps(figures: Sequence[_Figure], legible: bool) -> Steps:
+def _steps(figures: Sequence[_Scaled], legible: bool) -> Steps:
     """Enlarge figures together, as far as the one that needs most paper fits."""
     sized = [item for item in figures if max(item.picture.wide, item.picture.high)] or figures  # a point has any scale
     largest = max(sized, key=lambda figure: figure.rungs[-1].scale.mu if figure.rungs else math.inf)
@@ -103,7 +103,7 @@ def _mean(values: Sequence[float]) -> float:
     return math.fsum(values) / len(values)
 
 
-def _sizes(figures: Sequence[_Figure], step: Mapping[str, Rung]) -> Iterator[float]:
+def _sizes(figures: Sequence[_Scaled], step: Mapping[str, Rung]) -> Iterator[float]:
     """Give the sizes of figures over their weights; a point is as large as it can be."""
     for figure in figures:
         extent = step[figure.picture.name].extent

@@ -44,7 +44,7 @@ class Term(NamedTuple):
         return self.letter[0] + BAR + self.letter[1:] if self.vector else self.letter
 
 
-class Piece(NamedTuple):
+class Unbroken(NamedTuple):
     """What is never broken: a sign with the term after it, and the lines under the term."""
 
     sign: str
@@ -56,18 +56,18 @@ class Piece(NamedTuple):
 class WrittenEquation(NamedTuple):
     """An equation as pieces between which its lines may be broken, and a heading before it such as ΣM_D:."""
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[Unbroken, ...]
 
 
-Row: TypeAlias = tuple[Piece, ...]
+Row: TypeAlias = tuple[Unbroken, ...]
 
 
 def forces(terms: Sequence[Term], right: str = "0") -> WrittenEquation:
     """Write that the forces of a group balance: their sum is zero."""
     first, *others = terms
-    pieces = [Piece("−" if first.sign == "−" else "", first.written, first.known)]
-    pieces += [Piece(term.sign, term.written, term.known) for term in others]
-    return WrittenEquation((*pieces, Piece("=", right, UNKNOWN)))
+    pieces = [Unbroken("−" if first.sign == "−" else "", first.written, first.known)]
+    pieces += [Unbroken(term.sign, term.written, term.known) for term in others]
+    return WrittenEquation((*pieces, Unbroken("=", right, UNKNOWN)))
 
 
 def moments(
@@ -78,16 +78,16 @@ def moments(
     >>> [piece.text for piece in moments("D", [("+", "G_4·h_1"), ("−", "Φ_4·h_2")]).pieces]
     ['ΣM_{D}:', 'G_4·h_1', 'Φ_4·h_2', '0']
     """
-    pieces = [Piece("", f"ΣM_{{{about}}}:", UNKNOWN)]
+    pieces = [Unbroken("", f"ΣM_{{{about}}}:", UNKNOWN)]
     for k, (sign, product) in enumerate(terms):
         said = states[k] if states else None
-        pieces.append(Piece("" if k == 0 and sign == "+" else sign, product, UNKNOWN, said))
-    return WrittenEquation((*pieces, Piece("=", right, UNKNOWN)))
+        pieces.append(Unbroken("" if k == 0 and sign == "+" else sign, product, UNKNOWN, said))
+    return WrittenEquation((*pieces, Unbroken("=", right, UNKNOWN)))
 
 
 def plain(*parts: str) -> WrittenEquation:
     """Write a line of parts between which it may be broken: a solution such as R^t_34 = ... = 12 N."""
-    return WrittenEquation(tuple(Piece("", part, UNKNOWN) for part in parts))
+    return WrittenEquation(tuple(Unbroken("", part, UNKNOWN) for part in parts))
 
 
 def listed(*parts: str) -> WrittenEquation:
@@ -95,7 +95,7 @@ def listed(*parts: str) -> WrittenEquation:
     return plain(*(joined("", (part, ",")) for part in parts[:-1]), *parts[-1:])
 
 
-class Passage(NamedTuple):
+class EquationBlock(NamedTuple):
     """Equations under each other, in letters of one size; `figure` is what their numbers are stated of."""
 
     name: str
@@ -154,14 +154,14 @@ def _wide(text: str, size: float) -> float:
     return text_width(Text(0j, text, size))
 
 
-def _length(row: Iterable[Piece], size: float) -> float:
+def _length(row: Iterable[Unbroken], size: float) -> float:
     length = 0.0
     for piece in row:
         length += _sign(piece, size, bool(length)) + _wide(piece.text, size)
     return length
 
 
-def _sign(piece: Piece, size: float, within: bool) -> float:
+def _sign(piece: Unbroken, size: float, within: bool) -> float:
     """Give the width of a sign with its gaps; without a sign, only a gap within the line."""
     gap = LAPSE * size
     if not piece.sign:
@@ -169,7 +169,7 @@ def _sign(piece: Piece, size: float, within: bool) -> float:
     return _wide(piece.sign, size) + (2 * gap if within else gap)
 
 
-def _written(passage: Passage, row: Row, start: complex, hand: Hand) -> Iterator[Stroke]:
+def _written(passage: EquationBlock, row: Row, start: complex, hand: Hand) -> Iterator[Stroke]:
     """Write one line from its start, each term over its lines."""
     along, size = 0.0, passage.size
     for piece in row:

@@ -159,7 +159,7 @@ def _evenly(count: int) -> Ways:
     return np.linspace(0, count - 1, KEPT).round().astype(int)
 
 
-class Run(NamedTuple):
+class Slices(NamedTuple):
     """The shapes of a run, and the numbers of its units."""
 
     shapes: Shapes
@@ -192,11 +192,11 @@ class Slicing:
         self._units = tuple(map(cuts.number, units))
         self._opening = self._units if opening is None else tuple(map(cuts.number, opening))
 
-    def run(self, i: int, j: int) -> Run:
+    def run(self, i: int, j: int) -> Slices:
         """Give the sizes of the run from one unit to another."""
-        return Run(self._cuts.run(self._units[i : j + 1]), range(i, j + 1))
+        return Slices(self._cuts.run(self._units[i : j + 1]), range(i, j + 1))
 
-    def sheet(self, i: int, j: int) -> Run:
+    def sheet(self, i: int, j: int) -> Slices:
         """Give the sizes of the sheet of the run from one unit to another; its corner is numbered behind all units."""
         shown = (self._opening[i], *self._units[i + 1 : j + 1], self._corner)
-        return Run(self._cuts.run(shown), (*range(i, j + 1), len(self._units)))
+        return Slices(self._cuts.run(shown), (*range(i, j + 1), len(self._units)))

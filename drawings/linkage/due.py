@@ -38,7 +38,7 @@ TURNED = 1e-3  # rad: the resolution of the paper over an arrow
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's linkage."""
-    linkage = _Linkage(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene), leaves)
+    linkage = _ExpectedMotion(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene), leaves)
     yield from chain(linkage.positions(), linkage.plans(), linkage.values(), linkage.notes())
     if any("diagrams" in leaf.metadata for leaf in leaves):
         yield from diagrams.due(study, leaves)
@@ -46,7 +46,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 
 def measures(study: LinkageStudy, comparison: MotionComparison, drafting: Drafting) -> Iterator[Expected]:
     """Give the sense of the drive and the strokes that any plan of positions of a linkage may show."""
-    linkage = _Linkage(study, comparison, drafting, ())
+    linkage = _ExpectedMotion(study, comparison, drafting, ())
     yield from chain(linkage.senses(0), linkage.strokes())
 
 
@@ -56,7 +56,7 @@ def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
 
 
 @dataclass(frozen=True)
-class _Linkage:
+class _ExpectedMotion:
     """A motion by the analysis, and the sheets that show it."""
 
     study: LinkageStudy

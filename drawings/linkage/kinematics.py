@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.diagrams import rows
 from drawings.diagrams.report import diagram_notes, output_table
-from drawings.kinds.working import Working
+from drawings.kinds.working import Workings
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
@@ -131,7 +131,7 @@ class _KinematicsSheet:
             return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
         return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=self._shared(subject))
 
-    def _workings(self) -> Iterator[Working]:
+    def _workings(self) -> Iterator[Workings]:
         """How the plans are laid off and read: beside them, where paper would stay bare."""
         mechanism = self.study.mechanism
         yield link_working(mechanism, list(mechanism.links), POSITIONS.plan, self.drafting)

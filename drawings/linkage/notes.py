@@ -11,14 +11,14 @@ import numpy.typing as npt
 from drawings.lettering.phrase import Slot, joined, phrase, slotted
 from drawings.lettering.words import fixed, number, runs, span, word
 from drawings.report.report import share
-from drawings.report.table import Subject
+from drawings.report.table import TableSubject
 from plans.by_hand import SLIP
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.ram import law
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import interval
 from plans.linkage.travel import EQUAL, frame_slide
-from plans.model.dyad import Group, formula, mechanism_class
+from plans.model.dyad import Assur, formula, mechanism_class
 from plans.model.machine import ways
 from plans.model.mechanism import Mechanism, Output, Ram
 from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Floats, Motion, Order, Rates
@@ -187,10 +187,10 @@ def _of(study: LinkageStudy, motion: Motion, order: Order) -> Iterator[str]:
 PAIRS = {"R": "turning", "P": "sliding"}
 
 
-def subject(study: Study) -> Subject:
+def subject(study: Study) -> TableSubject:
     """Tell the structure of a linkage and how far its output goes."""
     linkage = study.of(LinkageStudy)
-    return Subject(_formula(linkage), _stroke(linkage), _sentence(linkage))
+    return TableSubject(_formula(linkage), _stroke(linkage), _sentence(linkage))
 
 
 def _formula(study: LinkageStudy) -> str:
@@ -206,7 +206,7 @@ def _sentence(study: LinkageStudy) -> str:
     )
 
 
-def _group(group: Group) -> str:
+def _group(group: Assur) -> str:
     pairs = ", ".join(PAIRS[letter] for letter in group.kind)
     return f"links {' and '.join(map(str, group.links))}, {group.kind} ({pairs})"
 

@@ -8,7 +8,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 from drawings.kinds.vector_plan import LEAST, directions, letter_images
-from drawings.kinds.working import DIGITS, LENGTHS, READING, ScaleFactor, Working, at_scale
+from drawings.kinds.working import DIGITS, LENGTHS, READING, ScaleFactor, Workings, at_scale
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, StillFigure, picture
 from drawings.lettering.lettering import text_width
@@ -256,9 +256,9 @@ def _images(shown: VectorDiagram, place: Place) -> Iterator[tuple[complex, list[
         yield place.on(at(mark.point, shown.column)), [mark.name, *letters]
 
 
-def link_working(mechanism: Mechanism, links: Sequence[int], name: str, drafting: Drafting) -> Working:
+def link_working(mechanism: Mechanism, links: Sequence[int], name: str, drafting: Drafting) -> Workings:
     """Write beside a figure how long some links are drawn on it."""
-    return Working(
+    return Workings(
         LENGTHS, name, at_scale(lambda scale: list(_link_lines(mechanism, links, scale, drafting))), drafting
     )
 
@@ -279,9 +279,9 @@ def _link_lines(
                 )
 
 
-def plan_working(shown: VectorDiagram, name: str, drafting: Drafting) -> Working:
+def plan_working(shown: VectorDiagram, name: str, drafting: Drafting) -> Workings:
     """Write beside a plan how each of its vectors is read."""
-    return Working(READING, name, at_scale(lambda scale: list(_plan_lines(shown, scale, drafting))), drafting)
+    return Workings(READING, name, at_scale(lambda scale: list(_plan_lines(shown, scale, drafting))), drafting)
 
 
 def _plan_lines(shown: VectorDiagram, scale: Scale | None, drafting: Drafting) -> Iterator[tuple[str, ...]]:

@@ -19,7 +19,7 @@ from drawings.paper.limits import REACH
 from drawings.paper.strokes import SheetError, Text
 
 
-class Curve(NamedTuple):
+class LetterStroke(NamedTuple):
     """One stroke of a letter as it is meant: from its start by pieces, straight (one point) or cubic (three)."""
 
     start: complex
@@ -28,7 +28,7 @@ class Curve(NamedTuple):
 
 
 @cache
-def curves(letter: str) -> tuple[Curve, ...]:
+def curves(letter: str) -> tuple[LetterStroke, ...]:
     """Give a letter's strokes before they are divided into chords.
 
     >>> curves("Г")
@@ -43,7 +43,7 @@ def curves(letter: str) -> tuple[Curve, ...]:
     return tuple(_shifted(_curve(stroke), MIDDLE) for stroke in strokes(notation))
 
 
-def _curve(notation: str) -> Curve:
+def _curve(notation: str) -> LetterStroke:
     pieces: list[Points] = []
     for token in notation.split():
         values = numbers(token)
@@ -55,7 +55,7 @@ def _curve(notation: str) -> Curve:
             pieces.append((complex(*values),))
     ends = [piece[-1] for piece in pieces]
     kept = [piece for end, piece in zip(ends, pieces[1:], strict=False) if abs(piece[-1] - end) > SAME]
-    return Curve(ends[0], tuple(kept), notation.rstrip().endswith("z"))
+    return LetterStroke(ends[0], tuple(kept), notation.rstrip().endswith("z"))
 
 
 def _quarters(x: float, y: float, across: float, up: float, start: float, end: float) -> list[Points]:
@@ -69,8 +69,8 @@ def _quarters(x: float, y: float, across: float, up: float, start: float, end: f
     return [(places[0],), *arc]
 
 
-def _shifted(curve: Curve, way: complex) -> Curve:
-    return Curve(
+def _shifted(curve: LetterStroke, way: complex) -> LetterStroke:
+    return LetterStroke(
         curve.start + way, tuple(tuple(point + way for point in piece) for piece in curve.pieces), curve.closed
     )
 

@@ -32,7 +32,7 @@ _WHOLE = (complex(-math.inf, -math.inf), complex(math.inf, math.inf))  # the pla
 _Cell: TypeAlias = tuple[float, float]  # whole numbers
 
 
-class _Area(NamedTuple):
+class _Cover(NamedTuple):
     """An area that hides what was drawn before it: a round one about its only corner, or a polygon."""
 
     order: int
@@ -72,7 +72,7 @@ def veiled(
             yield Unseen(strokes[order], reason, names[order])
 
 
-def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, areas: Sequence[_Area]) -> list[int]:
+def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, areas: Sequence[_Cover]) -> list[int]:
     """Give the orders of the strokes that may be off the paper or under a later area, as the boxes of all tell."""
     if len(areas) > _MANY or not strokes:
         return list(orders)
@@ -116,7 +116,7 @@ def small(leaf: Leaf, most: float) -> set[int]:
     return {id(stroke) for stroke in strokes if all(area.wide <= most for area in _areas(0, stroke))}
 
 
-def _reason(order: int, stroke: Stroke, leaf: Leaf, wide: Sequence[_Area], cells: dict[_Cell, list[_Area]]) -> str:
+def _reason(order: int, stroke: Stroke, leaf: Leaf, wide: Sequence[_Cover], cells: dict[_Cell, list[_Cover]]) -> str:
     spots = _spots(stroke)
     most = 0 if isinstance(stroke, Text) else len(spots) // 2  # of lettering each letter counts
     width, height = leaf.width, leaf.height
@@ -140,9 +140,9 @@ def _unfold(groups: Iterable[Stroke], name: str, strokes: list[Stroke], names: l
             names.append(name)
 
 
-def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Area]]]:
+def _squares(areas: Iterable[_Cover]) -> tuple[list[_Cover], dict[_Cell, list[_Cover]]]:
     """Give areas by the squares that they reach into; those that reach into very many by themselves."""
-    wide, cells = [], defaultdict[_Cell, list[_Area]](list)
+    wide, cells = [], defaultdict[_Cell, list[_Cover]](list)
     for area in areas:
         left, low, right, high = (int(side // _CELL) for side in area.box)
         if (right - left + 1) * (high - low + 1) > _MANY:
@@ -154,7 +154,7 @@ def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Are
     return wide, cells
 
 
-def _areas(order: int, stroke: Stroke) -> Sequence[_Area]:
+def _areas(order: int, stroke: Stroke) -> Sequence[_Cover]:
     """Give what a stroke fills; a broad line in the colour of paper fills what lies under it."""
     if isinstance(stroke, Text | Group):
         return ()
@@ -162,7 +162,7 @@ def _areas(order: int, stroke: Stroke) -> Sequence[_Area]:
     return [*_filled(order, stroke, pale, white)] if pale or white else ()
 
 
-def _filled(order: int, stroke: Stroke, pale: bool, white: bool) -> Iterator[_Area]:
+def _filled(order: int, stroke: Stroke, pale: bool, white: bool) -> Iterator[_Cover]:
     assert not isinstance(stroke, Text | Group)
     if pale:
         if isinstance(stroke, Circle):
@@ -183,9 +183,9 @@ def _hides(style: LineStyle) -> tuple[bool, bool]:
     return style.fill != "none" and not dark(style.fill), line
 
 
-def _area(order: int, corners: tuple[complex, ...], radius: float) -> _Area:
+def _area(order: int, corners: tuple[complex, ...], radius: float) -> _Cover:
     across, up = [corner.real for corner in corners], [corner.imag for corner in corners]
-    return _Area(
+    return _Cover(
         order, corners, radius, (min(across) - radius, min(up) - radius, max(across) + radius, max(up) + radius)
     )
 

@@ -39,7 +39,7 @@ class Unseen(NamedTuple):
     group: str
 
 
-class Ink(NamedTuple):
+class LineInk(NamedTuple):
     """The line of an element, and why it cannot be seen: "" if it can; a `clear` filling lets show what is under it."""
 
     style: LineStyle
@@ -48,7 +48,7 @@ class Ink(NamedTuple):
 
 
 @lru_cache(maxsize=1024)
-def ink(look: Look, scale: float) -> Ink:
+def ink(look: Look, scale: float) -> LineInk:
     """Give the ink of a look that is drawn so many times as large."""
     colour = _blended(look.stroke, share(look.stroke_opacity) * look.shade)
     fill = _blended(look.fill, share(look.fill_opacity) * look.shade)
@@ -57,7 +57,7 @@ def ink(look: Look, scale: float) -> Ink:
     style = LineStyle(width, dash, colour, fill, _cap(look.stroke_linecap), join)
     if colour == _NONE:
         style = LineStyle(0.0, (), colour, fill)
-    return Ink(style, _why(look, style), fill != _NONE and _clear(look, fill))
+    return LineInk(style, _why(look, style), fill != _NONE and _clear(look, fill))
 
 
 def _why(look: Look, style: LineStyle) -> str:

@@ -150,7 +150,7 @@ _FAR = complex(2**33, 2**33)
 _RISES = ((0, 0.0), (-1, -LOWERED), (1, RAISED))  # how high levels lie, in sizes
 
 
-class Glyph:
+class SeenGlyph:
     """What a pen went through in a letter, and what that may be; of letters that are drawn alike it is one."""
 
     __slots__ = ("known", "trail")
@@ -164,10 +164,10 @@ class PathLetters(NamedTuple):
 
     places: tuple[complex, ...]
     unit: float
-    glyphs: tuple[Glyph, ...]
+    glyphs: tuple[SeenGlyph, ...]
 
 
-class _Set(NamedTuple):
+class _SetLetter(NamedTuple):
     """A letter set on a line: what it is, how far along and how high, its width, its pen, mm, and its level."""
 
     letter: str
@@ -178,9 +178,9 @@ class _Set(NamedTuple):
     level: int = 0
 
 
-_Letter: TypeAlias = tuple[complex, float, Glyph]  # its first point, the width of its pen, how it is drawn
+_Letter: TypeAlias = tuple[complex, float, SeenGlyph]  # its first point, the width of its pen, how it is drawn
 _Turned: TypeAlias = tuple[complex, float, Sequence[LetterReading]]  # a letter as if its line of writing went along
-_Line: TypeAlias = tuple[Stance, list[_Set]]
+_Line: TypeAlias = tuple[Stance, list[_SetLetter]]
 _ALONG = attrgetter("along")
 
 
@@ -249,29 +249,29 @@ def _turned_back(letter: _Letter, angle: float, near: float) -> _Letter:
     """Turn a letter by an angle (rad) against its direction, and look it up again."""
     turn, (place, unit, glyph) = cmath.rect(1, -angle), letter
     trail = Trail(glyph.trail.signature, tuple(turn * point for point in glyph.trail.points))
-    return turn * place, unit, Glyph(trail, readings(trail, unit, near))
+    return turn * place, unit, SeenGlyph(trail, readings(trail, unit, near))
 
 
-def _slope(row: Sequence[_Set], size: float) -> float:
+def _slope(row: Sequence[_SetLetter], size: float) -> float:
     """Give the angle (rad) by which a line of writing rises yet: between its first letter and its last."""
     low = [letter.rise - dict(_RISES)[letter.level] * size for letter in row]
     return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
-def _levelled(letters: Sequence[_Turned], low: float, size: float, stance: Stance, even: float) -> list[_Set]:
+def _levelled(letters: Sequence[_Turned], low: float, size: float, stance: Stance, even: float) -> list[_SetLetter]:
     """Set letters on a line of writing until one is none: each the first that it may be, on the level where it is."""
-    row: list[_Set] = []
+    row: list[_SetLetter] = []
     for count, (place, unit, known) in enumerate(letters):
         for name, _, corner, width in known:
             spot = place + corner
             rise = spot.imag - low
             if abs(rise) <= even and unit * 10 == size:
-                row.append(_Set(name, spot.real, spot.imag, width, unit))
+                row.append(_SetLetter(name, spot.real, spot.imag, width, unit))
                 break
             level, share = (1, RAISED) if rise > 0 else (-1, -LOWERED)
             if abs(rise - share * size) <= even:
                 lean = LEAN * share * size if stance.slanted else 0.0
-                row.append(_Set(name, spot.real - lean, spot.imag, width, unit, level))
+                row.append(_SetLetter(name, spot.real - lean, spot.imag, width, unit, level))
                 break
         if len(row) == count:
             break
@@ -286,11 +286,11 @@ def _unread(letters: Sequence[_Letter]) -> _Line:
         found = glyph.known.get(stance, ())
         name, corner, width = next(((reading[0], reading[2], reading[3]) for reading in found), (UNREAD, 0j, 0.0))
         spot = place * stance.turn.conjugate() + corner
-        row.append(_Set(name, spot.real, spot.imag, width, unit))
+        row.append(_SetLetter(name, spot.real, spot.imag, width, unit))
     return stance, sorted(row, key=_ALONG)
 
 
-def _spaces(row: Sequence[_Set], size: float) -> Iterator[int]:
+def _spaces(row: Sequence[_SetLetter], size: float) -> Iterator[int]:
     """Give how many thin spaces are between letters; below 0, where a letter runs into the one before it."""
     for (_, start, _, width, before, _), (_, end, _, _, after, _) in pairwise(row):
         gap, free = _GAP * (before if before < after else after), end - start - width
@@ -319,21 +319,21 @@ _MOST = 6  # strokes of a letter with its accents
 _KNOWN = 4096  # letters of a pen that are remembered: a sheet of ours has some hundreds, a stranger's any number
 
 
-_BLANK = Glyph(Trail((), ()), {})
+_BLANK = SeenGlyph(Trail((), ()), {})
 
 
-class _Pen(dict[str, Glyph]):
+class _Pen(dict[str, SeenGlyph]):
     """The letters that a pen has drawn, each by its steps from its first point; blank where it left no trace."""
 
     def __init__(self, p: complex, q: complex, unit: float) -> None:
         super().__init__()
         self.linear, self.unit = Affine(p, q), unit
 
-    def __missing__(self, steps: str) -> Glyph:
+    def __missing__(self, steps: str) -> SeenGlyph:
         trail = _trail([track.mapped(self.linear) for track in tracks(f"M0 0{steps}")])
         if len(self) >= _KNOWN:
             self.clear()
-        self[steps] = Glyph(trail, readings(trail, self.unit)) if trail.points else _BLANK
+        self[steps] = SeenGlyph(trail, readings(trail, self.unit)) if trail.points else _BLANK
         return self[steps]
 
 
@@ -356,7 +356,7 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | N
 def any_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | None:
     """Read path data as an editor may have rewritten it: as many strokes as make a letter are one."""
     left = [track.mapped(place) for track in tracks(path)]
-    places, glyphs = list[complex](), list[Glyph]()
+    places, glyphs = list[complex](), list[SeenGlyph]()
     while left:
         places.append(left[0].start)
         glyphs.append(_longest(left, style.width))
@@ -369,12 +369,12 @@ def pen_of_letters(style: LineStyle) -> bool:
     return style.cap == "round" and not style.dash and style.fill == "none" and style.colour != "none"
 
 
-def _longest(left: Sequence[PenTrack], unit: float) -> Glyph:
+def _longest(left: Sequence[PenTrack], unit: float) -> SeenGlyph:
     """Find the letter of the most strokes that a row of tracks begins with; an editor rounds it once more."""
     trails = [_trail(left[:count]) for count in range(min(_MOST, len(left)), 0, -1)]
     looked_up = ((trail, readings(trail, unit, 2 * NEAR)) for trail in trails)
     trail, found = next((pair for pair in looked_up if pair[1]), (trails[-1], {}))
-    return Glyph(trail, found)
+    return SeenGlyph(trail, found)
 
 
 def _trail(tracks: Sequence[PenTrack]) -> Trail:

@@ -13,7 +13,7 @@ from drawings.reading.visibility import Look, Said
 from plans.words.words import Message, message
 
 
-class Frame:
+class Nest:
     """What an open element hands to those inside: its map to paper, its look, and why a mark in it is refused.
 
     `said` are its own attributes that may tell of its look. Elements that are alike in all this share one frame.
@@ -31,7 +31,7 @@ class Witness(Protocol):
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
         """Give the paper that a root lays what is drawn on."""
 
-    def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
+    def enter(self, frame: Nest, attributes: Mapping[str, str]) -> None:
         """See an element begin; one that is no SVG has no tag."""
 
     def hear(self, text: str) -> None:

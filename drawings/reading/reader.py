@@ -12,7 +12,7 @@ from xml.parsers import expat
 
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
-from drawings.reading.marks import KINDS, LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
+from drawings.reading.marks import KINDS, LINES, LONGEST, Nest, SheetMark, Witness, called, drawn, marked
 from drawings.reading.pathdata import pair
 from drawings.reading.transform import Viewport, about, transform, viewport
 from drawings.reading.visibility import ANIMATIONS, Look, Said, presented, said, teller, telling
@@ -78,10 +78,10 @@ class _Reader:
     def __init__(self, witness: Witness | None = None) -> None:
         self.witness = witness
         self.sheet: ReadSheet | None = None
-        self.frames: list[Frame] = []
+        self.frames: list[Nest] = []
         self.ids: set[str] = set()
         self.elements = self.entities = self.ampersands = self.path_length = 0
-        self.known: dict[object, Frame] = {}  # by what an element stands in, its name, its look
+        self.known: dict[object, Nest] = {}  # by what an element stands in, its name, its look
         self.hearing, self.heard = "", list[str]()  # what tag is heard, and its text
         self.heard_depth = self.heard_length = 0
         self.left_aside: set[str] = set()
@@ -165,7 +165,7 @@ class _Reader:
             raise SheetRefused("root_transform")
         paper = viewport(attributes) if self.witness is None else self.witness.opened(attributes)
         self.sheet = ReadSheet(paper, notes=list(paper.notes))
-        self.frames.append(Frame(tag, paper.placing, look.look, None))
+        self.frames.append(Nest(tag, paper.placing, look.look, None))
 
     def _enter(self, name: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         if tag in _TELLING or self.hearing:
@@ -180,11 +180,11 @@ class _Reader:
         if frame.tag and attributes.get("data-kind") in KINDS:
             self._mark(frame, marked(attributes), attributes, sheet)
 
-    def _framed(self, outer: Frame, name: str, telling_look: Said, sheet: ReadSheet) -> Frame:
+    def _framed(self, outer: Nest, name: str, telling_look: Said, sheet: ReadSheet) -> Nest:
         space, _, tag = name.rpartition(" ")
         if space != _SVG:
             gone = outer.look.gone or message("gone.inside", tag=tag[:_SAID])
-            return Frame("", outer.to_paper, outer.look._replace(gone=gone), outer.refusal)
+            return Nest("", outer.to_paper, outer.look._replace(gone=gone), outer.refusal)
         if tag in ANIMATIONS and not outer.look.gone:
             raise SheetRefused("animation", tag=tag)
         if tag in ("script", "use") and tag not in self.left_aside:
@@ -197,15 +197,15 @@ class _Reader:
         elif moved:
             refusal = refusal or message("unreadable.moved", by=moved)
         if properties.get("transform", "none") == "none":
-            return Frame(tag, outer.to_paper, look, refusal, telling_look)
+            return Nest(tag, outer.to_paper, look, refusal, telling_look)
         moving = transform(properties["transform"])
         if "transform-origin" in properties:
             moving = about(pair(properties["transform-origin"].replace("px", "")), moving)
         if moving.singular:
             look = look._replace(gone=look.gone or message("gone.scaled"))
-        return Frame(tag, outer.to_paper.after(moving), look, refusal, telling_look)
+        return Nest(tag, outer.to_paper.after(moving), look, refusal, telling_look)
 
-    def _mark(self, frame: Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
+    def _mark(self, frame: Nest, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
         kind = data["kind"]
         if hidden := frame.look.hidden(filled=kind not in LINES):
             sheet.notes.append(message("aside.mark", who=called(data), why=hidden))

@@ -14,9 +14,9 @@ from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle,
 from drawings.paper.walk import flat
 from drawings.reading import alphabet
 from drawings.reading.covering import veiled
-from drawings.reading.ink import Ink, Unseen, ink, length
+from drawings.reading.ink import LineInk, Unseen, ink, length
 from drawings.reading.lettered import PathLetters, any_letters, pen_of_letters, plain_letters, written
-from drawings.reading.marks import KINDS, Frame
+from drawings.reading.marks import KINDS, Nest
 from drawings.reading.measure import Measured, measure
 from drawings.reading.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.reading.pathdata import SPACE, number
@@ -124,11 +124,11 @@ def _idle(name: str, value: str) -> bool:
 
 # What draws by other means than lines and letters, or decides how they look: the eye cannot read it.
 UNREAD = frozenset(("use", "image", "foreignObject", "style", "script", "switch", "pattern", "marker", "tspan"))
-PLAIN = Ink(INK)
+PLAIN = LineInk(INK)
 
 
 @lru_cache(maxsize=1024)  # thousands of elements share a dozen frames
-def unread(frame: Frame) -> str:
+def unread(frame: Nest) -> str:
     """Name what of an element the eye cannot read; "" if there is nothing."""
     if frame.tag in UNREAD or frame.tag == "svg":
         return f"<{frame.tag}>"
@@ -137,7 +137,7 @@ def unread(frame: Frame) -> str:
 
 
 @lru_cache(maxsize=1024)
-def ink_of(frame: Frame) -> Ink:
+def ink_of(frame: Nest) -> LineInk:
     """Give the ink of an element."""
     return ink(frame.look, scale_of(frame.to_paper))
 
@@ -151,7 +151,7 @@ class Opened:
 
     __slots__ = ("attributes", "data", "frame", "heard", "ink", "letters", "strokes", "title")
 
-    def __init__(self, frame: Frame, attributes: Mapping[str, str]) -> None:
+    def __init__(self, frame: Nest, attributes: Mapping[str, str]) -> None:
         self.frame, self.attributes, self.title, self.ink = frame, attributes, "", PLAIN
         self.strokes: list[Stroke] = []
         self.data: dict[str, str] = {}
@@ -169,14 +169,14 @@ class Observer:
         self.gone: set[int] = set()  # and those that are not painted at all
         self.description, self.lettering = "", "strokes"
         self.paper = Viewport(0.0, 0.0, STAY, ())
-        self.root = Opened(Frame("svg", STAY, Look(), None), {})
+        self.root = Opened(Nest("svg", STAY, Look(), None), {})
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
         """See the paper that a root lays what is drawn on."""
         self.paper = viewport(attributes)
         return self.paper
 
-    def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
+    def enter(self, frame: Nest, attributes: Mapping[str, str]) -> None:
         """See an element begin."""
         element = Opened(frame, attributes)
         self.open.append(element)
@@ -218,7 +218,7 @@ class Observer:
         except SheetRefused:
             self._leave_aside(f"<{element.frame.tag}>")
 
-    def _line(self, element: Opened, ink: Ink) -> None:
+    def _line(self, element: Opened, ink: LineInk) -> None:
         outline = outlines(element.frame.tag, element.attributes, element.frame.to_paper, ink.style)
         strokes = tuple(map(cornered, outline))
         outer = self.open[-2]
@@ -231,7 +231,7 @@ class Observer:
         else:
             self._add(outer, (Group(strokes, element.attributes.get("id", ""), data),), ink)
 
-    def _letter(self, element: Opened, ink: Ink) -> bool:
+    def _letter(self, element: Opened, ink: LineInk) -> bool:
         """Take a path as letters, if it is one of them; those of several pens are one text with its levels."""
         path, outer = element.attributes.get("d", ""), self.open[-2]
         if element.frame.tag != "path" or not path or not pen_of_letters(ink.style):
@@ -281,7 +281,7 @@ class Observer:
         if group.strokes or group.name or group.data or group.title:
             outer.strokes.append(group)
 
-    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], ink: Ink) -> None:
+    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], ink: LineInk) -> None:
         outer.strokes += strokes
         if ink.clear:
             self.clear.update(id(part) for part in flat(strokes))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from drawings.sheet_diff.edit import STILL, Figures
+from drawings.sheet_diff.edit import STILL, SheetFigures
 from plans.words.words import word
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def _number(leaf: Leaf) -> int:
 
 def _headings(leaf: Leaf, starts: Sequence[str], language: str) -> list[str]:
     """Give the headings of the figures and tables of a sheet whose names begin so, in that order, each once."""
-    figures = Figures(leaf)
+    figures = SheetFigures(leaf)
     names = (name for start in starts for name in figures.named if name not in STILL and name.startswith(start))
     called = (one for one in map(figures.called, names) if one.key == "exhibit.headed")
     return [*dict.fromkeys(one.worded(language) for one in called)]

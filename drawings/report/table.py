@@ -114,7 +114,7 @@ def quantity(name: str, language: str) -> str:
     return " ".join(term(language, "quantity", term(language, "quantity_part", part)) for part in parts)
 
 
-class Subject(NamedTuple):
+class TableSubject(NamedTuple):
     """The subject of a study: its structure and what comes out of it, and both in a sentence."""
 
     structure: str
@@ -122,10 +122,10 @@ class Subject(NamedTuple):
     sentence: str
 
 
-def titled(study: Study) -> Subject:
+def titled(study: Study) -> TableSubject:
     """Tell a scene by its title, where its first technique has no more to say."""
     title = study.scene.heading(ENGLISH)
-    return Subject(title, "", f"{title}.")
+    return TableSubject(title, "", f"{title}.")
 
 
 class Report(NamedTuple):
@@ -134,7 +134,7 @@ class Report(NamedTuple):
     chapters: Callable[[Study, Mapping[str, Sequence[Leaf]]], Chapters]  # what was found, beside the leaves by sheets
     headline: Callable[[Study], str] = lambda study: ""  # a line about it on the screen, or nothing
     remarks: Callable[[Study], Iterable[Message]] = lambda study: ()  # what is not whole: gaps, dead centres, jams
-    subject: Callable[[Study], Subject] = titled  # what is studied, for the gallery's page: by its first technique
+    subject: Callable[[Study], TableSubject] = titled  # what is studied, for the gallery's page: by its first technique
     conclusion: Callable[[Study], Iterable[str]] | None = None  # what follows from the numbers; None: its headline
     equations: Callable[[Study, Mark, int], Iterable[str]] = lambda study, mark, position: ()  # that give a mark
 

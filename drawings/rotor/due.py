@@ -15,7 +15,7 @@ from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.rotor import moment
 from plans.by_hand import by_hand as slipping
-from plans.model.rotor import Balance, Rotor, permissible
+from plans.model.rotor import Rotor, RotorBalance, permissible
 from plans.quantity import EQUILIBRIUM, Comparison, Quantity
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
 from plans.rotor.study import BEARINGS, RotorStudy
@@ -34,14 +34,14 @@ Known = tuple[float, float]  # a value, and how far rounding can have moved it
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's rotor."""
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
-    table = _Rotor(study.of(RotorStudy).rotor, comparison, drafting)
+    table = _ExpectedRotor(study.of(RotorStudy).rotor, comparison, drafting)
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
     slips = slipping(comparison.findings, scales)
     yield from chain(table.polygons(), table.views(), table.masses(), table.results(slips), table.notes())
 
 
 @dataclass(frozen=True)
-class _Rotor:
+class _ExpectedRotor:
     """A rotor balanced by the analysis."""
 
     rotor: Rotor
@@ -49,8 +49,8 @@ class _Rotor:
     drafting: Drafting
 
     @property
-    def balance(self) -> Balance:
-        found: Balance = self.comparison.analysis
+    def balance(self) -> RotorBalance:
+        found: RotorBalance = self.comparison.analysis
         return found
 
     @cached_property

@@ -12,9 +12,9 @@ from typing import NamedTuple
 from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
 from drawings.lettering.rotor_letters import INDEX, lowered
 from drawings.page.scale import Drafting
-from plans.model.rotor import Balance, Rotor
+from plans.model.rotor import Rotor, RotorBalance
 from plans.rotor.balancing import COUPLES
-from plans.rotor.balancing import Polygon as Construction
+from plans.rotor.balancing import VectorPolygon as Construction
 
 CROWD = 40  # masses: of more the table alone tells them apart
 
@@ -86,7 +86,7 @@ class RotorView(NamedTuple):
         return [*(mass.place for mass in self.bodies), *(place for _, place in self.planes), *self.bearings]
 
 
-def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
+def rotor_view(rotor: Rotor, balance: RotorBalance) -> RotorView:
     """Put masses and counterweights where they are; one that vanishes is left out."""
     radii = [part.radius for parts in (rotor.masses, balance.corrections) for part in parts if part.radius]
     nominal = NOMINAL * max(radii, default=_length(rotor) / SLIM)

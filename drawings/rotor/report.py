@@ -13,8 +13,8 @@ from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
 from drawings.report.formula import DIGITS, Chapters
 from drawings.report.letters import entry, listed, plain
-from drawings.report.table import ANGLE, Report, Subject, chapter
-from plans.model.rotor import Balance, Correction, Resultant, Rotor, grade_of, letters, permissible
+from drawings.report.table import ANGLE, Report, TableSubject, chapter
+from plans.model.rotor import Correction, Resultant, Rotor, RotorBalance, grade_of, letters, permissible
 from plans.rotor.balancing import UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, RotorStudy
 from plans.study import Study
@@ -30,7 +30,7 @@ class RotorNotes(NamedTuple):
     """The notes on a balanced rotor, with so many digits."""
 
     rotor: Rotor
-    balance: Balance
+    balance: RotorBalance
     drafting: Drafting
     digits: int = 5
 
@@ -118,7 +118,7 @@ def grade_name(quality: float, drafting: Drafting) -> str:
     return drafting.word("no grade") if grade is None else letters(grade)
 
 
-def subject(study: Study) -> Subject:
+def subject(study: Study) -> TableSubject:
     """Tell a rotor in a few words, for the gallery's page."""
     rotor = study.of(RotorStudy).rotor
     planes = "two planes" if rotor.dynamic else "one plane"
@@ -126,7 +126,7 @@ def subject(study: Study) -> Subject:
     how = "dynamic" if rotor.dynamic else "static"
     structure = f"rotor, {len(rotor.masses)} unbalanced masses"
     sentence = f"A {structure}, balanced in {planes} by vector polygons ({how} balancing{grade})."
-    return Subject(structure, f"{how}, {planes}", sentence)
+    return TableSubject(structure, f"{how}, {planes}", sentence)
 
 
 def headline(study: Study) -> str:
@@ -157,7 +157,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     )
 
 
-def residuals(analysis: Balance, leaves: Sequence[Leaf]) -> dict[str, float]:
+def residuals(analysis: RotorBalance, leaves: Sequence[Leaf]) -> dict[str, float]:
     """Give how far each counterweight's static moment kg*m, drawn to the file's last decimal, is off the analysis's."""
     planes = {unbalance_letters(correction.plane.name): correction.plane.name for correction in analysis.corrections}
     true = dict(zip(planes.values(), analysis.moments, strict=True))
@@ -175,7 +175,7 @@ def _written(place: complex) -> complex:
     return complex(round(place.real, DECIMALS), round(place.imag, DECIMALS))
 
 
-def _residual(rotor: Rotor, analysis: Balance, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
+def _residual(rotor: Rotor, analysis: RotorBalance, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
     language = drafting.language
     for name, off in residual.items():
         letters, amount = lowered(unbalance_letters(name), language), drafting.number(GRAM_MILLIMETRES * off, 3)

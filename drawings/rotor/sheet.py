@@ -25,7 +25,7 @@ from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.by_hand import by_hand
-from plans.model.rotor import Balance, Correction, Rotor, Unbalance
+from plans.model.rotor import Correction, Rotor, RotorBalance, Unbalance
 from plans.quantity import EQUILIBRIUM, Comparison, Quantity
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
@@ -38,7 +38,7 @@ DIGITS = 5
 NOTHING = "—"
 
 
-def masses(rotor: Rotor, balance: Balance, drafting: Drafting) -> RuledTable:
+def masses(rotor: Rotor, balance: RotorBalance, drafting: Drafting) -> RuledTable:
     """Tell the masses of a rotor, then its counterweights."""
     rows = [_mass(rotor, mass) for mass in rotor.masses]
     rows += [_correction(rotor, weight, drafting) for weight in balance.corrections]

@@ -14,7 +14,7 @@ from drawings.paper.walk import groups
 from drawings.reading.covering import crosses
 from drawings.reading.transform import STAY, Affine, placing
 from drawings.sheet_diff import edit
-from drawings.sheet_diff.edit import STILL, Edit, Figures
+from drawings.sheet_diff.edit import STILL, Edit, SheetFigures
 from drawings.sheet_diff.items import BEARERS, Ink, Item, brought, items, middle, spots
 from drawings.sheet_diff.matching import alike_in_style, lies, looks_alike, match, reversed_lies, shift_of, stretch_of
 from plans.words.words import Message, message
@@ -27,7 +27,7 @@ FAR = 1e9  # mm: of no stroke of the same thing
 class Pairing:
     """What must be there and is not, and what is there and must not, while it is told."""
 
-    def __init__(self, missing: Sequence[Item], added: Sequence[Item], figures: Figures, rounding: float) -> None:
+    def __init__(self, missing: Sequence[Item], added: Sequence[Item], figures: SheetFigures, rounding: float) -> None:
         self.missing, self.added = list(missing), list(added)
         self.figures, self.rounding = figures, rounding
 
@@ -239,7 +239,7 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
     back, whole = _laid_back(right, there)
     rounding = QUANTUM if back == STAY else 4 * QUANTUM * max(1.0, abs(back.p))
     brought = there if back == STAY else there._replace(groups=tuple(_brought(group, back) for group in there.groups))
-    figures = Figures(right)
+    figures = SheetFigures(right)
     ours = items(right)
     found = match(ours, items(brought), rounding)
     left = _unusual(hidden, usual, rounding)
@@ -268,12 +268,12 @@ def _shares(ours: Sequence[Item], missing: Sequence[Item]) -> tuple[int, int]:
     return len(kept) - len(gone), len(kept)
 
 
-def _counts(ours: Sequence[Item], figures: Figures) -> dict[str, int]:
+def _counts(ours: Sequence[Item], figures: SheetFigures) -> dict[str, int]:
     return Counter(figures.of(item) for item in ours)
 
 
 def _hidden(
-    missing: Sequence[Item], left: list[Hidden], figures: Figures, rounding: float
+    missing: Sequence[Item], left: list[Hidden], figures: SheetFigures, rounding: float
 ) -> Iterator[tuple[Item, Edit]]:
     """Tell what is in its place in the file and cannot be seen; that is taken from what is left of the hidden."""
     for item in missing:

@@ -16,7 +16,7 @@ from plans.words.words import Message, message
 STILL = ("frame", "corners", "title-block", "notes")  # what every sheet has, by the names of its groups
 
 
-class Scale(NamedTuple):
+class MarkScale(NamedTuple):
     """How much a millimetre of a figure stands for, and of what."""
 
     size: float
@@ -38,7 +38,7 @@ class Box(NamedTuple):
         return math.hypot(across, up), (self.right - self.left) * (self.top - self.bottom)
 
 
-class Figures:
+class SheetFigures:
     """The figures of a sheet as it must be: groups at the top that have a name."""
 
     def __init__(self, leaf: Leaf) -> None:
@@ -65,7 +65,7 @@ class Figures:
         spot = middle(item.stroke)
         return min(self.boxes, key=lambda name: self.boxes[name].off(spot))
 
-    def scale(self, item: Item) -> Scale | None:
+    def scale(self, item: Item) -> MarkScale | None:
         """Give the scale at which an item is drawn: its own mark's, or the first that is stated in its figure."""
         group = self.named.get(self.of(item))
         marks = [item.home.mark, *(part.data for part in groups((group,) if group is not None else ()))]
@@ -104,10 +104,10 @@ def _box(places: list[complex]) -> Box:
     return Box(min(across), min(up), max(across), max(up))
 
 
-def _scale(size: str | None, unit: str | None) -> Scale | None:
+def _scale(size: str | None, unit: str | None) -> MarkScale | None:
     """Read a scale that a mark states; of a stranger's that is no number there is none."""
     try:
-        found = Scale(float(size or ""), unit or "")
+        found = MarkScale(float(size or ""), unit or "")
     except ValueError:
         return None
     return found if math.isfinite(found.size) and found.size > 0 else None
@@ -126,7 +126,7 @@ class Edit(NamedTuple):
     figure: str
     at: complex
     moved: float | None  # mm
-    scale: Scale | None
+    scale: MarkScale | None
     told: Message
     strokes: int = 1  # so many
 
@@ -142,12 +142,12 @@ class Edit(NamedTuple):
         }  # fmt: skip
 
 
-def lone(how: str, item: Item, figures: Figures, **parts: object) -> Edit:
+def lone(how: str, item: Item, figures: SheetFigures, **parts: object) -> Edit:
     """Tell of a stroke that stands alone: missing, hidden, added, or there twice."""
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
 
 
-def unseen(item: Item, reason: str, figures: Figures, under: Sequence[Item] = ()) -> Edit:
+def unseen(item: Item, reason: str, figures: SheetFigures, under: Sequence[Item] = ()) -> Edit:
     """Tell of what is in the file beside what must be there, and is not seen or cannot be read, or hides others."""
     if under:
         parts = {"count": len(under), "first": _thing(under[0], figures)}
@@ -159,7 +159,7 @@ def unseen(item: Item, reason: str, figures: Figures, under: Sequence[Item] = ()
     return lone("unseen", item, figures, reason=reason)
 
 
-def restated(item: Item, there: Item, figures: Figures) -> Edit:
+def restated(item: Item, there: Item, figures: SheetFigures) -> Edit:
     """Tell of a mark that is drawn as it must be and states something else, by the first thing that differs."""
     ours, theirs = item.home.mark, there.home.mark
     key = next(key for key in (*ours, *theirs) if ours.get(key) != theirs.get(key))
@@ -167,18 +167,18 @@ def restated(item: Item, there: Item, figures: Figures) -> Edit:
     return lone("restated", item, figures, **said)
 
 
-def retouched(how: str, item: Item, figures: Figures, **parts: object) -> Edit:
+def retouched(how: str, item: Item, figures: SheetFigures, **parts: object) -> Edit:
     """Tell of a stroke that lies where it must, and is written or drawn otherwise."""
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
 
 
-def moved(how: str, item: Item, figures: Figures, by: float) -> Edit:
+def moved(how: str, item: Item, figures: SheetFigures, by: float) -> Edit:
     """Tell of a stroke that lies elsewhere, by so many mm."""
     said = message(f"edit.{how}", thing=_thing(item, figures), by=_size(by, figures.scale(item)))
     return _edit(how, item, figures, by, said)
 
 
-def whole(how: str, items: Sequence[Item], figures: Figures) -> Edit:
+def whole(how: str, items: Sequence[Item], figures: SheetFigures) -> Edit:
     """Tell of a figure as a whole."""
     first = items[0]
     figure = figures.called(figures.of(first))
@@ -187,7 +187,7 @@ def whole(how: str, items: Sequence[Item], figures: Figures) -> Edit:
     return edit._replace(what="figure", name="", strokes=len(items))
 
 
-def together(items: list[Item], figures: Figures, shift: Shift, whole: bool) -> Edit:
+def together(items: list[Item], figures: SheetFigures, shift: Shift, whole: bool) -> Edit:
     """Tell of strokes of one figure that were moved, turned and scaled as one."""
     first = items[0]
     name = figures.of(first)
@@ -244,12 +244,12 @@ def _number(size: float) -> str:
     return f"{size:.4g}"
 
 
-def _edit(how: str, item: Item, figures: Figures, by: float | None, said: Message) -> Edit:
+def _edit(how: str, item: Item, figures: SheetFigures, by: float | None, said: Message) -> Edit:
     scale = figures.scale(item) if by is not None else None
     return Edit(how, item.what, item.name, figures.of(item), middle(item.stroke), by, scale, said)
 
 
-def _thing(item: Item, figures: Figures) -> Message:
+def _thing(item: Item, figures: SheetFigures) -> Message:
     """Name a stroke: what it is, where it stands, of which figure."""
     part: object = message(f"part.{item.what}")
     if item.name:
@@ -263,7 +263,7 @@ def _place(at: complex) -> Message:
     return message("edit.place", x=f"{at.real:.2f}", y=f"{at.imag:.2f}")
 
 
-def _size(by: float, scale: Scale | None) -> Message:
+def _size(by: float, scale: MarkScale | None) -> Message:
     """Tell a length on paper, and what it stands for."""
     if scale is None:
         return message("edit.by", by=f"{by:.4g}")

@@ -8,7 +8,7 @@ from functools import partial
 from itertools import chain
 from typing import Any, NamedTuple, Protocol, TypeVar
 
-from drawings.kinds.working import Working
+from drawings.kinds.working import Workings
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Figure, Picture, Spot
 from drawings.layout.room import corner_of, room_of
@@ -72,7 +72,7 @@ class Caption(NamedTuple):
     working: bool = False
 
 
-def captions(workings: Iterable[Working]) -> Iterator[Caption]:
+def captions(workings: Iterable[Workings]) -> Iterator[Caption]:
     """Give workings that have anything to say as lettering of their figures that only bare paper calls for."""
     return (Caption(block.panel, block.write, of=block.of, working=True) for block in workings if block.lines(None))
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from plans.analytic.blocks import Block, Guess
 from plans.analytic.closure import EPS, Flags, close, closed, far, inverses, reciprocal_condition, settle, solutions
-from plans.analytic.ends import End
+from plans.analytic.ends import Halt
 from plans.analytic.points import TURN, Constraints, Indices, X, Y
 from plans.model.mechanism import Drive, Mechanism
 from plans.model.motion import (
@@ -49,7 +49,7 @@ WHAT = {DEAD_CENTRE: "rank", CHANGE_POINT: "rank", PARALLEL_GUIDES: "infinity", 
 UNASSEMBLED, FAINT, UNBALANCED = (message(f"analysis.{key}") for key in ("unassembled", "faint", "unbalanced"))
 
 
-def gap(position: int, phi: float, plan: str, reason: str, end: End | None, drive: Drive) -> Gap:
+def gap(position: int, phi: float, plan: str, reason: str, end: Halt | None, drive: Drive) -> Gap:
     """Word the gap of one position of a drive, phi in rad or in units of its slide."""
     where = UNASSEMBLED if reason == OUT_OF_REACH else FAINT
     if end and drive.pushed:
@@ -78,14 +78,14 @@ INFINITE = 1.0 / (
 )  # sizes of the mechanism: a pin farther away is where guides are parallel but for rounding
 
 
-class Assembly(NamedTuple):
+class ClosedPosition(NamedTuple):
     """A closed position: crank angle rad and poses (links, 3) in the units of the constraints."""
 
     phi: float
     poses: Floats
 
 
-class Shape(NamedTuple):
+class Closure(NamedTuple):
     """A mechanism with its equations in blocks, and its rough poses (links, 3)."""
 
     mechanism: Mechanism
@@ -130,7 +130,7 @@ def _at(poses: Floats, local: complex) -> Complexes:
     return np.asarray(x + 1j * y + local * np.exp(1j * turn))
 
 
-def home(shape: Shape, first: float | None, looks: Floats) -> Assembly | None:
+def home(shape: Closure, first: float | None, looks: Floats) -> ClosedPosition | None:
     """Assemble at the first crank angle; where that is unknown or cannot be, at the one that fits the sketch best.
 
     None if the links can be joined at none of the angles `looks`, rad.
@@ -140,11 +140,11 @@ def home(shape: Shape, first: float | None, looks: Floats) -> Assembly | None:
         misfits = np.where(far(poses) < INFINITE, shape.whole_misfits(poses), np.nan)
         if np.isfinite(misfits).any():
             best = int(np.argmax(misfits <= np.nanmin(misfits) * (1.0 + ALIKE)))
-            return Assembly(float(phi[best]), poses[best])
+            return ClosedPosition(float(phi[best]), poses[best])
     return None
 
 
-def assemblies(shape: Shape, phi: Floats, signs: Floats | None = None) -> Floats:
+def assemblies(shape: Closure, phi: Floats, signs: Floats | None = None) -> Floats:
     """Assemble at crank angles rad, (N,): poses (N, links, 3), NaN where the links cannot be joined.
 
     The sketch chooses, or the `signs` of the blocks' determinants where they are given.
@@ -169,7 +169,7 @@ def signs_of(blocks: Sequence[Block], jacobian: Floats) -> Floats:
     return np.array([np.sign(np.linalg.det(block.of(jacobian[None]))[0]) for block in blocks])
 
 
-def _nearer(shape: Shape, block: Block, found: Floats, rough: Floats) -> Floats:
+def _nearer(shape: Closure, block: Block, found: Floats, rough: Floats) -> Floats:
     """Take at each angle that of two assemblies of a block which is nearer to the sketch.
 
     Where the sketch is silent, the one whose slots run from their links' points through their stones, then the one
@@ -184,7 +184,7 @@ def _nearer(shape: Shape, block: Block, found: Floats, rough: Floats) -> Floats:
     return np.asarray(np.where((grade[1] < grade[0])[:, None, None], found[1], found[0]))
 
 
-def _both(shape: Shape, block: Block, poses: Floats, phi: Floats) -> Floats:
+def _both(shape: Closure, block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a block at N crank angles: assemblies of determinants above and below zero, (2, N, links, 3)."""
     found = np.full((len(BOTH), *poses.shape), np.nan)
     step = coarse = max(1, len(phi) // COARSE)

@@ -7,12 +7,12 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.assembly import Shape, home
+from plans.analytic.assembly import Closure, home
 from plans.analytic.closure import EPS
 from plans.analytic.extremes import Coordinate, coordinate_of, extremes
 from plans.analytic.kinematics import Analysis
 from plans.analytic.points import TURN, place
-from plans.analytic.turn import FULL, March, station, stations_at, whole_turn
+from plans.analytic.turn import FULL, Marched, station, stations_at, whole_turn
 from plans.model.cyclogram import (
     ANALYSIS,
     BACK,
@@ -46,7 +46,7 @@ def cyclogram(road: Analysis, task: CyclogramTask, output: Output, watched: Watc
     """Find the characteristic positions of the output's point; None where it has no two extreme positions."""
     shape = road.shape
     start = home(shape, None, road.looks)
-    begun = start and March((station(shape.constraints, shape.blocks, start),), None, None)
+    begun = start and Marched((station(shape.constraints, shape.blocks, start),), None, None)
     turn = whole_turn(shape, begun) if begun else None
     found = extremes(shape, output, road.looks, turn) if turn else None
     if turn is None or found is None:
@@ -58,7 +58,7 @@ def cyclogram(road: Analysis, task: CyclogramTask, output: Output, watched: Watc
     return Cyclogram(ANALYSIS, output, int(around.sense), around.stroke, around.extremes.sliding, found.overlap, placed)
 
 
-class _Stroke(NamedTuple):
+class _ExactStroke(NamedTuple):
     """A stroke of the output: crank angles rad from its begin to its end, rising or falling; whether the way back."""
 
     begin: float
@@ -69,8 +69,8 @@ class _Stroke(NamedTuple):
 class _Around(NamedTuple):
     """The way round the turn, with the output's coordinate and its extremes; positions here are at crank angles rad."""
 
-    shape: Shape
-    turn: March
+    shape: Closure
+    turn: Marched
     coordinate: Coordinate
     extremes: Extremes
 
@@ -94,11 +94,11 @@ class _Around(NamedTuple):
         """Metres, or radians, of a unit of the coordinate."""
         return self.coordinate.size if self.coordinate.sliding else 1.0
 
-    def strokes(self) -> tuple[_Stroke, _Stroke]:
+    def strokes(self) -> tuple[_ExactStroke, _ExactStroke]:
         """Give the working stroke and the way back."""
         first, last = self.extremes.phi
         there = first + self.sense * ((self.sense * (last - first)) % FULL)
-        return _Stroke(first, there, False), _Stroke(there, first + self.sense * FULL, True)
+        return _ExactStroke(first, there, False), _ExactStroke(there, first + self.sense * FULL, True)
 
     def ends(self) -> Iterator[Position]:
         """Give the extreme positions."""
@@ -171,7 +171,7 @@ class _Around(NamedTuple):
         local = self.shape.mechanism.links[link].points[point]
         return complex(place(self.shape.constraints, poses[None], link, local)[0])
 
-    def _between(self, quantity: Measure, target: float, stroke: _Stroke) -> list[tuple[float, float]]:
+    def _between(self, quantity: Measure, target: float, stroke: _ExactStroke) -> list[tuple[float, float]]:
         """Give the neighbouring crank angles of a stroke between which a quantity passes its target."""
         way = np.sort((self.sense * (self.turn.angles - stroke.begin)) % FULL)
         inner = way[(way > 0.0) & (way < abs(stroke.end - stroke.begin))]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from plans.analytic.kinematics import Analysis
-from plans.model.diagrams import TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
+from plans.model.diagrams import TURN, Axis, Count, Diagrams, OutputRates, axis_of, still, unfollowed
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Extremes, Floats, Motion
 
@@ -63,7 +63,7 @@ class ExactCourse:
         self.count = self._count(extremes)
         self.dense = self.count.course(self.nodes, [self.along, *rates], abs(road.mechanism.drive.omega))
 
-    def course(self, turned: Floats) -> Course:
+    def course(self, turned: Floats) -> OutputRates:
         """Give the course at angles of the axis, (N,), as the diagrams count; NaN at NaN. At its nodes it is known."""
         if turned.shape == self.nodes.shape and np.abs(turned - self.nodes).max() <= SAME:
             return self.dense

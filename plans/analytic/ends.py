@@ -128,7 +128,7 @@ class Fold(NamedTuple):
         return self.poses + s * (self.first + s / 2.0 * self.second)
 
 
-class End(NamedTuple):
+class Halt(NamedTuple):
     """Where a march could go no further: the last crank angle reached, where the Jacobian loses rank, rad, and why."""
 
     reached: float
@@ -155,7 +155,7 @@ class _Loss(NamedTuple):
     strained: Floats  # (k,)
 
 
-def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Station], sense: float) -> End:
+def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Station], sense: float) -> Halt:
     """Say why a march ended, and where its singular position lies."""
     last = way[-1]
     block = blocks[_failing(blocks, way)]
@@ -163,15 +163,15 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
     if loss.share <= np.sqrt(loss.faint):
         singular = _crossing(block, blocks, way)
         loose = _place(block, blocks) if _loose(block, last, loss) else None
-        return End(last.phi, singular, CHANGE_POINT, sense, loose=loose)
+        return Halt(last.phi, singular, CHANGE_POINT, sense, loose=loose)
     if block.linear:
-        return End(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL_GUIDES, sense)
+        return Halt(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL_GUIDES, sense)
     fold = _fold(constraints, last, sense)
     if fold is None:
-        return End(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)
+        return Halt(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)
     turned = _apart(constraints, fold.poses, last)
     limit = TOUCHING * EPS * _perimeter(block, fold.poses) / _parting(block, loss)
-    return End(last.phi, last.phi + turned, DEAD_CENTRE, sense, fold, limit)
+    return Halt(last.phi, last.phi + turned, DEAD_CENTRE, sense, fold, limit)
 
 
 def _place(block: Block, blocks: Sequence[Block]) -> int:

@@ -9,11 +9,11 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.assembly import Shape, home
+from plans.analytic.assembly import Closure, home
 from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.ends import Station
 from plans.analytic.points import TURN, Constraints, X, Y
-from plans.analytic.turn import FULL, Blocks, March, station, stations_at, whole_turn
+from plans.analytic.turn import FULL, Blocks, Marched, station, stations_at, whole_turn
 from plans.model.machine import by_time, works
 from plans.model.mechanism import FASTER, FRAME, Mechanism, Output, Slide
 from plans.model.motion import Complexes, Extremes, Floats
@@ -37,7 +37,7 @@ class OutputCoordinate(NamedTuple):
         if self.guide is None:
             return np.asarray(taylor[:, :, self.place, TURN])
         way = self.guide.way(FRAME)
-        places = _Spot(self.place, self.own).along(taylor)
+        places = _OutputSpot(self.place, self.own).along(taylor)
         places[0] -= way.through / self.size
         return np.asarray((places * way.direction.conjugate()).real)
 
@@ -46,7 +46,7 @@ class OutputCoordinate(NamedTuple):
         return self.along(np.array((place.poses, place.first, place.second))[:, None])[:, 0]
 
 
-class _Spot(NamedTuple):
+class _OutputSpot(NamedTuple):
     """A point of a link: the place of the link in the poses, and its own in the link's frame in units of `size`."""
 
     place: int
@@ -68,7 +68,7 @@ class _Spot(NamedTuple):
 class PartedCoordinate(NamedTuple):
     """The way of a point from another along the line of two points, which both lie on, in units of `size`."""
 
-    spots: tuple[_Spot, _Spot, _Spot, _Spot]  # own, other, the line's start and end
+    spots: tuple[_OutputSpot, _OutputSpot, _OutputSpot, _OutputSpot]  # own, other, the line's start and end
     size: float
 
     @property
@@ -114,10 +114,10 @@ def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output
     return OutputCoordinate(place, guide, points[point] / constraints.size, constraints.size)
 
 
-def _spot(mechanism: Mechanism, constraints: Constraints, name: str) -> _Spot:
+def _spot(mechanism: Mechanism, constraints: Constraints, name: str) -> _OutputSpot:
     """Find a point on the first link that has it."""
     link = next(number for number in constraints.numbers if name in mechanism.links[number].points)
-    return _Spot(constraints.numbers.index(link), mechanism.links[link].points[name] / constraints.size)
+    return _OutputSpot(constraints.numbers.index(link), mechanism.links[link].points[name] / constraints.size)
 
 
 ROUNDS = 64  # bisection alone makes 53 digits of a stride
@@ -150,7 +150,7 @@ class _Rest:
         return True
 
 
-def extremes(shape: Shape, output: Output, looks: Floats, turn: March | None = None) -> Extremes | None:
+def extremes(shape: Closure, output: Output, looks: Floats, turn: Marched | None = None) -> Extremes | None:
     """Find the extreme positions; None if the output link turns fully or stands still, or the crank cannot turn fully.
 
     What of the `turn` has been marched already is not marched again. A slider's reach is counted along the frame's
@@ -176,12 +176,12 @@ def extremes(shape: Shape, output: Output, looks: Floats, turn: March | None = N
     return _strokes(found, mechanism, output, coordinate)
 
 
-def _begun(shape: Shape, looks: Floats) -> March | None:
+def _begun(shape: Closure, looks: Floats) -> Marched | None:
     start = home(shape, None, looks)
-    return March((station(shape.constraints, shape.blocks, start),), None, None) if start else None
+    return Marched((station(shape.constraints, shape.blocks, start),), None, None) if start else None
 
 
-def _dense(constraints: Constraints, blocks: Blocks, turn: March, coordinate: Coordinate) -> March:
+def _dense(constraints: Constraints, blocks: Blocks, turn: Marched, coordinate: Coordinate) -> Marched:
     """Put stations between those of a turn until the speed has at most one zero between any two of them."""
     stations, pending = list(turn.stations), list(pairwise(turn.stations))
     while pending:

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from plans.analytic.assembly import Assembly, Shape, home
+from plans.analytic.assembly import ClosedPosition, Closure, home
 from plans.analytic.blocks import triangular
 from plans.analytic.closure import EPS, transfer
 from plans.analytic.extremes import extremes
 from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.positions import Positions, along, blocks, find, wrapped
-from plans.analytic.turn import March, whole_turn
+from plans.analytic.turn import Marched, whole_turn
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import (
     Complexes,
@@ -45,14 +45,14 @@ class Analysis:
         self.mechanism, self.constraints = mechanism, Constraints.of(mechanism)
         self.tolerance, self.first = tolerance, first  # whether the sketch shows the first position asked for
         self.looks = looks  # crank angles rad among which the one is sought that the sketch shows, if not the first
-        self.shape = Shape(mechanism, self.constraints, triangular(self.constraints))
+        self.shape = Closure(mechanism, self.constraints, triangular(self.constraints))
         self.pace = pace  # the drive's rates at crank angles; None: those of the mechanism in all
-        self._start: Assembly | None = None  # from where the last way was marched
-        self._turn: March | None = None
-        self._whole: March | None = None
+        self._start: ClosedPosition | None = None  # from where the last way was marched
+        self._turn: Marched | None = None
+        self._whole: Marched | None = None
         self._round = True  # whether the crank may turn fully, for all that is known
-        self._homes: dict[float | None, Assembly | None] = {}  # by the first crank angle that the sketch may show
-        self._extremes: dict[Output, tuple[March | None, Extremes | None]] = {}
+        self._homes: dict[float | None, ClosedPosition | None] = {}  # by the first crank angle that the sketch may show
+        self._extremes: dict[Output, tuple[Marched | None, Extremes | None]] = {}
 
     def rates(self, phi: Floats) -> Rates:
         """Give the rates of the drive at crank angles rad."""
@@ -67,7 +67,7 @@ class Analysis:
         return self._moved(found, order)
 
     @property
-    def whole(self) -> March | None:
+    def whole(self) -> Marched | None:
         """The turn, marched once for all; None where the crank does not come round, or nothing was solved yet."""
         if self._round and self._whole is None and self._turn is not None:
             self._whole = whole_turn(self.shape, self._turn)
@@ -94,7 +94,7 @@ class Analysis:
         rows = [wrapped(found.poses), *_rates(slopes, self.rates(found.phi))]
         return _motion(self.mechanism, self.constraints, found.phi, rows, gaps)
 
-    def _home(self, phi: Floats) -> Assembly | None:
+    def _home(self, phi: Floats) -> ClosedPosition | None:
         """Assemble the mechanism as the sketch shows it, at the first position if it can be, once for each such one."""
         first = float(phi[0]) if self.first else None
         if first not in self._homes:

@@ -19,7 +19,7 @@ from plans.analytic.points import TURN, Constraints, X, Y, place
 from plans.analytic.positions import blocks
 from plans.analytic.power import borne
 from plans.model.dyad import Pair
-from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction, without_forces
+from plans.model.kinetostatics import Effort, Kinetostatics, Loading, Reaction, without_forces
 from plans.model.machine import FORCE, GEAR, Machine, Transmission
 from plans.model.mechanism import FRAME, Drive, Mechanism
 from plans.model.motion import DEAD_CENTRE, INDETERMINATE, Complexes, Floats, Gap, Motion
@@ -71,27 +71,25 @@ def unit_force(constraints: Constraints, poses: Floats, line: Action) -> Floats:
     return row[:, 1:].reshape(len(poses), -1)
 
 
-def balancing(mechanism: Mechanism, constraints: Constraints, line: Action | None, forces: Multipliers) -> Balancing:
+def balancing(mechanism: Mechanism, constraints: Constraints, line: Action | None, forces: Multipliers) -> Effort:
     """Read the drive's multiplier, N*m: the moment itself, or the force times `size`; of a slide times its unit."""
     poses, multiplier = forces
     if mechanism.drive.guide is not None:
         return _pushed(mechanism.drive, mechanism, constraints, poses, multiplier)
     if line is None:
-        return Balancing(multiplier)
+        return Effort(multiplier)
     force = multiplier / constraints.size * line.along
-    return Balancing((np.conj(line.r - line.shaft) * force).imag, force, line.r)
+    return Effort((np.conj(line.r - line.shaft) * force).imag, force, line.r)
 
 
-def _pushed(
-    drive: Drive, mechanism: Mechanism, constraints: Constraints, poses: Floats, multiplier: Floats
-) -> Balancing:
+def _pushed(drive: Drive, mechanism: Mechanism, constraints: Constraints, poses: Floats, multiplier: Floats) -> Effort:
     """Give the force along its guide with which a slide is pushed, at the foot of its named point on the line."""
     assert drive.guide is not None  # it is pushed along
     along = drive.guide.way(FRAME).direction
     spot, line = mechanism.links[drive.link].points[drive.end], drive.guide.on_slider
     foot = line.through + line.direction * ((spot - line.through) / line.direction).real
     r = place(constraints, poses, drive.link, foot)
-    return Balancing(multiplier, np.asarray(multiplier / drive.unit * along), r)
+    return Effort(multiplier, np.asarray(multiplier / drive.unit * along), r)
 
 
 def kinetostatics(

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from plans.analytic.assembly import INFINITE, Assembly, Shape, assemblies, gap, signs_of
+from plans.analytic.assembly import INFINITE, ClosedPosition, Closure, assemblies, gap, signs_of
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed, far
-from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, DOUBTFUL, SHORTEST, End, Station, least
+from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, DOUBTFUL, SHORTEST, Halt, Station, least
 from plans.analytic.points import TURN, Indices
-from plans.analytic.turn import FULL, March, survey
+from plans.analytic.turn import FULL, Marched, survey
 from plans.model.mechanism import Drive
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,
@@ -40,10 +40,10 @@ class Positions:
     poses: Floats
     regular: Flags
     drive: Drive
-    turn: March | None = None  # the way round that was marched
+    turn: Marched | None = None  # the way round that was marched
     gaps: list[Gap] = field(default_factory=list)
 
-    def miss(self, position: int, plan: str, reason: str, end: End | None) -> None:
+    def miss(self, position: int, plan: str, reason: str, end: Halt | None) -> None:
         """Note a gap."""
         self.gaps.append(gap(position, float(self.phi[position]), plan, reason, end, self.drive))
 
@@ -53,7 +53,7 @@ class Positions:
 
 
 def find(
-    shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = EPS, known: March | None = None
+    shape: Closure, phi: Floats, start: ClosedPosition | None, tolerance: float = EPS, known: Marched | None = None
 ) -> Positions:
     """Find the poses at crank angles phi rad, (N,), by a march from where the mechanism is assembled to its sketch.
 
@@ -79,7 +79,7 @@ def find(
     return found
 
 
-def along(shape: Shape, phi: Floats, turn: March, tolerance: float = EPS) -> Positions:
+def along(shape: Closure, phi: Floats, turn: Marched, tolerance: float = EPS) -> Positions:
     """Find the poses at crank angles phi rad, (N,), on a whole turn that was marched and meets nothing singular."""
     found = Positions(phi, *_none(shape, phi), shape.mechanism.drive)
     crank = turn.angles[0] + (phi - turn.angles[0]) % FULL
@@ -88,7 +88,7 @@ def along(shape: Shape, phi: Floats, turn: March, tolerance: float = EPS) -> Pos
     return found
 
 
-def _none(shape: Shape, phi: Floats) -> tuple[Floats, Flags]:
+def _none(shape: Closure, phi: Floats) -> tuple[Floats, Flags]:
     """Rule poses at crank angles before any is found."""
     return np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool)
 
@@ -105,7 +105,7 @@ def wrapped(poses: Floats) -> Floats:
     return within
 
 
-def _along(found: Positions, shape: Shape, turn: March, crank: Floats, passed: Flags, tolerance: float) -> None:
+def _along(found: Positions, shape: Closure, turn: Marched, crank: Floats, passed: Flags, tolerance: float) -> None:
     """Close the poses at the positions that the march has passed."""
     places = np.flatnonzero(passed)
     for block in blocks(len(places)):
@@ -117,7 +117,7 @@ def _along(found: Positions, shape: Shape, turn: March, crank: Floats, passed: F
             _tell_unborne(found, shape, turn, here[reached])
 
 
-def _tell_unborne(found: Positions, shape: Shape, turn: March, here: Indices) -> None:
+def _tell_unborne(found: Positions, shape: Closure, turn: Marched, here: Indices) -> None:
     """Tell no velocities right beside a change point, or where a block all but comes to its dead centre."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(found.poses[here]))
     for k in here[least(shape.blocks, jacobian, found.poses[here]) ** 2 < UNBORNE].tolist():
@@ -128,7 +128,7 @@ def _tell_unborne(found: Positions, shape: Shape, turn: March, here: Indices) ->
         found.miss(k, "velocities", CHANGE_POINT if near else DEAD_CENTRE, near[0] if near else None)
 
 
-def _at_the_end(found: Positions, shape: Shape, turn: March, end: End) -> Flags:
+def _at_the_end(found: Positions, shape: Closure, turn: Marched, end: Halt) -> Flags:
     """Treat the positions that the march cannot tell from the singular one; tell which they are."""
     apart = _apart(found.phi, end)
     at = np.abs(apart) <= end.blind
@@ -140,7 +140,7 @@ def _at_the_end(found: Positions, shape: Shape, turn: March, end: End) -> Flags:
     return at
 
 
-def _at_change(found: Positions, shape: Shape, turn: March, end: End, places: list[int], apart: Floats) -> None:
+def _at_change(found: Positions, shape: Closure, turn: Marched, end: Halt, places: list[int], apart: Floats) -> None:
     """Place the links at a change point, where they have one place but no one velocity, and right beside it."""
     clear = [s for s in turn.stations if abs(s.phi - end.singular) >= CLEAR] or list(turn.stations)
     near = min(clear, key=lambda s: abs(s.phi - end.singular))
@@ -164,19 +164,21 @@ def _at_change(found: Positions, shape: Shape, turn: March, end: End, places: li
             found.miss(k, "velocities", CHANGE_POINT, end)
 
 
-def _apart_by(block: Block, end: End, near: Station, poses: Floats) -> float:
+def _apart_by(block: Block, end: Halt, near: Station, poses: Floats) -> float:
     """Give the angle rad from a change point by a block's determinant, which passes zero there as the angle does."""
     whole, there = np.linalg.det(block.of_own(near.poses)), np.linalg.det(block.of_own(poses))
     return float(abs(there * (near.phi - end.singular) / whole)) if whole else 0.0
 
 
-def _borne(shape: Shape, poses: Floats) -> bool:
+def _borne(shape: Closure, poses: Floats) -> bool:
     """Tell whether the condition bears the velocities at poses (1, links, 3)."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(poses))
     return bool(least(shape.blocks, jacobian, poses)[0] ** 2 >= UNBORNE)
 
 
-def _at_dead_centre(found: Positions, shape: Shape, turn: March, end: End, places: list[int], apart: Floats) -> None:
+def _at_dead_centre(
+    found: Positions, shape: Closure, turn: Marched, end: Halt, places: list[int], apart: Floats
+) -> None:
     """Place the links beside a dead centre, by their path there; at it they have no velocity, beyond it no place."""
     before = -end.sense * apart  # rad on this side of it
     for k, left in zip(places, before.tolist(), strict=True):
@@ -191,7 +193,7 @@ def _at_dead_centre(found: Positions, shape: Shape, turn: March, end: End, place
             found.miss(k, "velocities", DEAD_CENTRE, end)
 
 
-def _at_parallel(found: Positions, shape: Shape, turn: March, end: End, places: list[int], apart: Floats) -> None:
+def _at_parallel(found: Positions, shape: Closure, turn: Marched, end: Halt, places: list[int], apart: Floats) -> None:
     """Place the links where guides are nearly parallel, far away; where they are parallel there is no place."""
     last = turn.stations[-1 if end is turn.upper else 0]
     for k, left in zip(places, (-end.sense * apart).tolist(), strict=True):
@@ -203,20 +205,20 @@ def _at_parallel(found: Positions, shape: Shape, turn: March, end: End, places: 
             found.miss(k, "positions", PARALLEL_GUIDES, end)
 
 
-def _away(last: Station, end: End, left: float) -> Floats:
+def _away(last: Station, end: Halt, left: float) -> Floats:
     """Predict poses `left` rad before guides are parallel: what slides on them is as far away as that is short."""
     whole = abs(end.singular - last.phi)
     runs = np.array([whole * (whole / left - 1.0)] * 2 + [whole - left])
     return np.asarray(last.poses + end.sense * runs * last.first)
 
 
-def _same(shape: Shape, near: Station, poses: Floats) -> bool:
+def _same(shape: Closure, near: Station, poses: Floats) -> bool:
     """Tell whether poses are of the assembly of a station."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(poses[None]))[0]
     return bool((signs_of(shape.blocks, jacobian) == np.sign(near.dets)).all())
 
 
-def _tell_lost(found: Positions, shape: Shape, turn: March) -> None:
+def _tell_lost(found: Positions, shape: Closure, turn: Marched) -> None:
     """Say of every position not found why that is."""
     untold = np.isnan(found.poses[:, 0, 0])
     untold[list(found.known())] = False
@@ -239,17 +241,17 @@ def _tell_lost(found: Positions, shape: Shape, turn: March) -> None:
             found.miss(k, "positions", NOT_REACHABLE, end)
 
 
-def _bounding(phi: float, turn: March) -> End | None:
+def _bounding(phi: float, turn: Marched) -> Halt | None:
     """Give the end that keeps the crank from an angle, rad: the nearer one, of two as near the upper."""
     apart = [np.inf if end is None else abs(float(_apart(np.array(phi), end))) for end in (turn.upper, turn.lower)]
     return turn.upper if apart[0] <= apart[1] + BESIDE else turn.lower
 
 
-def _assembles(shape: Shape, turn: March, phi: Floats) -> Flags:
+def _assembles(shape: Closure, turn: Marched, phi: Floats) -> Flags:
     """Tell whether the links can be joined at these crank angles in the assembly that the march follows."""
     return np.asarray(np.isfinite(assemblies(shape, phi, np.sign(turn.stations[0].dets))).all(axis=(1, 2)))
 
 
-def _apart(phi: Floats, end: End) -> Floats:
+def _apart(phi: Floats, end: Halt) -> Floats:
     """Give the angle rad, in [-pi, pi), from the singular position of an end."""
     return np.asarray((phi - end.singular + np.pi) % FULL - np.pi)

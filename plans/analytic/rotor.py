@@ -9,16 +9,16 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from plans.model.rotor import ANALYSIS, EPS, ROUNDING, Balance, Correction, Resultant, Rotor, Unbalance
+from plans.model.rotor import ANALYSIS, EPS, ROUNDING, Correction, Resultant, Rotor, RotorBalance, Unbalance
 
 
-def balance(rotor: Rotor, borne: bool = True) -> Balance:
+def balance(rotor: Rotor, borne: bool = True) -> RotorBalance:
     """Find what balances a rotor and, if `borne` is asked for, what its bearings bear before and after."""
     loads = [(moment(mass), mass.place) for mass in rotor.masses]
     corrections = tuple(_correction(rotor, loads, k) for k in range(len(rotor.planes)))
     added = [(correction.moment.value, correction.plane.place) for correction in corrections]
     carried = [correction.moment.slack for correction in corrections]
-    return Balance(
+    return RotorBalance(
         by=ANALYSIS,
         couple=_resultant([(load, rotor.arm(place)) for load, place in loads]),
         unbalance=_resultant([(load, 1.0) for load, _ in loads]),

@@ -13,10 +13,10 @@ from functools import cached_property
 
 import numpy as np
 
-from plans.analytic.assembly import Assembly, Shape
+from plans.analytic.assembly import ClosedPosition, Closure
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, closed, inverses, solutions
-from plans.analytic.ends import BESIDE, CLEAR, DOUBTFUL, MERGED, SHORTEST, End, Station, determinants, end_of, least_of
+from plans.analytic.ends import BESIDE, CLEAR, DOUBTFUL, MERGED, SHORTEST, Halt, Station, determinants, end_of, least_of
 from plans.analytic.points import Constraints
 from plans.model.motion import CHANGE_POINT, NOT_REACHABLE, Floats
 
@@ -33,16 +33,16 @@ TRUST = 1.0 / 16.0
 
 
 @dataclass(frozen=True)
-class March:
+class Marched:
     """All stations of both marches in order of the crank angle, and what ended them."""
 
     stations: tuple[Station, ...]
-    lower: End | None
-    upper: End | None
-    passed: tuple[End, ...] = ()  # change points on the way that the linkage is carried through
+    lower: Halt | None
+    upper: Halt | None
+    passed: tuple[Halt, ...] = ()  # change points on the way that the linkage is carried through
 
     @property
-    def ends(self) -> tuple[End, ...]:
+    def ends(self) -> tuple[Halt, ...]:
         """List the ends that the march met."""
         return tuple(end for end in (self.lower, self.upper) if end)
 
@@ -55,7 +55,7 @@ class March:
         """Give the crank angles of the stations, rad, rising."""
         return np.array([station.phi for station in self.stations])
 
-    def passes(self, start: Assembly, ahead: Floats) -> bool:
+    def passes(self, start: ClosedPosition, ahead: Floats) -> bool:
         """Tell whether it goes freely from an assembly past all angles `ahead` of it."""
         low, high = self.angles[0] - SHORTEST - start.phi, self.angles[-1] + SHORTEST - start.phi
         return not self.ends and bool(((ahead <= high) | (ahead - FULL >= low)).all())
@@ -80,7 +80,7 @@ class _March:
         self.way, self.goal, self.stride = way, goal, FIRST_STRIDE
         self.sense = sense
         self.shortest = LEAST  # the start may lie right beside a singular position, and leads away from it
-        self.passed: list[End] = []
+        self.passed: list[Halt] = []
         self.looked = False  # beyond the goal
 
     @property
@@ -114,14 +114,14 @@ class _March:
             self.way.append(reached)
             self.stride = min(2.0 * self.stride, STRIDE)
 
-    def carry(self, beyond: Station, end: End) -> None:
+    def carry(self, beyond: Station, end: Halt) -> None:
         """Go on beyond a change point."""
         self.way.append(beyond)
         self.passed.append(end)
         self.stride = CLEAR
 
 
-def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
+def survey(shape: Closure, start: ClosedPosition, ahead: Floats) -> Marched:
     """March from the assembly until all angles `ahead` of it, rad in [0, 2 pi), are passed in either sense."""
     first = station(shape.constraints, shape.blocks, start)
     most = start.phi + float(np.max(ahead, where=ahead <= np.pi, initial=0.0))
@@ -138,10 +138,10 @@ def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
         lost = ahead < FULL + lower.reached - start.phi
         up.goal = start.phi + float(np.max(ahead, where=lost, initial=0.0))
         (upper,) = _march(shape, up)
-    return March((*reversed(down.way[1:]), *up.way), lower, upper, (*down.passed, *up.passed))
+    return Marched((*reversed(down.way[1:]), *up.way), lower, upper, (*down.passed, *up.passed))
 
 
-def whole_turn(shape: Shape, turn: March) -> March | None:
+def whole_turn(shape: Closure, turn: Marched) -> Marched | None:
     """Lengthen a march on both sides until it comes round; None where the drive cannot make a full turn."""
     if turn.ends or not shape.mechanism.drive.turns:
         return None
@@ -151,15 +151,15 @@ def whole_turn(shape: Shape, turn: March) -> March | None:
     if any(_march(shape, up, down)):
         return None
     added = down.way[len(turn.stations) :]
-    return March((*reversed(added), *up.way), None, None, (*down.passed, *turn.passed, *up.passed))
+    return Marched((*reversed(added), *up.way), None, None, (*down.passed, *turn.passed, *up.passed))
 
 
-def station(constraints: Constraints, blocks: Blocks, start: Assembly) -> Station:
+def station(constraints: Constraints, blocks: Blocks, start: ClosedPosition) -> Station:
     """Begin a march at an assembly."""
     return _stations(constraints, blocks, start.poses[None], np.array([start.phi]))[0]
 
 
-def _march(shape: Shape, *marches: _March) -> list[End | None]:
+def _march(shape: Closure, *marches: _March) -> list[Halt | None]:
     """Lengthen all ways to their goals, abreast; tell what ended each of them, where it could go no further."""
     constraints, blocks = shape.constraints, shape.blocks
     for march in marches:
@@ -178,7 +178,7 @@ def _march(shape: Shape, *marches: _March) -> list[End | None]:
     return [_end(constraints, blocks, march) for march in marches]
 
 
-def _carried(shape: Shape, march: _March) -> bool:
+def _carried(shape: Closure, march: _March) -> bool:
     """Carry a linkage smoothly through a change point, if something does; tell whether it is beyond."""
     constraints, blocks = shape.constraints, shape.blocks
     if not shape.mechanism.through or len(march.way) < 2:
@@ -196,11 +196,11 @@ def _carried(shape: Shape, march: _March) -> bool:
     return True
 
 
-def _end(constraints: Constraints, blocks: Blocks, march: _March) -> End | None:
+def _end(constraints: Constraints, blocks: Blocks, march: _March) -> Halt | None:
     last = march.way[-1]
     if march.stuck or last.sharp <= MERGED:
         return end_of(constraints, blocks, march.way, march.sense)
-    return End(last.phi, last.phi, NOT_REACHABLE, march.sense) if march.left else None
+    return Halt(last.phi, last.phi, NOT_REACHABLE, march.sense) if march.left else None
 
 
 def _steps(constraints: Constraints, blocks: Blocks, here: Sequence[Station], phi: Floats) -> list[Station | None]:

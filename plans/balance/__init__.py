@@ -9,13 +9,13 @@ from plans.techniques import MOTION, Technique
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Told
+    from plans.quantity import Comparison, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
-class Balance(Technique):
+class BalanceTechnique(Technique):
     """Balancing of mechanisms by main points and counterweights (уравновешивание механизмов; book 8.2.2).."""
 
     tables = ("balance",)
@@ -54,7 +54,7 @@ class Balance(Technique):
 
         return comparison_of(study)
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.balance.quantities import numbers
 
         return numbers(study, by)
@@ -65,4 +65,4 @@ class Balance(Technique):
         return marks(study, position, name)
 
 
-TECHNIQUE = Balance()
+TECHNIQUE = BalanceTechnique()

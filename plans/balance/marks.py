@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from geometry.board import Board, Mark, at
 from geometry.steps import behind
 from plans.balance import mass_centre, sums
-from plans.balance.mass_centre import MAIN, Chain, Drawing
+from plans.balance.mass_centre import MAIN, Drawing, VectorChain
 from plans.balance.study import BalanceStudy
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
@@ -85,7 +85,7 @@ def _zeros(drawing: Drawing) -> Iterator[Mark]:
         yield drawing.force
 
 
-def _vanishes(chain: Chain) -> bool:
+def _vanishes(chain: VectorChain) -> bool:
     length = sum(abs(at(side.vector.point, 0)) for side in chain.sides)
     return abs(at(chain.end.point, 0)) <= ROUNDING * EPS * length
 

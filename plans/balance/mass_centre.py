@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
-from plans.balance.sums import Sums, Term
+from plans.balance.sums import Sums, SumTerm
 from plans.balance.weights import Stem, Tree
 from plans.linkage.plan import Plan
 from plans.model.machine import Body
@@ -31,7 +31,7 @@ class MainPoints:
     def __init__(self, tree: Tree, bodies: Mapping[int, Body]) -> None:
         self.tree, self.bodies, self.sums = tree, bodies, Sums()
         self.board = Board(MAIN)
-        self._behind: dict[int, Term] = {}
+        self._behind: dict[int, SumTerm] = {}
         self.masses = {
             stem.link: self.sums.mass(f"m_{stem.link}", self.body(stem.link).mass, because("own_mass", link=stem.link))
             for stem in tree.stems
@@ -49,11 +49,11 @@ class MainPoints:
         return float(self.behind_all.value.real)
 
     @cached_property
-    def behind_all(self) -> Term:
+    def behind_all(self) -> SumTerm:
         """The mass of all moving links, laid off end to end."""
         return self.sums.total("m", self.masses.values(), self.sums.no_mass, because("all_links"))
 
-    def behind(self, link: int) -> Term:
+    def behind(self, link: int) -> SumTerm:
         """Give the mass of a link with all that follow it, summed once."""
         if link not in self._behind:
             links = list(self.tree.behind(link))
@@ -61,12 +61,12 @@ class MainPoints:
             self._behind[link] = self.sums.total(name, terms, self.sums.no_mass, because("follow"))
         return self._behind[link]
 
-    def _moment(self, stem: Stem) -> Term:
+    def _moment(self, stem: Stem) -> SumTerm:
         """Sum the static moments about a link's beginning."""
         name, why = f"mh_{stem.link}", because("main_moment", link=stem.link, point=stem.begin)
         return self.sums.total(name, self._terms(stem), self.sums.no_moment, why)
 
-    def _terms(self, stem: Stem) -> Iterator[Term]:
+    def _terms(self, stem: Stem) -> Iterator[SumTerm]:
         link, sums = stem.link, self.sums
         borne, centre = self.masses[link], f"S{link}"
         arm = sums.arm(f"{stem.begin}{centre}", stem.origin, self.body(link).centre, link)
@@ -108,7 +108,7 @@ UNITS = {CENTRE: "m", POLYGON: "kg*m", CENTRE_ACCELERATION: "m/s2", SHAKING: "N"
 LETTERS = {CENTRE: "S", CENTRE_ACCELERATION: "s"}
 
 
-class Side(NamedTuple):
+class ChainSide(NamedTuple):
     """A vector of a chain: the link that it belongs to (0: to the frame), and the corners between which it lies."""
 
     link: int
@@ -117,12 +117,12 @@ class Side(NamedTuple):
     end: Mark
 
 
-class Chain(NamedTuple):
+class VectorChain(NamedTuple):
     """Vectors laid end to end from a pole (цепь векторов)."""
 
     board: Board
     pole: Mark
-    sides: tuple[Side, ...]
+    sides: tuple[ChainSide, ...]
 
     @property
     def end(self) -> Mark:
@@ -138,12 +138,12 @@ class Drawing:
     main-point vectors turned to those of the acceleration plan, `shaking` the inertia forces of the links, closed.
     """
 
-    main: Chain
-    polygon: Chain
+    main: VectorChain
+    polygon: VectorChain
     place: Mark  # S by the polygon of static moments: its end over the mass
-    accelerations: Chain
+    accelerations: VectorChain
     force: Mark  # the main vector of the inertia forces, -m*a_S
-    shaking: Chain
+    shaking: VectorChain
     moment: Mark  # the main moment of the inertia forces about the datum
 
     @property
@@ -161,19 +161,19 @@ def centre_drawing(points: MainPoints, accelerations: Plan) -> Drawing:
     return Drawing(main, polygon, place, turned, force, shaking, _moment(points, accelerations, shaking))
 
 
-def by_main_points(points: MainPoints, accelerations: Plan) -> tuple[Chain, Chain]:
+def by_main_points(points: MainPoints, accelerations: Plan) -> tuple[VectorChain, VectorChain]:
     """Lay the main-point vectors off to the mass centre, and to its acceleration."""
     positions = accelerations.positions
     main = _main(points, positions, Board(CENTRE), positions.pole, "S")
     return main, _main(points, accelerations, Board(CENTRE_ACCELERATION), accelerations.pole, "a_S")
 
 
-def by_links(points: MainPoints, accelerations: Plan) -> tuple[Chain, Chain]:
+def by_links(points: MainPoints, accelerations: Plan) -> tuple[VectorChain, VectorChain]:
     """Lay the static moments of the links off end to end, and their inertia forces."""
     return _moments(points, accelerations.positions), _forces(points, accelerations)
 
 
-def _main(points: MainPoints, plan: Plan, board: Board, start: Mark, name: str) -> Chain:
+def _main(points: MainPoints, plan: Plan, board: Board, start: Mark, name: str) -> VectorChain:
     """Lay the main-point vectors off end to end, each turned and stretched from an arm of its link on the plan."""
     pole = board.transfer("O" if plan is plan.positions else start.name, start, because("chain_start"))
     vectors = list(_vectors(points, plan, board))
@@ -202,16 +202,16 @@ def _variable(share: Share, plan: Plan, board: Board) -> Mark:
     return board.turn(name, along, share.share, because("variable_vector", link=stem.link))
 
 
-def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str) -> Chain:
-    sides: list[Side] = []
+def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str) -> VectorChain:
+    sides: list[ChainSide] = []
     for number, (link, vector) in enumerate(vectors, 1):
         start = sides[-1].end if sides else pole
         letters = name if number == len(vectors) else f"{name}:{number}"
-        sides.append(Side(link, vector, start, board.lay_off(letters, start, vector, because("end_to_end"))))
-    return Chain(board, pole, tuple(sides))
+        sides.append(ChainSide(link, vector, start, board.lay_off(letters, start, vector, because("end_to_end"))))
+    return VectorChain(board, pole, tuple(sides))
 
 
-def _moments(points: MainPoints, positions: Plan) -> Chain:
+def _moments(points: MainPoints, positions: Plan) -> VectorChain:
     """Lay the static moments of the links off end to end (figure 8.5)."""
     board = Board(POLYGON)
     pole = board.given("0", 0j, because("static_start"))
@@ -230,7 +230,7 @@ def _centres(points: MainPoints, plan: Plan) -> Iterator[tuple[int, Mark]]:
             yield stem.link, plan.place(stem.link, body.centre, plan.letter(f"S{stem.link}"))
 
 
-def _forces(points: MainPoints, accelerations: Plan) -> Chain:
+def _forces(points: MainPoints, accelerations: Plan) -> VectorChain:
     """Lay the inertia forces of the links off end to end: their closing is the main vector once more."""
     board = Board(SHAKING)
     pole = board.given("0", 0j, because("forces_start"))
@@ -241,7 +241,7 @@ def _forces(points: MainPoints, accelerations: Plan) -> Chain:
     return _chain(board, pole, vectors, "ΣΦ")
 
 
-def _moment(points: MainPoints, accelerations: Plan, shaking: Chain) -> Mark:
+def _moment(points: MainPoints, accelerations: Plan, shaking: VectorChain) -> Mark:
     """Sum the moments of the inertia forces about the datum, and the inertia moments of the links."""
     board, positions = shaking.board, accelerations.positions
     places = dict(_centres(points, positions))

@@ -11,8 +11,8 @@ from typing import NamedTuple
 from plans.balance.form import COUNTERWEIGHT, BalanceForm, BalanceTable, CounterweightTable
 from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.survey import LinkageSurvey
-from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, SHARE, Place, Task
-from plans.model.dyad import Dyad, Group, decompose
+from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, SHARE, BalanceTask, Site
+from plans.model.dyad import Assur, Dyad, decompose
 from plans.model.mechanism import FRAME, Mechanism, StructureError
 from plans.scene.faults import Fault, Path
 from plans.scene.notes import HUNDREDS, odd_lengths
@@ -88,7 +88,7 @@ def told(links: Sequence[int]) -> Message:
     return message("advice.carriers", links=written) if links else message("advice.any_carriers")
 
 
-def _groups(mechanism: Mechanism) -> tuple[Group, ...] | None:
+def _groups(mechanism: Mechanism) -> tuple[Assur, ...] | None:
     """Give the groups; None of links that form none."""
     try:
         return decompose(mechanism) if mechanism.mobility == 1 else None
@@ -96,7 +96,7 @@ def _groups(mechanism: Mechanism) -> tuple[Group, ...] | None:
         return None
 
 
-def _of_group(group: Group, aim: str) -> Iterator[int]:
+def _of_group(group: Assur, aim: str) -> Iterator[int]:
     """Give the link of a group that would do: of two that could the one hinged to the frame."""
     if group.kind in ("RRR", "RPR"):
         ends = [pair.taker for pair in group.outer_pairs if pair.giver == FRAME]
@@ -112,14 +112,14 @@ COMMON = "S"  # the letter of the common mass centre
 class BalanceSurvey(NamedTuple):
     """What the examination of a scene's balancing found: what is asked, and the faults."""
 
-    task: Task
+    task: BalanceTask
     faults: list[Fault]
 
 
-def task_of(form: BalanceTable) -> Task:
+def task_of(form: BalanceTable) -> BalanceTask:
     """Make the task."""
     sought = isinstance(form.share, str)
-    return Task(
+    return BalanceTask(
         form.aim,
         tuple(map(_place, form.counterweights)),
         None if sought else float(form.share),
@@ -127,8 +127,8 @@ def task_of(form: BalanceTable) -> Task:
     )
 
 
-def _place(entry: CounterweightTable) -> Place:
-    return Place(
+def _place(entry: CounterweightTable) -> Site:
+    return Site(
         entry.on,
         mass=_float(entry.mass),
         radius=_float(entry.radius),

@@ -10,8 +10,8 @@ from plans.balance import shares as states
 from plans.balance.mass_centre import EMPTY, Drawing, MainPoints
 from plans.balance.shares import Superposition
 from plans.balance.substitution import KINDS, Substitution, instead_of_crank
-from plans.balance.sums import Term
-from plans.balance.weights import IDLE, NO_SHARE, Refused, Tree, begins, tree_of
+from plans.balance.sums import SumTerm
+from plans.balance.weights import IDLE, NO_SHARE, Tree, Unmade, begins, tree_of
 from plans.forces.statics import Statics
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
@@ -20,20 +20,20 @@ from plans.model.balance.linkage import (
     NONE,
     SHARE,
     Balance,
+    BalanceTask,
     Choice,
     Counterweight,
     Shares,
     State,
-    Task,
 )
-from plans.model.dyad import Dyad, Group
+from plans.model.dyad import Assur, Dyad
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.words.words import because
 
 
 def substituted(
-    mechanism: Mechanism, groups: Sequence[Group], bodies: Mapping[int, Body], task: Task, share: float = 0.0
+    mechanism: Mechanism, groups: Sequence[Assur], bodies: Mapping[int, Body], task: BalanceTask, share: float = 0.0
 ) -> Substitution:
     """Find the counterweights that a task asks for, the crank's with a share of the reciprocating mass."""
     found = Substitution(mechanism, bodies, task)
@@ -52,7 +52,7 @@ def substituted(
     return found
 
 
-def counterweights(found: Substitution, groups: Sequence[Group]) -> tuple[Counterweight, ...]:
+def counterweights(found: Substitution, groups: Sequence[Assur]) -> tuple[Counterweight, ...]:
     """Give a counterweight for each link that may carry one, in the order of the scene; one not needed has no mass."""
     task, mechanism = found.task, found.mechanism
     if task.aim == NONE:
@@ -65,7 +65,7 @@ def counterweights(found: Substitution, groups: Sequence[Group]) -> tuple[Counte
     return tuple((none | found.counterweights)[place.link] for place in task.places)
 
 
-def reciprocating(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> dict[str, str]:
+def reciprocating(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> dict[str, str]:
     """Give the sliders of the frame whose rods hang on the crank and carry nothing, each with the crank's pin."""
     crank = mechanism.links[mechanism.drive.link].points
     rods = (group for group in groups if isinstance(group, Dyad) and group.kind == "RRP")
@@ -76,23 +76,23 @@ def reciprocating(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> 
     }
 
 
-def _share(found: Substitution, groups: Sequence[Group], share: float) -> None:
+def _share(found: Substitution, groups: Sequence[Assur], share: float) -> None:
     """Load the crank with a share of the masses that are left at the sliders whose rods hang on it."""
     crank, hung = found.mechanism.drive.link, reciprocating(found.mechanism, groups, found.task)
     if not hung:
-        raise Refused(NO_SHARE)
+        raise Unmade(NO_SHARE)
     for slider, pin in hung.items():
         whole = found.left.get(slider, found.sums.no_mass)
         mark = found.sums.masses.turn(f"k·m_{slider}", whole.mark, share, because("share_of_mass", point=slider))
-        found.put(crank, pin, found.at_point(crank, pin), Term(mark, whole.size * share))
+        found.put(crank, pin, found.at_point(crank, pin), SumTerm(mark, whole.size * share))
 
 
-def _check_places(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> None:
+def _check_places(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> None:
     """Refuse a counterweight on a link that has no hinge to turn it about."""
     points = begins(mechanism, groups)
     for place in task.places:
         if place.link not in points:
-            raise Refused(IDLE, place.link, links=tuple(str(link) for link in sorted(points)))
+            raise Unmade(IDLE, place.link, links=tuple(str(link) for link in sorted(points)))
 
 
 def loaded(machine: Machine, counterweights: Iterable[Counterweight]) -> Machine:
@@ -121,7 +121,7 @@ PLANS = CENTRE, COUNTERWEIGHTS, COSTS = "centre", "counterweights", "costs"
 class BalanceStudy:
     """A mechanism with its masses, and what balances it by construction; nothing is made before it is asked for."""
 
-    def __init__(self, linkage: LinkageStudy, statics: Statics, task: Task) -> None:
+    def __init__(self, linkage: LinkageStudy, statics: Statics, task: BalanceTask) -> None:
         self.linkage, self.statics, self.task = linkage, statics, task
         self.made: dict[str, None] = {}  # what was made, in order
 
@@ -150,12 +150,12 @@ class BalanceStudy:
         self.made.setdefault(COUNTERWEIGHTS)
         return self._substituted(self.task, self.share)
 
-    def _substituted(self, task: Task, share: float) -> Substitution:
+    def _substituted(self, task: BalanceTask, share: float) -> Substitution:
         """Find the counterweights with a share of the reciprocating mass; what cannot be is a SceneError."""
         linkage = self.linkage
         try:
             return substituted(linkage.mechanism, linkage.groups, self.machine.bodies, task, share)
-        except Refused as refused:
+        except Unmade as refused:
             raise refused.fault(linkage.scene, task) from None
 
     @cached_property

@@ -11,9 +11,9 @@ from functools import cached_property
 from typing import NamedTuple
 
 from plans.balance.mass_centre import EMPTY
-from plans.balance.sums import Sums, Term
-from plans.balance.weights import CARRIED, FREE, NEEDED, NO_MASS, Refused, weight_of
-from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, Counterweight, Place, Task
+from plans.balance.sums import Sums, SumTerm
+from plans.balance.weights import CARRIED, FREE, NEEDED, NO_MASS, Unmade, weight_of
+from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, BalanceTask, Counterweight, Site
 from plans.model.dyad import Dyad
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism, Slide
@@ -25,19 +25,19 @@ class PointMass(NamedTuple):
 
     point: str
     at: complex
-    mass: Term
+    mass: SumTerm
 
 
 class Substitution:
     """The masses of a mechanism on their way from the last group to the crank."""
 
-    def __init__(self, mechanism: Mechanism, bodies: Mapping[int, Body], task: Task) -> None:
+    def __init__(self, mechanism: Mechanism, bodies: Mapping[int, Body], task: BalanceTask) -> None:
         self.mechanism, self.bodies, self.task, self.sums = mechanism, bodies, task, Sums()
         self.masses: dict[int, list[PointMass]] = {link: [] for link in mechanism.links}
-        self.pure: dict[int, list[Term]] = {link: [] for link in mechanism.links}
+        self.pure: dict[int, list[SumTerm]] = {link: [] for link in mechanism.links}
         self.counterweights: dict[int, Counterweight] = {}
-        self.needs: dict[int, Term] = {}  # by link the static moment that its counterweight must have
-        self.left: dict[str, Term] = {}
+        self.needs: dict[int, SumTerm] = {}  # by link the static moment that its counterweight must have
+        self.left: dict[str, SumTerm] = {}
         for link, body in sorted(bodies.items()):
             if body.mass:
                 self.put(
@@ -47,7 +47,7 @@ class Substitution:
                     self.sums.mass(f"m_{link}", body.mass, because("own_mass", link=link)),
                 )
 
-    def put(self, link: int, point: str, at: complex, mass: Term) -> None:
+    def put(self, link: int, point: str, at: complex, mass: SumTerm) -> None:
         """Put a mass on a link; on the frame it does nothing, and one that is nothing but rounding is none."""
         if link != FRAME and not mass.vanishes:
             self.masses[link].append(PointMass(point, at, mass))
@@ -56,16 +56,16 @@ class Substitution:
         """Give the place of a named point in a link's own frame."""
         return self.mechanism.links[link].points[point]
 
-    def hand_on(self, host: int, point: str, mass: Term) -> None:
+    def hand_on(self, host: int, point: str, mass: SumTerm) -> None:
         """Hand a mass on to the host of a hinge."""
         self.put(host, point, self.at_point(host, point), mass)
 
-    def mass(self, link: int) -> Term:
+    def mass(self, link: int) -> SumTerm:
         """Sum the masses that a link bears."""
         terms = (mass.mass for mass in self.masses[link])
         return self.sums.total(f"Σm_{link}", terms, self.sums.no_mass, because("borne", link=link))
 
-    def moment(self, link: int, begin: str) -> Term:
+    def moment(self, link: int, begin: str) -> SumTerm:
         """Sum the static moments of a link about one of its points, the pure ones among them."""
         origin, terms = self.at_point(link, begin), list(self.pure[link])
         for mass in self.masses[link]:
@@ -76,7 +76,7 @@ class Substitution:
         why = because("moments_about", link=link, point=begin)
         return self.sums.total(f"H_{link}", terms, self.sums.no_moment, why)
 
-    def share(self, link: int, outer: str, inner: str) -> Term:
+    def share(self, link: int, outer: str, inner: str) -> SumTerm:
         """Find the mass at the inner hinge of a link that has its static moment about the outer one."""
         arm = self.sums.arm(f"{outer}{inner}", self.at_point(link, outer), self.at_point(link, inner), link)
         why = because("replacing_mass", link=link, point=inner, other=outer)
@@ -98,18 +98,18 @@ class Substitution:
         if self._rests(link, moment):
             return
         if place is None:
-            raise Refused(NEEDED, links=tuple(map(str, would_do)), link=would_do[0])
+            raise Unmade(NEEDED, links=tuple(map(str, would_do)), link=would_do[0])
         mark = self.sums.moments.close(f"U_{link}", moment.mark, why=because("counterweight_moment", link=link))
-        found = self._carried(place, begin, Term(mark, moment.size))
+        found = self._carried(place, begin, SumTerm(mark, moment.size))
         self.put(link, begin, found.origin, self._added(found))
 
-    def _carried(self, place: Place, begin: str, need: Term) -> Counterweight:
+    def _carried(self, place: Site, begin: str, need: SumTerm) -> Counterweight:
         """Put down the counterweight of a link by the static moment that it must have."""
         found = weight_of(self.mechanism, place, begin, need)
         self.counterweights[place.link], self.needs[place.link] = found, need
         return found
 
-    def _added(self, found: Counterweight) -> Term:
+    def _added(self, found: Counterweight) -> SumTerm:
         return self.sums.mass(f"m_cw{found.link}", found.mass, because("counterweight_mass", link=found.link))
 
     def balance_by_rod(self, rod: Dyad, pivot: str) -> None:
@@ -123,7 +123,7 @@ class Substitution:
         if self._rests(crank, self.moment(crank, pivot)):
             return
         if place.mass is None:
-            raise Refused(NO_MASS, link)
+            raise Unmade(NO_MASS, link)
         added = self.sums.mass(f"m_cw{link}", place.mass, because("counterweight_mass", link=link))
         terms, why = (added, self.share(crank, pivot, outer)), because("rod_for_crank", link=link, point=rod.pin)
         at_slider = self.sums.total(f"m_{rod.pin}{link}′", terms, self.sums.no_mass, why)
@@ -134,7 +134,7 @@ class Substitution:
         rest = self.sums.less(f"m_{outer}{link}′", added, at_slider, because("rest_of_mass", link=link))
         self.hand_on(crank, outer, rest)
 
-    def _rests(self, link: int, moment: Term) -> bool:
+    def _rests(self, link: int, moment: SumTerm) -> bool:
         """Tell whether a static moment is none: the place of a mass centre is rounded, too, as the lengths are."""
         whole = self.bodies.get(link, EMPTY).mass * self.longest
         return abs(moment.value) <= ROUNDING * EPS * (moment.size + whole)
@@ -145,7 +145,7 @@ class Substitution:
         links = (link.points.values() for number, link in self.mechanism.links.items() if number != FRAME)
         return max(abs(place - other) for places in links for place in places for other in places)
 
-    def keep(self, point: str, mass: Term) -> None:
+    def keep(self, point: str, mass: SumTerm) -> None:
         """Leave a mass at a slider: it moves along the guide."""
         if mass.vanishes:
             return
@@ -154,13 +154,13 @@ class Substitution:
         self.left[point] = self.sums.total(f"m_left{point}", (*before, mass), self.sums.no_mass, why)
 
 
-def carrier(task: Task, dyad: Dyad) -> int:
+def carrier(task: BalanceTask, dyad: Dyad) -> int:
     """Choose which of a group's two links carries: one that may, of two the one hinged to the frame, else the first."""
     allowed = [end for end in (0, 1) if task.place(dyad.links[end]) is not None] or [0, 1]
     return next((end for end in allowed if dyad.hosts[end] == FRAME), allowed[0])
 
 
-def instead_of_crank(mechanism: Mechanism, task: Task, dyad: Dyad) -> bool:
+def instead_of_crank(mechanism: Mechanism, task: BalanceTask, dyad: Dyad) -> bool:
     """Tell whether a rod on the crank balances it in part, the crank itself having no place for a counterweight."""
     hung = (dyad.kind, dyad.hosts) == ("RRP", (mechanism.drive.link, FRAME))
     return hung and task.aim == PARTIAL and None is task.place(mechanism.drive.link) != task.place(dyad.links[0])
@@ -228,12 +228,12 @@ def _rpp(found: Substitution, dyad: Dyad) -> None:
     _leave(found, dyad, 1, point, found.mass(guided))
 
 
-def _leave(found: Substitution, dyad: Dyad, end: int, point: str, mass: Term) -> None:
+def _leave(found: Substitution, dyad: Dyad, end: int, point: str, mass: SumTerm) -> None:
     """Leave a mass on the guide of one end, which must be the frame's and allowed to move."""
     if mass.vanishes:
         return
     if found.task.aim == FULL or dyad.hosts[end] != FRAME:
-        raise Refused(FREE if dyad.hosts[end] == FRAME else CARRIED, link=dyad.links[end])
+        raise Unmade(FREE if dyad.hosts[end] == FRAME else CARRIED, link=dyad.links[end])
     found.keep(point, mass)
 
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from plans.balance.sums import Term
-from plans.model.balance.linkage import EPS, ROUNDING, Counterweight, Place, Task
-from plans.model.dyad import Dyad, Group
+from plans.balance.sums import SumTerm
+from plans.model.balance.linkage import EPS, ROUNDING, BalanceTask, Counterweight, Site
+from plans.model.dyad import Assur, Dyad
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.scene.faults import SceneError
 from plans.scene.scene import Scene
@@ -28,14 +28,14 @@ NEEDED, FREE, CARRIED, NEGATIVE, OFF, NO_SHARE, IDLE, NO_MASS = (
 AIMED = (FREE, CARRIED, NO_SHARE)  # kinds that the aim is at fault for
 
 
-class Refused(Exception):  # noqa: N818  (it says what was done)
+class Unmade(Exception):  # noqa: N818  (it says what was done)
     """A balance that cannot be: the kind of fault, the link whose counterweight it is about, its key and details."""
 
     def __init__(self, kind: str, at: int | None = None, key: str = "on", **details: object) -> None:
         super().__init__(kind)
         self.kind, self.at, self.key, self.details = kind, at, key, details
 
-    def fault(self, scene: Scene, task: Task) -> SceneError:
+    def fault(self, scene: Scene, task: BalanceTask) -> SceneError:
         """Say it at the key of the scene that is to be changed."""
         index = next((k for k, place in enumerate(task.places) if place.link == self.at), None)
         if index is not None:
@@ -45,7 +45,7 @@ class Refused(Exception):  # noqa: N818  (it says what was done)
         return SceneError([scene.fault(path, self.kind, **self.details)])
 
 
-def begins(mechanism: Mechanism, groups: Sequence[Group]) -> Mapping[int, str]:
+def begins(mechanism: Mechanism, groups: Sequence[Assur]) -> Mapping[int, str]:
     """Give by link the point that its counterweight counts from: toward the frame, in its group the outer hinge.
 
     A link without one, guided as a slider is, turns nothing against its mass and carries none.
@@ -57,7 +57,7 @@ def begins(mechanism: Mechanism, groups: Sequence[Group]) -> Mapping[int, str]:
     return found
 
 
-def weight_of(mechanism: Mechanism, place: Place, begin: str, need: Term) -> Counterweight:
+def weight_of(mechanism: Mechanism, place: Site, begin: str, need: SumTerm) -> Counterweight:
     """Give the counterweight of a static moment kg*m in its link's frame about the point that it counts from."""
     origin = mechanism.links[place.link].points[begin]
     mass = _mass(place, need, begin, line_of(mechanism, place.link, begin))
@@ -75,7 +75,7 @@ def line_of(mechanism: Mechanism, link: int, begin: str) -> complex:
     return way / abs(way)
 
 
-def _mass(place: Place, need: Term, begin: str, along: complex) -> float:
+def _mass(place: Site, need: SumTerm, begin: str, along: complex) -> float:
     """Find the mass: the given one, or that of a radius, of a place on the link's line, or of a sector."""
     if place.mass is not None:
         return place.mass
@@ -84,19 +84,19 @@ def _mass(place: Place, need: Term, begin: str, along: complex) -> float:
     return _sector(place, abs(need.value)) if place.at is None else _on_line(place, place.at, need, begin, along)
 
 
-def _on_line(place: Place, at: float, need: Term, begin: str, along: complex) -> float:
+def _on_line(place: Site, at: float, need: SumTerm, begin: str, along: complex) -> float:
     """Find the mass at a place on the link's line, on which the static moment must lie."""
     across, way = (need.value / along).imag, (need.value / along).real
     if abs(across) > ROUNDING * EPS * need.size:
         angle = math.degrees(math.atan2(across, way))
-        raise Refused(OFF, place.link, "at", angle=f"{angle:.4g}", radius=f"{abs(at):.6g}")
+        raise Unmade(OFF, place.link, "at", angle=f"{angle:.4g}", radius=f"{abs(at):.6g}")
     if way / at < 0:
         mass, other = f"{abs(way / at):.6g}", f"{-at:.6g}"
-        raise Refused(NEGATIVE, place.link, "at", mass=mass, point=begin, other=other)
+        raise Unmade(NEGATIVE, place.link, "at", mass=mass, point=begin, other=other)
     return way / at
 
 
-def _sector(place: Place, moment: float) -> float:
+def _sector(place: Site, moment: float) -> float:
     """Find the mass of a sector with its apex where the link begins: m*r = 2/3 density thickness sin(half angle) R3."""
     solid = place.density * place.thickness
     outer = math.cbrt(1.5 * moment / (solid * math.sin(place.half_angle)))

@@ -9,13 +9,13 @@ from plans.techniques import Technique
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Told
+    from plans.quantity import Comparison, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
-class Bank(Technique):
+class BankTechnique(Technique):
     """Mutual balancing of equal mechanisms on one shaft (взаимоуравновешивание; book 8.2.3).."""
 
     tables = ("bank",)
@@ -54,7 +54,7 @@ class Bank(Technique):
         bank = study.of(BankStudy)
         return compare_bank(bank, mechanism_of(study, bank))
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.bank.quantities import numbers
 
         return numbers(study, by)
@@ -65,4 +65,4 @@ class Bank(Technique):
         return marks(study, position, name)
 
 
-TECHNIQUE = Bank()
+TECHNIQUE = BankTechnique()

@@ -70,7 +70,7 @@ class Shaking(NamedTuple):
     slack: Floats  # (N,)
 
 
-class Source(Protocol):
+class Shaker(Protocol):
     """What one mechanism of the bank shakes its frame with; `scale` N is the size of the forces that it is made of.
 
     `shaking` draws it over a turn of its crank from a start in degrees on, in so many even positions.
@@ -173,12 +173,12 @@ class Harmonics(NamedTuple):
         return float(max(row[orders_alike].sum() for orders_alike in false))
 
 
-def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
+def harmonics(source: Shaker, orders: Sequence[int]) -> Harmonics:
     """Divide the turn until the harmonics settle, and draw their polygons."""
     return of_ordinates(source, _settled(source, orders), orders)
 
 
-def of_ordinates(source: Source, shaking: Shaking, orders: Sequence[int]) -> Harmonics:
+def of_ordinates(source: Shaker, shaking: Shaking, orders: Sequence[int]) -> Harmonics:
     """Draw the polygons of some ordinates."""
     count, board = len(shaking.force), Board(HARMONICS)
     pole = board.given("0", 0j, because("forces_start"))
@@ -191,12 +191,12 @@ def of_ordinates(source: Source, shaking: Shaking, orders: Sequence[int]) -> Har
     return Harmonics(board, pole, vectors, rounding, float(np.mean(shaking.slack)) + rounding, shaking.force)
 
 
-def _rounding(source: Source, shaking: Shaking) -> float:
+def _rounding(source: Shaker, shaking: Shaking) -> float:
     """Give what a harmonic can be of rounding alone: more where the conditions of the plans are bad."""
     return max(HARMONIC * EPS * source.scale, float(np.mean(shaking.slack)))
 
 
-def _settled(source: Source, orders: Sequence[int]) -> Shaking:
+def _settled(source: Shaker, orders: Sequence[int]) -> Shaking:
     """Draw the mechanism at twice as many angles until the harmonics stay where they are."""
     count = FEWEST
     while count <= 2 * max(orders):  # of fewer ordinates an order cannot be told from a lower one

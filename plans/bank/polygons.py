@@ -23,7 +23,7 @@ from geometry.board import Board, Mark
 from plans.bank.harmonics import COMPENSATORS, FORCE, MOMENT, STATIC, Harmonics, couple_letters, letters
 from plans.model.balance.bank import Asked, BankTask, Compensator, Harmonic, Member, plain_angle
 from plans.model.motion import Complexes, Floats
-from plans.rotor.balancing import Polygon, heading, polygon
+from plans.rotor.balancing import VectorPolygon, heading, polygon
 from plans.words.words import because
 
 MOMENTS = "bank_moments"  # the board: sums of force times place, N*m
@@ -32,7 +32,7 @@ MOMENTS = "bank_moments"  # the board: sums of force times place, N*m
 class Total(NamedTuple):
     """A polygon over the bank, and the sum of its vectors: against what closes it."""
 
-    polygon: Polygon
+    polygon: VectorPolygon
     vector: Mark
 
     @property

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.analytic.balance.bank import Linkage, Mechanism, SliderCrank, bank_balance
+from plans.analytic.balance.bank import BankMechanism, ExactLinkage, ExactSliderCrank, bank_balance
 from plans.analytic.balance.mass_centre import bodies
 from plans.balance.quantities import BalanceComparison, compare_balance
 from plans.balance.study import BalanceStudy
@@ -33,22 +33,22 @@ BACK = "-back"  # after the order of what turns against the crank
 WHOLE, WHOLE_MOMENT, LEFT = "ΣF", "ΣM", "ΣF'"  # over the turn; what the compensators leave is primed
 
 
-def compare_bank(study: BankStudy, mechanism: Mechanism) -> Comparison:
+def compare_bank(study: BankStudy, mechanism: BankMechanism) -> Comparison:
     """Find the bank by analysis too, and put every quantity beside that of the construction."""
     ours, theirs = study.balance, bank_balance(study.task, mechanism)
-    both = _Compared(study, ours, theirs)
+    both = _ComparedBank(study, ours, theirs)
     findings = (*both.harmonics(), *both.compensators(), *both.whole(), *both.transforms(), *both.balanced())
     return Comparison(ours, theirs, findings)
 
 
-def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
+def mechanism_of(study: Study, bank: BankStudy) -> BankMechanism:
     """Give the mechanism of a bank for the analysis: by its sizes, or the linkage with counterweights by analysis."""
     unit, speed = bank.task.unit, bank.task.speed
     if unit is not None:
-        return SliderCrank(unit, speed)
+        return ExactSliderCrank(unit, speed)
     motion = _motion(study)
     solid = bodies(study.of(Statics).machine, _counterweights(study, motion))
-    return Linkage(motion.road, solid, speed, study.of(LinkageStudy).turn.phi, bank.orders)
+    return ExactLinkage(motion.road, solid, speed, study.of(LinkageStudy).turn.phi, bank.orders)
 
 
 def _motion(study: Study) -> MotionComparison:
@@ -69,7 +69,7 @@ def _counterweights(study: Study, motion: MotionComparison) -> tuple[Counterweig
     return found
 
 
-class _Compared(NamedTuple):
+class _ComparedBank(NamedTuple):
     """A bank by both roads."""
 
     study: BankStudy

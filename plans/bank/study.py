@@ -16,7 +16,7 @@ from plans.balance.mass_centre import Drawing, MainPoints
 from plans.balance.shares import drawing, turns
 from plans.balance.study import BalanceStudy
 from plans.balance.weights import tree_of
-from plans.bank.harmonics import COMPENSATORS, HARMONICS, Harmonics, NotSettled, Shaking, SliderCrank, Source, harmonics
+from plans.bank.harmonics import COMPENSATORS, HARMONICS, Harmonics, NotSettled, Shaker, Shaking, SliderCrank, harmonics
 from plans.bank.polygons import CompensatorMasses, Polygons, compensators, left_over, polygons
 from plans.bank.reading import BankSurvey
 from plans.forces.statics import Statics
@@ -91,7 +91,7 @@ class Whole(NamedTuple):
     largest_moment: float  # N*m: of one mechanism
 
 
-def whole(source: Source, members: Sequence[Member]) -> Whole:
+def whole(source: Shaker, members: Sequence[Member]) -> Whole:
     """Add the forces of all mechanisms, and their moments about the plane of place 0."""
     found = {phase: source.shaking(phase, STEPS) for phase in {member.phase % 360 for member in members}}
     shares = [found[member.phase % 360] for member in members]
@@ -105,7 +105,7 @@ def whole(source: Source, members: Sequence[Member]) -> Whole:
     return Whole(phi, _round(force), _round(moment), sum(slacks), lever, *largest)
 
 
-def _slack(source: Source, share: Shaking) -> float:
+def _slack(source: Shaker, share: Shaking) -> float:
     """Give how far one mechanism's force can be out anywhere, with the roundings of a sum."""
     largest = max(source.scale, float(np.max(np.abs(share.force))))
     return float(np.max(share.slack)) + ROUNDING * EPS * largest
@@ -120,7 +120,7 @@ def _round(terms: Sequence[Complexes]) -> Complexes:
 class BankStudy:
     """A bank, by construction; nothing is made before it is asked for."""
 
-    def __init__(self, task: BankTask, source: Source, place: str = "") -> None:
+    def __init__(self, task: BankTask, source: Shaker, place: str = "") -> None:
         self.task, self.source = task, source
         self.place = place  # of the bank in the scene's file
         self.made: dict[str, None] = {}  # what was made, in order

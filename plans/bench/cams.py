@@ -14,15 +14,15 @@ from typing import Any, Final
 import numpy as np
 
 from geometry.replay import exact
-from plans.analytic.cam.contour import Curve, mirrored
-from plans.bench.trial import Errors, Order, Road
-from plans.cam.course import Course
+from plans.analytic.cam.contour import ContourValues, mirrored
+from plans.bench.trial import Demand, Errors, Timing
+from plans.cam.course import FollowerCourse
 from plans.cam.diagrams import MIDDLE, THREE, TRUE, LawDiagrams, law_diagrams
 from plans.cam.path import ProfilePath, path
 from plans.cam.profile.profile import profile
 from plans.cam.study import CamDrawing, CamStudy
 from plans.model.cam import Cam
-from plans.model.cam_motion import Points, Sizes
+from plans.model.cam_motion import CamSizes, Points
 from plans.model.motion import Floats
 from plans.study import Study
 
@@ -42,18 +42,18 @@ DEFINED = (
 )
 
 
-def cams(study: Study, order: Order) -> Iterator[Road]:
+def cams(study: Study, order: Demand) -> Iterator[Timing]:
     """List the ways to the law and the profile of the first cam of a scene."""
     drawing: CamDrawing = next(iter(study.of(CamStudy).drawings.values()))
     cam, sizes, roller = drawing.cam, drawing.sizing.sizes, drawing.found.roller
     for means, name in LAWS.items():
         for count in STRIPS if order.startup else STRIPS[:3]:
-            yield Road(partial(_diagrams, cam, count, means), count, {name: _departures})
+            yield Timing(partial(_diagrams, cam, count, means), count, {name: _departures})
     for count in TURNS if order.startup else TURNS[:2]:
         yield from Judged(drawing.course, sizes, roller, count).roads()
     for count in CUBICS:
         judged = {PIECES: partial(_deviation, sizes.base or cam.lift)}
-        yield Road(partial(path, cam, sizes, -roller, count, exact=False), count, judged)
+        yield Timing(partial(path, cam, sizes, -roller, count, exact=False), count, judged)
 
 
 def _diagrams(cam: Cam, count: int, means: str) -> LawDiagrams:
@@ -72,8 +72,8 @@ def _deviation(size: float, found: ProfilePath) -> Errors:
 class Judged:
     """One cam and a number of turns, and what each way makes of them."""
 
-    course: Course
-    sizes: Sizes
+    course: FollowerCourse
+    sizes: CamSizes
     roller: float  # m
     count: int
 
@@ -97,9 +97,9 @@ class Judged:
     def envelope(self, turned: Floats, roller: float | None = None) -> Points:
         """Give the exact profile by closed forms."""
         cam = self.course.cam
-        return mirrored(cam, Curve(cam, self.sizes, turned).edge(-(self.roller if roller is None else roller)))
+        return mirrored(cam, ContourValues(cam, self.sizes, turned).edge(-(self.roller if roller is None else roller)))
 
-    def roads(self) -> list[Road]:
+    def roads(self) -> list[Timing]:
         """List the ways; each begins anew with every run, shapely's with the points it is given."""
         ways: dict[str, tuple[Callable[[], Any], Callable[[Any], float]]] = {
             INVERSION: (
@@ -112,7 +112,7 @@ class Judged:
         if find_spec("shapely") and self.pitch and self.roller:
             away = -self.course.cam.sense * self.roller  # to the side of the cam
             ways[OFFSET] = (lambda: self.pitch.offset_curve(away), self._offset)
-        return [Road(run, self.count, {name: partial(self._errors, judge)}) for name, (run, judge) in ways.items()]
+        return [Timing(run, self.count, {name: partial(self._errors, judge)}) for name, (run, judge) in ways.items()]
 
     def _errors(self, judge: Callable[[Any], float], found: Any) -> Errors:
         share = judge(found) / float(np.abs(self.between).max())

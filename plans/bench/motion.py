@@ -18,7 +18,7 @@ from geometry.replay import digits, exact
 from plans.analytic.kinematics import Analysis
 from plans.bench.peers import peers
 from plans.bench.quantities import quantities
-from plans.bench.trial import NOT_INSTALLED, Errors, Road
+from plans.bench.trial import NOT_INSTALLED, Errors, Timing
 from plans.forces.reading.form import ForceForm
 from plans.linkage.drafts import Drafts
 from plans.linkage.quantities import MotionComparison
@@ -180,7 +180,7 @@ def named(motion: Motion) -> dict[str, Any]:
     return found
 
 
-def roads(study: Study, count: int | None) -> tuple[list[Road], dict[str, str]]:
+def roads(study: Study, count: int | None) -> tuple[list[Timing], dict[str, str]]:
     """List the other roads to the motion at the positions of a study, and why some are left out."""
     if find_spec("mpmath") is None:
         return [], dict.fromkeys((PLANS, *map(NEWTON.format, TOLERANCES), REPLAY), NOT_INSTALLED)
@@ -193,12 +193,12 @@ def roads(study: Study, count: int | None) -> tuple[list[Road], dict[str, str]]:
         PLANS: lambda: copy(linkage).motion(truth.order),
         **{NEWTON.format(limit): partial(_solved, linkage, limit) for limit in TOLERANCES},
     }
-    found = [Road(run, count, {name: truth.judge}) for name, run in ways.items()]
-    found.append(Road(lambda: truth.replay.values(replayed), count, {REPLAY: lambda _: drawn}, of=replayed))
+    found = [Timing(run, count, {name: truth.judge}) for name, run in ways.items()]
+    found.append(Timing(lambda: truth.replay.values(replayed), count, {REPLAY: lambda _: drawn}, of=replayed))
     ready, out = peers(study.of(LinkageStudy))
     for peer in ready:
         judge = partial(_read, truth, peer.motion)
-        found.append(Road(peer.run, count, {peer.name: judge}, peer.versions))
+        found.append(Timing(peer.run, count, {peer.name: judge}, peer.versions))
     return found, out
 
 

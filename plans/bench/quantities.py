@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from plans.bench.trial import Errors, Road
+from plans.bench.trial import Errors, Timing
 from plans.quantity import Quantity
 from plans.study import Study
 
@@ -43,7 +43,7 @@ def follows(found: Sequence[Quantity], count: int | None) -> bool:
     return any(quantity.construction.size == count for quantity in found)
 
 
-def roads(study: Study, technique: str, count: int | None) -> Iterator[Road]:
+def roads(study: Study, technique: str, count: int | None) -> Iterator[Timing]:
     """List both roads to the quantities of a technique, over what it rests on; each begins anew with every run."""
     errors = apart(quantities(study, technique))
 
@@ -54,4 +54,4 @@ def roads(study: Study, technique: str, count: int | None) -> Iterator[Road]:
         quantities(study.anew(technique, constructed=True), technique)
 
     for name, run in ((CONSTRUCTION, constructed), (ANALYSIS, analysed)):
-        yield Road(run, count, {name.format(technique): lambda _: errors})
+        yield Timing(run, count, {name.format(technique): lambda _: errors})

@@ -22,7 +22,7 @@ from plans.bank.harmonics import Harmonics, of_ordinates
 from plans.bank.study import BankStudy
 from plans.bench.motion import turns, with_positions
 from plans.bench.quantities import quantities
-from plans.bench.trial import Errors, Order, Road
+from plans.bench.trial import Demand, Errors, Timing
 from plans.dynamics import run as table
 from plans.dynamics.cycle import SteadyStrips
 from plans.dynamics.loop import loop
@@ -30,7 +30,7 @@ from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy, reduced_link
 from plans.model.dynamics import TURN
 from plans.model.motion import Floats
-from plans.model.run import RUN_UP, Run
+from plans.model.run import RUN_UP, MachineRun
 from plans.study import Study
 
 STRIPS: Final = (12, 24, 96, 384, 1024, 4096)
@@ -50,7 +50,7 @@ DIAGRAMS_DEFINED = "kinematic diagrams: chords of S and of v against the exact v
 BANK_DEFINED = "harmonics: from so many ordinates as are taken on paper, against those that have settled"
 
 
-class Diagram(NamedTuple):
+class KnownDiagram(NamedTuple):
     """A diagram with a known integral: over which axis, with which breaks as edges, and what is said of it."""
 
     name: str
@@ -60,7 +60,7 @@ class Diagram(NamedTuple):
     breaks: tuple[float, ...] = ()
     note: str = ""
 
-    def road(self, count: int) -> Road:
+    def road(self, count: int) -> Timing:
         """Integrate it by chords over so many strips, and judge that by the largest difference at their edges."""
         edges = strips(0.0, self.end, count, self.breaks)
 
@@ -69,7 +69,7 @@ class Diagram(NamedTuple):
             return Errors.one(share)
 
         means = self.ordinate(middles(edges))
-        return Road(lambda: integral(Board("bench"), "A", edges, means).values, count, {self.name: judge}, self.note)
+        return Timing(lambda: integral(Board("bench"), "A", edges, means).values, count, {self.name: judge}, self.note)
 
 
 JUMPS: Final = math.acos(0.9), math.acos(-0.9)  # where a tool bites and leaves: 5 and 95 per cent of its stroke
@@ -85,18 +85,18 @@ def _work(x: Floats) -> Floats:
     return np.asarray(np.cos(JUMPS[0]) - np.cos(np.clip(x, *JUMPS)))
 
 
-KNOWN: Sequence[Diagram] = (
-    Diagram("chords: smooth", np.exp, np.expm1, 2.0),
-    Diagram("chords: jumps on edges", lambda x: _load(x) * np.sin(x), _work, TURN, JUMPS),
-    Diagram("chords: constant load", _load, lambda x: np.clip(x, *JUMPS) - JUMPS[0], TURN, JUMPS, "exact"),
-    Diagram(
+KNOWN: Sequence[KnownDiagram] = (
+    KnownDiagram("chords: smooth", np.exp, np.expm1, 2.0),
+    KnownDiagram("chords: jumps on edges", lambda x: _load(x) * np.sin(x), _work, TURN, JUMPS),
+    KnownDiagram("chords: constant load", _load, lambda x: np.clip(x, *JUMPS) - JUMPS[0], TURN, JUMPS, "exact"),
+    KnownDiagram(
         "chords: jump in a strip", lambda x: np.where(x > GOLDEN, 1.0, 0.0), lambda x: np.maximum(x - GOLDEN, 0.0), 1.0,
         note="what not to do: put an edge on the jump",
     ),
 )  # fmt: skip
 
 
-def dynamics(study: Study, order: Order) -> Iterator[Road]:
+def dynamics(study: Study, order: Demand) -> Iterator[Timing]:
     """List the chords over strips, the flywheel and the table of the run of a scene's machine."""
     found = study.of(DynamicsStudy)
     counts = STRIPS if order.startup else STRIPS[:4]
@@ -105,19 +105,19 @@ def dynamics(study: Study, order: Order) -> Iterator[Road]:
     if turn is not None:
         most = float(np.abs(turn.moment(turn.load.looks)).max(initial=0.0)) or 1.0
         for count in FEW:
-            yield Road(partial(_mean, turn, count), count, {MEAN: partial(_off, turn.driving, most)})
+            yield Timing(partial(_mean, turn, count), count, {MEAN: partial(_off, turn.driving, most)})
     if turn is not None and found.task.delta is not None:
         whole = flywheel(turn, found.task).whole
         for count in counts:
-            yield Road(partial(_chords, found, count), count, {CHORDS: partial(_off, whole, whole)})
-            yield Road(partial(_edges, found, turn, count), count, {EDGES: partial(_off, whole, whole)})
+            yield Timing(partial(_chords, found, count), count, {CHORDS: partial(_off, whole, whole)})
+            yield Timing(partial(_edges, found, turn, count), count, {EDGES: partial(_off, whole, whole)})
     if found.motor is not None and found.run is not None and found.run.failure is None:
         link = reduced_link(found.works, found.constant)
         asked = found.run_task._replace(turns=0, brake=None)
         true, step = _time(solver.run(link, found.motor, asked)), table.step_of(link, found.motor, found.run_task)
         for count in PARTS:
             ours = partial(table.run, link, found.motor, asked._replace(step=step / count))
-            yield Road(ours, count, {RUN: lambda run: _off(true, true, _time(run))})
+            yield Timing(ours, count, {RUN: lambda run: _off(true, true, _time(run))})
 
 
 def _off(true: float, largest: float, value: float) -> Errors:
@@ -141,19 +141,21 @@ def _edges(found: DynamicsStudy, turn: Exact, count: int) -> float:
     return flywheel_of_points(exact_cycle(turn, np.linspace(0.0, TURN, count + 1)), found.task).whole
 
 
-def _time(run: Run) -> float:
+def _time(run: MachineRun) -> float:
     ends = run.ends(RUN_UP)
     assert ends is not None  # a machine that does not start is not measured
     return ends[1]
 
 
-def diagrams(study: Study, order: Order) -> Iterator[Road]:
+def diagrams(study: Study, order: Demand) -> Iterator[Timing]:
     """List the kinematic diagrams of a scene over several numbers of positions."""
     for count in (POSITIONS if order.startup else POSITIONS[:3]) if turns(study.scene) else ():
         denser = Study(with_positions(study.scene, count))
         letters = [row.name.partition(" ")[0] for row in quantities(denser, "diagrams") if row.name.endswith(" chords")]
         judged = {DIAGRAMS.format(letter): partial(_by_chords, denser, letter) for letter in letters}
-        yield Road(partial(lambda made: made.anew("diagrams")["diagrams"].construct(made.plans), denser), count, judged)
+        yield Timing(
+            partial(lambda made: made.anew("diagrams")["diagrams"].construct(made.plans), denser), count, judged
+        )
 
 
 def _by_chords(study: Study, letter: str, _: Any) -> Errors:
@@ -163,7 +165,7 @@ def _by_chords(study: Study, letter: str, _: Any) -> Errors:
     return Errors.one(share)
 
 
-def bank(study: Study, _: Order) -> Iterator[Road]:
+def bank(study: Study, _: Demand) -> Iterator[Timing]:
     """List the harmonics of a bank by few ordinates."""
     found = study.of(BankStudy)
     true = found.single
@@ -175,7 +177,7 @@ def bank(study: Study, _: Order) -> Iterator[Road]:
 
     for count in FEW:
         fewer = partial(_few, found, count)
-        yield Road(fewer, count, {ORDINATES: judge})
+        yield Timing(fewer, count, {ORDINATES: judge})
 
 
 def _few(found: BankStudy, count: int) -> Harmonics:

@@ -118,7 +118,7 @@ class Errors(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Row:
+class Timed:
     """A technique at a number of positions: its errors and its time; a row without either says why in its note."""
 
     technique: str
@@ -212,7 +212,7 @@ class Bench:
 
     title: str
     machine: Computer
-    rows: tuple[Row, ...]
+    rows: tuple[Timed, ...]
     ratios: tuple[Ratio, ...]
     words: tuple[str, ...]  # definitions, acceptance, repetitions, what was left out
     accepted: float  # the largest error that is accepted
@@ -220,7 +220,7 @@ class Bench:
 
 
 @dataclass(frozen=True)
-class Order:
+class Demand:
     """What is asked of a session."""
 
     positions: tuple[int, ...]
@@ -231,7 +231,7 @@ class Order:
 
 
 @dataclass(frozen=True)
-class Road:
+class Timing:
     """A way to some numbers: what is run, for how many positions, and how its result is judged, by what names.
 
     One run may be judged in several ways: a drawn sheet by its ink and by its numbers.
@@ -244,7 +244,7 @@ class Road:
     of: int | None = None
 
 
-def timed(roads: Sequence[Road], rounds: int, budget: float = BUDGET) -> list[Row]:
+def timed(roads: Sequence[Timing], rounds: int, budget: float = BUDGET) -> list[Timed]:
     """Run every road once to judge what it gives, then time them in turns; a road that refuses says why.
 
     One whose first run takes longer than LONG is run no more: that is its time.
@@ -252,17 +252,17 @@ def timed(roads: Sequence[Road], rounds: int, budget: float = BUDGET) -> list[Ro
     firsts = [_judged(road) for road in roads]
     again = [road.run for road, (found, took) in zip(roads, firsts, strict=True) if took <= LONG]
     times = iter(interleaved(again, rounds, budget))
-    rows: list[Row] = []
+    rows: list[Timed] = []
     for road, (found, took) in zip(roads, firsts, strict=True):
         if isinstance(found, str):
-            rows += [Row(name, road.positions, note=found) for name in road.judged]
+            rows += [Timed(name, road.positions, note=found) for name in road.judged]
         else:
             taken = next(times) if took <= LONG else Times((took,))
-            rows += [Row(name, road.positions, errors, taken, road.note, road.of) for name, errors in found.items()]
+            rows += [Timed(name, road.positions, errors, taken, road.note, road.of) for name, errors in found.items()]
     return rows
 
 
-def _judged(road: Road) -> tuple[dict[str, Errors | None] | str, float]:
+def _judged(road: Timing) -> tuple[dict[str, Errors | None] | str, float]:
     """Judge a first run, which also fills caches and compiles; give the time it took, for ever where it refused."""
     start = perf_counter()
     try:
@@ -282,7 +282,7 @@ def order(errors: Sequence[float], counts: Sequence[float]) -> float:
     return math.log(errors[0] / errors[-1]) / math.log(counts[-1] / counts[0])
 
 
-def orders(rows: Sequence[Row], least: float = 1e-12) -> Iterator[str]:
+def orders(rows: Sequence[Timed], least: float = 1e-12) -> Iterator[str]:
     """Say by which power of the number of positions the error of each technique falls, where it does.
 
     What is `least` or under is rounding, and has no order.

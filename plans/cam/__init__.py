@@ -9,13 +9,13 @@ from plans.techniques import Technique
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Quantity, Told
+    from plans.quantity import Comparison, Quantity, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
-class Cam(Technique):
+class CamTechnique(Technique):
     """Cams by construction."""
 
     tables = ("cam",)
@@ -62,7 +62,7 @@ class Cam(Technique):
 
         return quantities_of(study)
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.cam.numbers import numbers
 
         return numbers(study, by)
@@ -73,4 +73,4 @@ class Cam(Technique):
         return marks(study, position, name)
 
 
-TECHNIQUE = Cam()
+TECHNIQUE = CamTechnique()

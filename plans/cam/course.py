@@ -104,7 +104,7 @@ class LawStretch(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Course:
+class FollowerCourse:
     """The motion of a cam's follower, phase by phase."""
 
     cam: Cam
@@ -206,10 +206,10 @@ def positions(cam: Cam) -> Floats:
     edges = [np.linspace(phase.start, phase.end, cam.divisions + 1)[:-1] for phase in cam.moving()]
     edges += [np.array([phase.start]) for phase in cam.phases if phase.law is None]
     found = np.unique(np.concatenate([*edges, *([np.array([cam.turn])] if cam.translates else [])]))
-    return settled(found, Course(cam))
+    return settled(found, FollowerCourse(cam))
 
 
-def settled(turned: Floats, course: Course) -> Floats:
+def settled(turned: Floats, course: FollowerCourse) -> Floats:
     """Put turns that are joints of phases or laws but for a rounding on them, (N,), rising."""
     joints = np.array(course.joints)
     near = joints[np.abs(turned[:, None] - joints).argmin(axis=1)]
@@ -244,7 +244,7 @@ class WorkshopTurns(NamedTuple):
 
 def stations(cam: Cam) -> WorkshopTurns:
     """Give the turns of a cam that a workshop is told."""
-    return WorkshopTurns(cam, settled(_stations(cam), Course(cam)))
+    return WorkshopTurns(cam, settled(_stations(cam), FollowerCourse(cam)))
 
 
 def _stations(cam: Cam) -> Floats:

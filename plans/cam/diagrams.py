@@ -17,7 +17,7 @@ import numpy.typing as npt
 from geometry.board import Board
 from geometry.calculus import Integral, integral
 from geometry.strips import SLIVER, Departure, departure, middles, strips
-from plans.cam.course import Course, positions, settled
+from plans.cam.course import FollowerCourse, positions, settled
 from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import HARD, SOFT, FollowerTravel
 from plans.model.motion import Floats
@@ -33,7 +33,7 @@ MIDDLE, THREE, TRUE = "middle", "three", "true"
 class TurnStrips:
     """The strips of a cam's turn: those of the numbered positions, with an edge on every corner of S'' (участки)."""
 
-    course: Course
+    course: FollowerCourse
     edges: Floats  # (n + 1,) rad
 
     @cached_property
@@ -69,7 +69,7 @@ class TurnStrips:
 
 def strips_of(cam: Cam) -> TurnStrips:
     """Divide the turn: each phase that moves the follower in equal strips, a dwell is one."""
-    course = Course(cam)
+    course = FollowerCourse(cam)
     edges = [np.zeros(1)]
     for phase in (phase for phase in cam.phases if phase.angle > 0):
         inside = [corner for corner in course.corners if phase.start < corner < phase.end]

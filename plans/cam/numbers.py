@@ -17,7 +17,7 @@ from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import laid_end
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.model.cam import MM, RATIO, RETURN, RISE, ROLLER, Cam, dimensions
-from plans.model.cam_motion import CONSTRUCTION, CamFlaw, CamFound, Contour, Extreme, Pressing, Shock, Sizes
+from plans.model.cam_motion import CONSTRUCTION, CamFlaw, CamFound, CamSizes, Contour, Extreme, Pressing, Shock
 from plans.model.motion import Floats
 from plans.quantity import Numbers, pairs, plain
 
@@ -53,7 +53,7 @@ def _cam(result: CamFound, plans: Collection[str]) -> dict[str, Any]:
     return data
 
 
-def _sizes(sizes: Sizes, found: CamFound) -> dict[str, Any]:
+def _sizes(sizes: CamSizes, found: CamFound) -> dict[str, Any]:
     if found.cam.translates:
         return {"roller": found.roller}
     data: dict[str, Any] = {"R0": sizes.base, "roller": found.roller}

@@ -17,10 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.curve import CubicPiece, Piece, RoundPiece, straight
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.profile.profile import CamOutline, OutlineSpot
 from plans.model.cam import DWELL, Cam
-from plans.model.cam_motion import Points, Sizes
+from plans.model.cam_motion import CamSizes, Points
 from plans.model.motion import Floats
 
 PIECES = 72  # to the turn at first: 5 degrees each
@@ -73,12 +73,12 @@ class _Cubics(NamedTuple):
         return np.asarray(3 * ends + 6 * left * share * (self.second - self.first))
 
 
-def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact: bool = True) -> ProfilePath:
+def path(cam: Cam, sizes: CamSizes, away: float = 0.0, pieces: int = PIECES, exact: bool = True) -> ProfilePath:
     """Give the path that lies `away` m outward of the pitch curve, each cubic within the cam's tolerance.
 
     Of a path that need not be `exact` no piece is halved: it has its pieces to the turn, and tells how far it is off.
     """
-    course = Course(cam)
+    course = FollowerCourse(cam)
     outline = CamOutline(course, sizes, away)
     parts: list[_Part] = []
     spans = [(start, end, _rests(cam, (start + end) / 2)) for start, end in pairwise(course.joints)]

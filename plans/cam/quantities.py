@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from plans.analytic.cam.contour import Curve, forces_of
+from plans.analytic.cam.contour import ContourValues, forces_of
 from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import sizes
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 EQUAL = 1e-9  # of an extreme value: what is as large is another place of the same extreme
 NEAR = 1e-6  # of the turn: a place where something is level is known to half of the digits
-Value = Callable[[Curve], Floats]
+Value = Callable[[ContourValues], Floats]
 
 
 def settled(theirs: CamFound, ours: CamFound) -> CamFound:
@@ -73,7 +73,7 @@ def _settled(found: CamFound, extreme: Extreme | None, ours: Extreme | None, val
 
 def _sides(found: CamFound, turned: float, value: Value) -> list[float]:
     """Give a value after a turn of the cam and before it."""
-    curves = (Curve(found.cam, found.sizes, np.array([turned]), before) for before in (False, True))
+    curves = (ContourValues(found.cam, found.sizes, np.array([turned]), before) for before in (False, True))
     return [float(value(curve)[0]) for curve in curves]
 
 
@@ -105,7 +105,7 @@ def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES,
     theirs = tuple(settled(cam_found(made.cam, sizes(made.cam), made.turned), made.found) for made in drawings)
     pairs = zip(drawings, theirs, strict=True)
     lone = len(drawings) == 1
-    findings = [finding for drawing, exact in pairs for finding in Compared(drawing, exact, lone).findings(plans)]
+    findings = [finding for drawing, exact in pairs for finding in ComparedCam(drawing, exact, lone).findings(plans)]
     return Comparison(CamRoad(CONSTRUCTION, cams.found), CamRoad(ANALYSIS, theirs), tuple(findings))
 
 
@@ -134,7 +134,7 @@ def of_cam(comparison: Comparison, name: str) -> list[Quantity]:
 
 
 @dataclass(frozen=True)
-class Compared:
+class ComparedCam:
     """One cam by both roads; beside others its quantities bear its name."""
 
     drawing: CamDrawing

@@ -12,13 +12,13 @@ import numpy as np
 
 from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import sizing
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.cam.diagrams import THREE, LawDiagrams, law_diagrams
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
 from plans.model.cam import Cam
-from plans.model.cam_motion import CamError, CamFound, Contour, Sizes, large_roller, pivot_passed
+from plans.model.cam_motion import CamError, CamFound, CamSizes, Contour, large_roller, pivot_passed
 from plans.model.cyclogram import Window
 from plans.model.motion import Floats
 from plans.scene.faults import Path, dotted
@@ -35,7 +35,7 @@ class CamDrawing:
     """One cam, and what is constructed of it."""
 
     def __init__(self, cam: Cam, made: dict[str, None] | None = None, place: Place | None = None) -> None:
-        self.cam, self.course, self.place = cam, Course(cam), place
+        self.cam, self.course, self.place = cam, FollowerCourse(cam), place
         self.made: dict[str, None] = {} if made is None else made
 
     @cached_property
@@ -83,7 +83,7 @@ class CamDrawing:
                 raise
             raise CamError(placed(self.place(error.key), error.message), *error.key) from error
 
-    def _clear(self, sizes: Sizes) -> None:
+    def _clear(self, sizes: CamSizes) -> None:
         """Refuse a rocker whose pivot the profile under its face passes."""
         turned = np.linspace(0.0, self.cam.turn, CLOSE + 1)
         farthest = float(np.abs(profile(self.course, sizes, 0.0, turned).contour.profile).max())

@@ -12,10 +12,10 @@ import numpy as np
 
 from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import sizing
-from plans.cam.course import Course, law_of
+from plans.cam.course import FollowerCourse, law_of
 from plans.cam.study import LAWS, PROFILE, CamDrawing
 from plans.model.cam import NO_SIZES, RETURN, RISE, TABLE, FollowerLoad, Law, dimensions, interval_of
-from plans.model.cam_motion import CamFound, Contour, Extreme, Sizes
+from plans.model.cam_motion import CamFound, CamSizes, Contour, Extreme
 from plans.model.motion import Floats
 from plans.quantity import Quantity
 
@@ -234,14 +234,14 @@ class Verdicts:
         steepest = min(math.tan(min(abs(interval.low), abs(interval.high))) for interval in intervals)
         return self.slack.way(0) + (self.slack.way(1) + self.slack.centre) / steepest
 
-    def _advised(self, ours: Sizes | None, theirs: Sizes | None) -> Iterator[Quantity]:
+    def _advised(self, ours: CamSizes | None, theirs: CamSizes | None) -> Iterator[Quantity]:
         """Compare the sizes that the limits alone would give: R_0, and the offset or the distance of centres."""
         if ours is None or theirs is None:
             base, their_base = (sizes.base if sizes else UNKNOWN for sizes in (ours, theirs))
             yield _pair(PROFILE, "R_0 advised", "m", base, their_base, 0.0)
             return
         cam = replace(self.ours.cam, given=NO_SIZES)
-        allowed = Slack(replace(self.ours, cam=cam, sizes=ours), sizing(Course(cam)), self.ours.contour).centre
+        allowed = Slack(replace(self.ours, cam=cam, sizes=ours), sizing(FollowerCourse(cam)), self.ours.contour).centre
         beside = ("L", ours.centre, theirs.centre) if cam.rocks else ("e", ours.offset, theirs.offset)
         for name, value, true in (("R_0", ours.base, theirs.base), beside):
             yield _pair(PROFILE, f"{name} advised", "m", value, true, allowed)

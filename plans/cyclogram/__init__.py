@@ -9,13 +9,13 @@ from plans.techniques import Technique
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Told
+    from plans.quantity import Comparison, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
-class Cyclogram(Technique):
+class CyclogramTechnique(Technique):
     """The cyclogram."""
 
     tables = ("cyclogram",)
@@ -55,7 +55,7 @@ class Cyclogram(Technique):
 
         return compare_cyclogram(study.of(CyclogramStudy))
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.cyclogram.quantities import numbers
 
         return numbers(study, by)
@@ -66,4 +66,4 @@ class Cyclogram(Technique):
         return marks(study, position, name)
 
 
-TECHNIQUE = Cyclogram()
+TECHNIQUE = CyclogramTechnique()

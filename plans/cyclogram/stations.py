@@ -13,13 +13,13 @@ from geometry.board import Mark
 from geometry.precision import errors
 from plans.cyclogram import tool
 from plans.cyclogram import tool as watch
-from plans.cyclogram.tool import Notch, Path, Watch, go_back, watch_of, way_back
+from plans.cyclogram.tool import Notch, Path, ToolWatch, go_back, watch_of, way_back
 from plans.linkage.plan import Plan
 from plans.linkage.sweep import FAN, LOOKS, NODES, Sweep, at_angles, pressure
 from plans.linkage.travel import ExtremePositions, OutputTravel
 from plans.model import cyclogram as c
 from plans.model.cyclogram import BESIDE, TURN, Cyclogram, CyclogramTask, Position, Stop
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.mechanism import Output
 from plans.model.motion import Extremes, Floats
 
@@ -76,7 +76,7 @@ class Trial:
         change = int(np.argmax(beyond != beyond[0]))
         return float(nodes[change - 1]), float(nodes[change])
 
-    def watched(self, group: Group) -> list[tuple[float, bool]]:
+    def watched(self, group: Assur) -> list[tuple[float, bool]]:
         """Give where the pressure angle of a group is extreme within a stroke, and whether on the way back."""
         found = []
         for back, stroke in enumerate(self.way):
@@ -134,7 +134,7 @@ class Stations:
         return way_back(self.sweep.mechanism, self.sweep.groups, self.output.link)
 
     @cached_property
-    def watch(self) -> Watch | None:
+    def watch(self) -> ToolWatch | None:
         """The group whose pressure angle is watched."""
         return watch_of(self.sweep.mechanism, self.sweep.groups)
 

@@ -13,7 +13,7 @@ from plans.linkage import leads
 from plans.linkage.plan import Image, Plan
 from plans.linkage.travel import frame_slide
 from plans.model.cyclogram import Watched
-from plans.model.dyad import Dyad, Group
+from plans.model.dyad import Assur, Dyad
 from plans.model.mechanism import FRAME, Mechanism, Output, Slide
 from plans.model.motion import Floats
 from plans.words.words import because
@@ -37,7 +37,7 @@ class Notch(NamedTuple):
         return self.dyad.hinge(self.end)
 
 
-def way_back(mechanism: Mechanism, groups: Sequence[Group], link: int) -> tuple[Notch, ...] | None:
+def way_back(mechanism: Mechanism, groups: Sequence[Assur], link: int) -> tuple[Notch, ...] | None:
     """Give the groups from a link back to the crank; None where some link on the way turns about no fixed pivot."""
     way: list[Notch] = []
     while link != mechanism.drive.link:
@@ -49,7 +49,7 @@ def way_back(mechanism: Mechanism, groups: Sequence[Group], link: int) -> tuple[
     return tuple(way)
 
 
-def notch_of(mechanism: Mechanism, group: Group, link: int) -> Notch | None:
+def notch_of(mechanism: Mechanism, group: Assur, link: int) -> Notch | None:
     """Give how a group is gone through from one of its links that hangs on the frame; None where it cannot be."""
     if not isinstance(group, Dyad) or link not in group.links:
         return None
@@ -167,7 +167,7 @@ def _on_arc(plan: Plan, out: Output, path: Path, shares: Floats) -> Mark:
     return mark
 
 
-class Watch(NamedTuple):
+class ToolWatch(NamedTuple):
     """A group whose pressure angle is watched: how it hangs on a link with a fixed pivot, and the way from there."""
 
     notch: Notch
@@ -189,18 +189,18 @@ class Watch(NamedTuple):
         return Watched(links, dyad.pin, (self.notch.pin, joint))
 
 
-def watch_of(mechanism: Mechanism, groups: Sequence[Group]) -> Watch | None:
+def watch_of(mechanism: Mechanism, groups: Sequence[Assur]) -> ToolWatch | None:
     """Give the first group of a rod with a rocker or a slider on the frame that can be notched; or none."""
     for group in groups:
         links = group.links if isinstance(group, Dyad) and isinstance(group.inner, str) else ()
         notch = next((found for link in links if (found := notch_of(mechanism, group, link))), None)
         way = way_back(mechanism, groups, notch.host) if notch else None
         if notch is not None and way is not None:
-            return Watch(notch, way)
+            return ToolWatch(notch, way)
     return None
 
 
-def construct(plan: Plan, watch: Watch, there: Plan) -> Mark:
+def construct(plan: Plan, watch: ToolWatch, there: Plan) -> Mark:
     """Put the pin where the pressure angle is extreme, then notch back; the crank's vector from pivot to end."""
     notch, board = watch.notch, plan.board
     line = _line(plan, watch)
@@ -214,7 +214,7 @@ def construct(plan: Plan, watch: Watch, there: Plan) -> Mark:
     return go_back(plan, watch.way, there)
 
 
-def _line(plan: Plan, watch: Watch) -> Mark:
+def _line(plan: Plan, watch: ToolWatch) -> Mark:
     """Draw through the host's pivot the line on which the pin stands in its farthest places."""
     notch, joint = watch.notch, watch.dyad.outer[1 - watch.notch.end]
     pivot = plan.point(notch.pivot)

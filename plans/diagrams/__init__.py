@@ -8,12 +8,12 @@ from plans.techniques import Technique
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Told
+    from plans.quantity import Comparison, Stated
     from plans.scene.scene import TechniqueForm
     from plans.study import Made, Study
 
 
-class Diagrams(Technique):
+class DiagramsTechnique(Technique):
     """Kinematic diagrams of the output (кинематические диаграммы).."""
 
     shares = {"sheet": ("diagrams",)}
@@ -37,7 +37,7 @@ class Diagrams(Technique):
 
         return comparison_of(study)
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.diagrams.quantities import numbers
 
         return numbers(study, by)
@@ -48,4 +48,4 @@ class Diagrams(Technique):
         return marks(study, position, name)
 
 
-TECHNIQUE = Diagrams()
+TECHNIQUE = DiagramsTechnique()

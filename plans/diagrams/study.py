@@ -16,7 +16,7 @@ from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import at_angles
 from plans.linkage.travel import OutputTravel
-from plans.model.diagrams import MOST, TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
+from plans.model.diagrams import MOST, TURN, Axis, Count, Diagrams, OutputRates, axis_of, still, unfollowed
 from plans.model.motion import ORDERS, Floats
 from plans.scene import fields as f
 from plans.scene.scene import TechniqueForm
@@ -58,13 +58,13 @@ class OutputCourse:
         self.lead = drive.epsilon / drive.omega if drive.omega else 0.0
 
     @cached_property
-    def positions(self) -> Course:
+    def positions(self) -> OutputRates:
         """The course at the positions of the axis, read off the plans that are there, (M,)."""
         motion = self.study.motion()
         chosen = list(self.axis.numbers)
         return self._counted(self.axis.turned, [row[chosen] for row in self.travel.rows(motion)])
 
-    def at(self, turned: Floats) -> Course:
+    def at(self, turned: Floats) -> OutputRates:
         """Give the course at angles of the axis that are reached, (N,); NaN where there is none."""
         drafts = Drafts(self.study, self._turn(turned))
         s, *rates = self.travel.rows(drafts.motion(2))
@@ -88,7 +88,7 @@ class OutputCourse:
             return Count(float(np.mean((raw - turns * self.axis.turned)[:-1])), 1.0, turns)
         return Count(float(np.nanmin(raw)))
 
-    def _counted(self, turned: Floats, rows: Sequence[Floats]) -> Course:
+    def _counted(self, turned: Floats, rows: Sequence[Floats]) -> OutputRates:
         return self.count.course(turned, (self._unwrapped(turned, rows[0]), *rows[1:]), self.omega)
 
     def _turn(self, turned: Floats) -> CrankPositions:

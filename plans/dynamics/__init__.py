@@ -11,7 +11,7 @@ from plans.words.words import Message, message
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
     from plans.model.motion import Pace
-    from plans.quantity import Comparison, Quantity, Told
+    from plans.quantity import Comparison, Quantity, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
@@ -59,7 +59,7 @@ class Dynamics(Technique):
 
         return quantities_of(study)
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.dynamics.numbers import numbers
 
         return numbers(study, by)

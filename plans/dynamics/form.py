@@ -8,7 +8,7 @@ from decimal import Decimal
 from itertools import pairwise
 from typing import Any
 
-from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled
+from plans.model.motor import Constant, Kloss, Linear, Motor, MotorLaw, Tabled
 from plans.model.run import RunTask
 from plans.scene import fields as f
 from plans.scene import forms, units
@@ -24,7 +24,7 @@ PLAIN = re.compile(r"\s*[+-]?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?\s*")
 WRITTEN = r"^\s*1\s*/\s*(?!0+(?:\.0+)?\s*$)[0-9]+(?:\.[0-9]+)?\s*$"  # for editors
 DIVISIONS_LEAST, DIVISIONS_MOST = 12, 4096
 RATIO_LIMIT = Decimal("1e4")
-TIME = units.Kind(
+TIME = units.UnitKind(
     "time",
     "s",
     {"s": Decimal(1), "ms": Decimal("0.001"), "с": Decimal(1), "мс": Decimal("0.001")},
@@ -195,7 +195,7 @@ class MotorTable(Table):
         return {"oneOf": [_none_of(every), *laws]}
 
     @property
-    def law(self) -> Law | None:
+    def law(self) -> MotorLaw | None:
         """The law; None where none is given."""
         if self.starting is not None:
             return Linear(*_floats(self.starting, self.synchronous))

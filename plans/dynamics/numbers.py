@@ -15,7 +15,7 @@ from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS, Dynami
 from plans.linkage.quantities import compare
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
 from plans.model.motion import VELOCITIES, Floats, Pace, Rates
-from plans.model.run import Account, Failure, Run, Stage, SteadyTurn
+from plans.model.run import Account, Failure, MachineRun, Stage, SteadyTurn
 from plans.quantity import Numbers, Quantity, gap_numbers, plain
 from plans.words.words import message, placed
 
@@ -93,7 +93,7 @@ def _speeds(found: Speeds | None) -> dict[str, Any] | None:
     }
 
 
-def _run(found: Run) -> dict[str, Any]:
+def _run(found: MachineRun) -> dict[str, Any]:
     return {
         "stages": [_stage(found, stage) for stage in found.stages],
         "steady": None if found.steady is None else _steady(found.steady),
@@ -106,7 +106,7 @@ def _run(found: Run) -> dict[str, Any]:
     }
 
 
-def _stage(run: Run, stage: Stage) -> dict[str, Any]:
+def _stage(run: MachineRun, stage: Stage) -> dict[str, Any]:
     return {
         "name": stage.name,
         "t": [float(run.t[stage.first]), float(run.t[stage.last])],

@@ -28,7 +28,7 @@ from plans.analytic.dynamics.flywheel import (
     sampled_cycle,
     wheel,
 )
-from plans.analytic.dynamics.reduction import Reduction as Reducing
+from plans.analytic.dynamics.reduction import ExactReduction as Reducing
 from plans.analytic.dynamics.reduction import reduced
 from plans.analytic.dynamics.speeds import (
     Stall,
@@ -45,7 +45,7 @@ from plans.model.dynamics import Cycle, Flywheel, Methods, Speeds
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
-from plans.model.run import Account, Run
+from plans.model.run import Account, MachineRun
 from plans.quantity import Comparison, Quantity
 
 if TYPE_CHECKING:
@@ -310,7 +310,7 @@ def _exact(
     return true, after, before
 
 
-def _run(study: DynamicsStudy, turn: Exact) -> Run:
+def _run(study: DynamicsStudy, turn: Exact) -> MachineRun:
     """Find the run of the machine with the flywheel that was constructed."""
     from plans.analytic.dynamics.run import run  # noqa: PLC0415  (only a scene with a motor pays for the solver)
 

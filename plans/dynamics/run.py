@@ -23,9 +23,9 @@ from plans.model.run import (
     TURNS_MOST,
     UNSETTLED,
     Failure,
+    MachineRun,
     Method,
     ReducedLink,
-    Run,
     RunTask,
     Stage,
     SteadyTurn,
@@ -43,9 +43,9 @@ PART = 0.25
 STRIPS = 360  # of a turn, for the mean resistance: fine enough not to be told from the exact one
 
 
-def run(link: ReducedLink, motor: Motor, task: RunTask) -> Run:
+def run(link: ReducedLink, motor: Motor, task: RunTask) -> MachineRun:
     """Make the table of a machine's run from rest."""
-    return _Table(link, motor, task).run
+    return _TableOfRun(link, motor, task).run
 
 
 def step_of(link: ReducedLink, motor: Motor, task: RunTask) -> float:
@@ -65,7 +65,7 @@ def mean_resistance(link: ReducedLink) -> float:
 
 
 @dataclass
-class _Table:
+class _TableOfRun:
     """A table in the making: parts are added to it stage by stage, until one fails."""
 
     link: ReducedLink
@@ -82,13 +82,13 @@ class _Table:
         return step_of(self.link, self.motor, self.task)
 
     @property
-    def run(self) -> Run:
+    def run(self) -> MachineRun:
         """The run with all its stages."""
         if self._runs_up() and self._goes_on() and self.task.brake is not None:
             self._runs_down(self.task.brake)
         t, turned, omega, epsilon = np.array(self.rows, dtype=float).T
         stages, method = tuple(self.stages), self._method
-        return Run(CONSTRUCTION, t, turned, omega, epsilon, stages, self.steady, method, self.failure)
+        return MachineRun(CONSTRUCTION, t, turned, omega, epsilon, stages, self.steady, method, self.failure)
 
     @property
     def _method(self) -> Method:

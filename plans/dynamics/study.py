@@ -22,7 +22,7 @@ from plans.linkage.study import LinkageStudy, obstruction
 from plans.model.dynamics import CONSTRUCTION, ROUNDED, TURN, Cycle, Flywheel, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
 from plans.model.motor import Motor
-from plans.model.run import Account, ReducedLink, Run, RunTask
+from plans.model.run import Account, MachineRun, ReducedLink, RunTask
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:
@@ -219,7 +219,7 @@ class DynamicsStudy:
         return motor_of(self._form.motor)
 
     @cached_property
-    def run(self) -> Run | None:
+    def run(self) -> MachineRun | None:
         """The run from rest by the table; None without a motor."""
         if self.motor is None:
             return None

@@ -10,13 +10,13 @@ from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Told
+    from plans.quantity import Comparison, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
-class Forces(Technique):
+class ForcesTechnique(Technique):
     """Forces."""
 
     tables = ("masses", "loads", "friction")
@@ -60,7 +60,7 @@ class Forces(Technique):
 
         return compare_forces(study.of(Statics), study.of(MotionComparison))
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.forces.quantities import numbers
 
         return numbers(study, by)
@@ -75,4 +75,4 @@ class Forces(Technique):
         return [message("report.idle_loads" if given else "report.no_loads")]
 
 
-TECHNIQUE = Forces()
+TECHNIQUE = ForcesTechnique()

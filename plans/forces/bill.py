@@ -12,7 +12,7 @@ from plans.analytic.points import acceleration, placed
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING, DRIVING
 from plans.forces.dyads import GROUP_FORCES, Split
-from plans.model.dyad import Group, Pair, pair
+from plans.model.dyad import Assur, Pair, pair
 from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
 from plans.model.machine import GEAR, Machine
 from plans.model.mechanism import FRAME, Mechanism
@@ -25,7 +25,7 @@ class LoadedPosition:
 
     mechanism: Mechanism
     machine: Machine
-    groups: Sequence[Group]
+    groups: Sequence[Assur]
     motion: Motion
     loading: Loading
     forces: Kinetostatics
@@ -115,7 +115,7 @@ class ForceBill:
     """The forces on a group, or with None on the primary link, in one position."""
 
     position: LoadedPosition
-    group: Group | None
+    group: Assur | None
 
     @property
     def links(self) -> tuple[int, ...]:

@@ -11,7 +11,7 @@ import numpy as np
 from geometry.board import Board, Mark
 from geometry.tracing import remade
 from plans.linkage.plan import Plan
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Slide
@@ -183,7 +183,7 @@ class MomentEquation(NamedTuple):
 class CutGroup(NamedTuple):
     """A group, or the primary link, with its known forces, its reactions, its equations and its polygon in order."""
 
-    group: Group | None
+    group: Assur | None
     links: tuple[int, ...]
     loads: tuple[Load, ...]
     couples: tuple[Couple, ...]

@@ -20,7 +20,7 @@ from plans.forces.cut import CLOSING, PART, CutGroup, ForcePlan, Load, MomentEqu
 from plans.forces.loading import carried
 from plans.linkage import leads
 from plans.linkage.ram import apart
-from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction
+from plans.model.kinetostatics import Applied, Effort, Kinetostatics, Loading, Reaction
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.model.mechanism import FRAME, Drive, Mechanism, Ram, Slide
 from plans.model.motion import Complexes, Floats, Motion
@@ -149,7 +149,7 @@ def joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:
         names = ("r", "force", "moment", "along")
         rows = (_together([getattr(part.reactions[key], name) for part in parts]) for name in names)
         reactions[key] = Reaction(first.giver, first.taker, first.point, *rows)
-    balancing = Balancing(*(_together(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
+    balancing = Effort(*(_together(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
     return Kinetostatics(parts[0].by, np.concatenate([part.phi for part in parts]), reactions, balancing, ())
 
 
@@ -164,7 +164,7 @@ def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics
         for key, reaction in forces.reactions.items()
     }
     drive = forces.balancing
-    balancing = Balancing(kept(drive.moment), kept(drive.force), drive.r)
+    balancing = Effort(kept(drive.moment), kept(drive.force), drive.r)
     return replace(forces, reactions=reactions, balancing=balancing)
 
 

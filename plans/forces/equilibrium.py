@@ -15,7 +15,7 @@ from geometry.meet import EPS, cross, dot
 from geometry.precision import OWN
 from plans.forces.loading import carried
 from plans.linkage.quantities import largest_of
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
@@ -109,7 +109,7 @@ def largest(parts: Sequence[LinkForce]) -> tuple[float, float]:
     return largest_of([np.abs(part.force) for part in parts]), largest_of(moments)
 
 
-def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[LinkForce], off: Floats) -> list[Quantity]:
+def balances(mechanism: Mechanism, groups: Sequence[Assur], parts: Sequence[LinkForce], off: Floats) -> list[Quantity]:
     """Check each link, each group and the whole; reactions within a group and within the whole cancel."""
     links = sorted(set(mechanism.links) - {FRAME})
     bodies = [(str(link), [link]) for link in links]

@@ -20,8 +20,8 @@ from plans.forces.lever import Lever, lever
 from plans.linkage import leads
 from plans.linkage.motion_plans import PlanTemplate, resting
 from plans.linkage.plan import Plan
-from plans.model.dyad import Group
-from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
+from plans.model.dyad import Assur
+from plans.model.kinetostatics import Effort, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine
 from plans.model.motion import Floats
 
@@ -29,7 +29,7 @@ from plans.model.motion import Floats
 class ForceDrawing:
     """What a pattern of forces does, by drawing: the plans below take the place of its numbers."""
 
-    def __init__(self, groups: Sequence[Group], machine: Machine) -> None:
+    def __init__(self, groups: Sequence[Assur], machine: Machine) -> None:
         self.groups, self.machine = groups, machine
 
     def follow(self, plans: Sequence[Plan], loading: Loading) -> ForcePlan:
@@ -66,7 +66,7 @@ def read(plan: ForcePlan, phi: Floats, value: Callable[[Mark], Any]) -> Kinetost
         reactions[f"{reaction.giver}-{reaction.taker}"] = reaction
     moment = numbers(plan.balancing).real.copy()
     driving = () if plan.drive is None or plan.driven is None else (numbers(plan.drive), numbers(plan.driven))
-    return Kinetostatics("construction", phi, reactions, Balancing(moment, *driving), ())
+    return Kinetostatics("construction", phi, reactions, Effort(moment, *driving), ())
 
 
 def _reaction(plan: ForcePlan, support: Support, numbers: Callable[[Mark], Any]) -> Reaction:
@@ -83,7 +83,7 @@ def _reaction(plan: ForcePlan, support: Support, numbers: Callable[[Mark], Any])
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def forces(accelerations: Plan, groups: Sequence[Group], machine: Machine, loading: Loading) -> ForcePlan:
+def forces(accelerations: Plan, groups: Sequence[Assur], machine: Machine, loading: Loading) -> ForcePlan:
     """Draw the force plan over the acceleration plan, the group attached last first (section 6.4.5, M5.7)."""
     plan = ForcePlan(accelerations, machine, loading)
     for group in reversed(groups):
@@ -105,7 +105,7 @@ class ForcePlans(NamedTuple):
 class ForcePattern:
     """The force plan over a pattern of accelerations; the lever is hung when it is looked at."""
 
-    def __init__(self, pattern: PlanTemplate, groups: Sequence[Group], machine: Machine, loading: Loading) -> None:
+    def __init__(self, pattern: PlanTemplate, groups: Sequence[Assur], machine: Machine, loading: Loading) -> None:
         self.pattern = pattern
         self.plan = forces(pattern.plans[2], groups, machine, loading)
         self._below = [plan.board for plan in pattern.plans]

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from geometry.meet import cross, dot
 from plans.forces.loading import carried
-from plans.model.dyad import Group, pair
+from plans.model.dyad import Assur, pair
 from plans.model.kinetostatics import CENTRAL, SLANTED, TILTED, Friction, Jam, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine, Rubbing
 from plans.model.mechanism import FRAME, Mechanism
@@ -140,7 +140,7 @@ class DrivenLink(NamedTuple):
         return SLANTED if rubbing.coefficient * abs(ray.imag) >= abs(ray.real) else TILTED
 
 
-def drives(groups: Sequence[Group], reactions: Mapping[str, Reaction]) -> Iterator[tuple[str, DrivenLink]]:
+def drives(groups: Sequence[Assur], reactions: Mapping[str, Reaction]) -> Iterator[tuple[str, DrivenLink]]:
     """Find the pairs of the frame whose links are driven by a group that hangs on a moving link."""
     for group in groups:
         outer = group.outer_pairs
@@ -173,7 +173,7 @@ ROUNDINGS = 6
 @np.errstate(divide="ignore", invalid="ignore")  # a gap is NaN inside; a ray without effect is a dead centre
 def friction(
     mechanism: Mechanism,
-    groups: Sequence[Group],
+    groups: Sequence[Assur],
     machine: Machine,
     motion: Motion,
     loading: Loading,

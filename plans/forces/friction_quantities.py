@@ -27,13 +27,13 @@ def compare_friction(
     """Give friction by construction, and compare it with that of the analysis, over forces that are compared."""
     study, ours = statics.study, statics.friction
     assert ours is not None  # the machine has friction
-    both = _Compared(statics, motion, forces, (ours, theirs))
+    both = _ComparedFriction(statics, motion, forces, (ours, theirs))
     powers = both.powers(statics.loading(motion.construction))
     found = *cap(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
     return ours, found
 
 
-class _Compared:
+class _ComparedFriction:
     """What friction takes by both roads, with what the differences of reactions and rates allow of it."""
 
     def __init__(

@@ -9,13 +9,13 @@ from plans.techniques import MOTION, Technique
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Quantity, Told
+    from plans.quantity import Comparison, Quantity, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
-class Linkage(Technique):
+class LinkageTechnique(Technique):
     """Linkages."""
 
     tables = ("mechanism", "drive", "output")
@@ -58,7 +58,7 @@ class Linkage(Technique):
 
         return quantities_of(study)
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.linkage.quantities import numbers
 
         return numbers(study, by)
@@ -69,4 +69,4 @@ class Linkage(Technique):
         return marks(study, position, name)
 
 
-TECHNIQUE = Linkage()
+TECHNIQUE = LinkageTechnique()

@@ -15,7 +15,7 @@ from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import positions
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES, CrankPositions
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.mechanism import Mechanism, Slide
 from plans.model.motion import Complexes, Floats
 from plans.words.words import message
@@ -85,7 +85,7 @@ def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> BarrierEdg
 NOWHERE = 8.0 * UNBORNE
 
 
-def margins(plan: Plan, groups: Sequence[Group], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
+def margins(plan: Plan, groups: Sequence[Assur], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
     """Give every group's margin over the positions, (groups, positions): above 0 assembled, 0 dead, below 0 missing.
 
     A miss counts as -1: only its sign is meant. Two guides cross with the sine of their angle, signed as the group's
@@ -114,7 +114,7 @@ def crossing(mark: Mark) -> Floats | None:
     return np.asarray(turned / (np.abs(first.direction) * np.abs(second.direction)))
 
 
-def undefined(plan: Plan, groups: Sequence[Group]) -> npt.NDArray[np.bool_]:
+def undefined(plan: Plan, groups: Sequence[Assur]) -> npt.NDArray[np.bool_]:
     """Tell at which positions each group has no one place, (groups, positions): its loci miss, fall into one, ..."""
     count = max(np.size(mark.point) for mark in plan.letters.values())
     return np.array([np.broadcast_to(_nowhere(meeting(plan, group)), count) for group in groups])
@@ -131,7 +131,7 @@ def _nowhere(mark: Mark) -> npt.NDArray[np.bool_]:
     return np.asarray(none | (np.abs(between(*ends)) <= NOWHERE * away))
 
 
-def meeting(plan: Plan, group: Group) -> Mark:
+def meeting(plan: Plan, group: Assur) -> Mark:
     """Give the mark of a group's own meeting on the plan of positions."""
     return KINDS[group.kind].meeting(plan, group)
 
@@ -172,7 +172,7 @@ class SideChoice(NamedTuple):
 
 
 def assembly(
-    mechanism: Mechanism, groups: Sequence[Group], first: CrankPositions | None, whole: CrankPositions
+    mechanism: Mechanism, groups: Sequence[Assur], first: CrankPositions | None, whole: CrankPositions
 ) -> Assembly:
     """Choose each group's side by the sketch at the first position, or where the first is not known, over a whole turn.
 
@@ -204,7 +204,7 @@ def _shown_sides(choices: Sequence[SideChoice]) -> list[float]:
 
 
 def _crossed(
-    mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[float], turn: CrankPositions
+    mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[float], turn: CrankPositions
 ) -> tuple[float, ...]:
     """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
     plan = positions(mechanism, groups, sides, turn)
@@ -215,7 +215,7 @@ def _crossed(
 
 
 def _out_of_reach(
-    mechanism: Mechanism, groups: Sequence[Group], choices: Sequence[SideChoice], first: CrankPositions
+    mechanism: Mechanism, groups: Sequence[Assur], choices: Sequence[SideChoice], first: CrankPositions
 ) -> None:
     """See that a first position without places is out of reach, and not one at which a group has no one place."""
     plan = positions(mechanism, groups, [choice.side for choice in choices], first)
@@ -227,7 +227,7 @@ def _out_of_reach(
             raise SketchError(message("sketch.nowhere", group=group.label, point=mark.name), ())
 
 
-def _choices(mechanism: Mechanism, groups: Sequence[Group], turn: CrankPositions) -> list[SideChoice]:
+def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions) -> list[SideChoice]:
     plan, choices = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn), []
     for group in groups:
         kind, shown = KINDS[group.kind], _shown(mechanism, group)
@@ -252,13 +252,13 @@ def _parallel(mark: Mark) -> npt.NDArray[np.bool_]:
     return np.zeros(1, dtype=bool) if turned is None else np.asarray(~(np.abs(turned) > NOWHERE))
 
 
-def _shown(mechanism: Mechanism, group: Group) -> list[str]:
+def _shown(mechanism: Mechanism, group: Assur) -> list[str]:
     """Give the sketched points of a group's links."""
     points = {point for link in group.links for point in mechanism.links[link].points}
     return sorted(points & set(mechanism.sketch))
 
 
-def untold(mechanism: Mechanism, group: Group) -> float | None:
+def untold(mechanism: Mechanism, group: Assur) -> float | None:
     """Give the side of a group that has no point but its outer hinges, so that no sketch can tell its assembly.
 
     A slot then runs from its link's own point through the stone: its angle tells which way it is directed.
@@ -297,7 +297,7 @@ def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], cou
     return SideChoice(np.where(misfits[1] < misfits[0], -1.0, 1.0), clarity, np.minimum(*misfits))
 
 
-def _decided(mechanism: Mechanism, group: Group, choice: SideChoice, position: int) -> float:
+def _decided(mechanism: Mechanism, group: Assur, choice: SideChoice, position: int) -> float:
     if KINDS[group.kind].assemblies > 1 and not choice.clarity[position] >= CLARITY:
         points = sorted({point for link in group.links for point in mechanism.links[link].points})
         free = tuple(p for p in points if p not in mechanism.links[0].points and p != mechanism.drive.end)

@@ -16,7 +16,7 @@ from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
 from plans.linkage.sweep import RedrawnPlans, Sweep
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,
     CHANGE_POINT,
@@ -240,7 +240,7 @@ class Drawable(Protocol):
         """The mechanism with its chosen assembly."""
 
     @property
-    def groups(self) -> tuple[Group, ...]:
+    def groups(self) -> tuple[Assur, ...]:
         """Its structural groups."""
 
     @property

@@ -14,13 +14,13 @@ from geometry.tracing import Tracing
 from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan, heading
 from plans.linkage.primary import PRIMARIES, CrankPositions
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.mechanism import Mechanism
 from plans.model.motion import LinkMotion, Motion, PointMotion, Rates, steady
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def positions(mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[Sizes], turn: CrankPositions) -> Plan:
+def positions(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Sizes], turn: CrankPositions) -> Plan:
     """Draw the plan of positions; `sides` gives each group's side of its meeting, NaN where it must stay undrawn."""
     plan = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn)
     for group, side in zip(groups, sides, strict=True):
@@ -29,7 +29,7 @@ def positions(mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[Siz
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def velocities(positions: Plan, groups: Sequence[Group], rates: Rates | None = None) -> Plan:
+def velocities(positions: Plan, groups: Sequence[Assur], rates: Rates | None = None) -> Plan:
     """Draw the velocity plan over a plan of positions, group after group (section 6.4.2, M3.1).
 
     `rates` are the drive's in each of the positions; None: those that its scene gives.
@@ -43,7 +43,7 @@ def velocities(positions: Plan, groups: Sequence[Group], rates: Rates | None = N
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def accelerations(velocities: Plan, groups: Sequence[Group], rates: Rates | None = None) -> Plan:
+def accelerations(velocities: Plan, groups: Sequence[Assur], rates: Rates | None = None) -> Plan:
     """Draw the acceleration plan over the velocity plan, group after group (section 6.4.2, M3.1).
 
     `rates` are those by which the velocity plan was drawn.

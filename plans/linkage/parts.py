@@ -22,7 +22,7 @@ from plans.linkage.plan import NONE, Masses, Plan, PlanLetters, Sliding, Slotted
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison, with_analysis
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, VELOCITIES, Complexes, Floats, Motion, Order
 from plans.quantity import Quantity, Shown
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 Arrow = tuple[str, str, str]
 
 
-def vectors_of(mechanism: Mechanism, groups: Iterable[Group]) -> Iterator[Vector]:
+def vectors_of(mechanism: Mechanism, groups: Iterable[Assur]) -> Iterator[Vector]:
     """Tell the vectors that the plans of a mechanism must have, beside those of its points."""
     yield from PRIMARIES[mechanism.drive.kind].vectors(mechanism)
     for group in groups:
@@ -47,7 +47,7 @@ class AnalysedVectors:
     def __init__(self, mechanism: Mechanism, motion: Motion, position: int, letters: PlanLetters) -> None:
         self.mechanism, self.motion, self.k, self.letters = mechanism, motion, position, letters
 
-    def arrows(self, groups: Sequence[Group]) -> dict[Arrow, complex]:
+    def arrows(self, groups: Sequence[Assur]) -> dict[Arrow, complex]:
         """Give every arrow that a plan may show between named points, normal and Coriolis ends."""
         found = dict(self._absolute())
         for vector in vectors_of(self.mechanism, groups):
@@ -148,7 +148,7 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
     """
     drafts, made = study.drafts(), comparison.construction
     gone = np.any([np.isnan(point[made.order]) for point in made.points.values()], axis=0)
-    parts = _Parts(study, drafts, comparison.analysis, masses).all()
+    parts = _PlanParts(study, drafts, comparison.analysis, masses).all()
     bounds = errors(*(mark for part in parts for mark in part.span))
     found = []
     for part in parts:
@@ -164,7 +164,7 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
 
 def spans(study: LinkageStudy, drafts: Drafts, motion: Motion, masses: Masses = NONE) -> dict[str, Span]:
     """Give where the plans of some positions show each part, by its letters."""
-    return {part.name: part.span for part in _Parts(study, drafts, motion, masses).all()}
+    return {part.name: part.span for part in _PlanParts(study, drafts, motion, masses).all()}
 
 
 def alike(findings: Iterable[Quantity], mechanism: Mechanism, masses: Masses = NONE) -> list[tuple[Quantity, ...]]:
@@ -188,7 +188,7 @@ def carried_from(line: Mark, direction: Mark) -> bool:
     return line.step.inputs[1].step.inputs == (direction,)
 
 
-class _Parts(NamedTuple):
+class _PlanParts(NamedTuple):
     """The parts on the plans of some positions, and the motion there by analysis."""
 
     study: LinkageStudy

@@ -20,7 +20,7 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sweep import FAN, NODES, Sweep, at_angles
 from plans.linkage.travel import ExtremePositions, extremes, output
-from plans.model.dyad import Group, decompose
+from plans.model.dyad import Assur, decompose
 from plans.model.machine import NoWorkingStroke
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import OUT_OF_REACH, PLANS, Floats, Motion, Pace, Rates, numbers_of, rates_at, steady
@@ -101,7 +101,7 @@ class LinkageStudy:
         return mechanism_of(self.scene)
 
     @cached_property
-    def groups(self) -> tuple[Group, ...]:
+    def groups(self) -> tuple[Assur, ...]:
         """The Assur groups in solving order."""
         try:
             return decompose(self.mechanism)

@@ -21,7 +21,7 @@ from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import UNIT, PlanTemplate, accelerations, positions, resting, velocities
 from plans.linkage.plan import Plan, angle, rate
 from plans.linkage.primary import CrankPositions
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.mechanism import Mechanism
 from plans.model.motion import CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES, Floats, LinkMotion, Motion, PointMotion
 
@@ -52,7 +52,7 @@ def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home:
 class RedrawnPlans:
     """Plans up to an order, drawn anew wherever they are asked for: no pattern fits sides that change."""
 
-    def __init__(self, positions: Callable[[CrankPositions], Plan], groups: Sequence[Group], order: int) -> None:
+    def __init__(self, positions: Callable[[CrankPositions], Plan], groups: Sequence[Assur], order: int) -> None:
         self._positions, self.groups, self.order = positions, groups, order
 
     def follow(self, turn: CrankPositions) -> list[Plan]:
@@ -124,7 +124,7 @@ class Sweep:
     def __init__(
         self,
         mechanism: Mechanism,
-        groups: Sequence[Group],
+        groups: Sequence[Assur],
         sides: Sequence[float],
         home: float = 0.0,
         passed: tuple[Passed, ...] = (),
@@ -311,7 +311,7 @@ _FOUND: WeakKeyDictionary[Sweep, tuple[Floats | None, list[PressureInterval]]] =
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside
-def pressure(plan: Plan, group: Group) -> Floats:
+def pressure(plan: Plan, group: Assur) -> Floats:
     """Read off the plan of positions a group's signed pressure angle, rad, at every position (угол давления, M1.3).
 
     It stands between the force on the driven link and the velocity of its point over what guides it.
@@ -319,7 +319,7 @@ def pressure(plan: Plan, group: Group) -> Floats:
     return KINDS[group.kind].pressure(plan, group)
 
 
-def interval(sweep: Sweep, group: Group, nodes: Floats | None = None) -> PressureInterval:
+def interval(sweep: Sweep, group: Assur, nodes: Floats | None = None) -> PressureInterval:
     """Find the interval of a group's pressure angle (M1.3) over crank angles close to each other, or over a turn."""
     known = _FOUND.get(sweep)
     if known is None or known[0] is not nodes:
@@ -338,7 +338,7 @@ def _intervals(sweep: Sweep, nodes: Floats) -> list[PressureInterval]:
 
     if not nodes.size:
         return [PressureInterval(*2 * (float("nan"),))] * len(sweep.groups)
-    ends = [_Least(nodes, values) for values in seen(nodes)]
+    ends = [_Lowest(nodes, values) for values in seen(nodes)]
     for _ in range(LOOKS):
         fans = np.array([np.linspace(end.low, end.high, FAN) for end in ends])
         values = seen(fans.ravel()).reshape(len(ends), len(ends), FAN)
@@ -347,7 +347,7 @@ def _intervals(sweep: Sweep, nodes: Floats) -> list[PressureInterval]:
     return [PressureInterval(low.least, -high.least) for low, high in zip(ends[::2], ends[1::2], strict=True)]
 
 
-class _Least:
+class _Lowest:
     """The least of some values over crank angles, sought at nodes and then between the neighbours of the least one."""
 
     def __init__(self, nodes: Floats, values: Floats) -> None:

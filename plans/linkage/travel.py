@@ -15,7 +15,7 @@ from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.linkage.sweep import FAN, LOOKS, NODES, Sweep, at_angles, changes_of_sign
-from plans.model.dyad import Group
+from plans.model.dyad import Assur
 from plans.model.machine import by_time, works
 from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output, Parting, Slide
 from plans.model.motion import Complexes, Extremes, Floats, Motion, PointMotion
@@ -149,7 +149,7 @@ class ExtremePositions(NamedTuple):
     rests: tuple[float, ...]  # all crank angles, rad, in which the output reverses: more than two have no time ratio
 
 
-def output(mechanism: Mechanism, groups: Sequence[Group]) -> Output:
+def output(mechanism: Mechanism, groups: Sequence[Assur]) -> Output:
     """Give the output link: the scene's own, or the last link on the frame of the last group, or else its last link."""
     if mechanism.output is not None:
         return mechanism.output
@@ -160,7 +160,7 @@ def output(mechanism: Mechanism, groups: Sequence[Group]) -> Output:
     return Output(link, slide.point if slide else None, mechanism.working)
 
 
-def notches(mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[float]) -> tuple[Plan, list[Mark]] | None:
+def notches(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[float]) -> tuple[Plan, list[Mark]] | None:
     """Construct the crank's two extreme directions for the first group that joins crank and frame; None for others.
 
     The marks are the crank's end in both extremes.

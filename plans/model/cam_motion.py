@@ -132,7 +132,7 @@ class Shock(NamedTuple):
     jump: float
 
 
-class Sizes(NamedTuple):
+class CamSizes(NamedTuple):
     """Main sizes m: the least radius R0, the offset e, the distance of centres L and where the follower's pivot is.
 
     Of a flat face `base` is the distance of the face from O at the start. `pivot` is O1 - O, `initial` the rocker's
@@ -212,7 +212,7 @@ class CamFound:
     """All that one road finds of one cam."""
 
     cam: Cam
-    sizes: Sizes
+    sizes: CamSizes
     roller: float  # m; 0 of a pointed or flat follower
     contour: Contour  # at the numbered positions
     shocks: tuple[Shock, ...] = ()
@@ -227,4 +227,4 @@ class CamFound:
     # R0, m, that would keep the pressure angle to its limits with the offset as it is, under a flat face the radius of
     # curvature.
     mending: float | None = None
-    advised: Sizes | None = None  # that would keep it to them, where it does not; None: it does, or no sizes do
+    advised: CamSizes | None = None  # that would keep it to them, where it does not; None: it does, or no sizes do

@@ -142,7 +142,7 @@ class Cyclogram:
         return ()
 
 
-class Span(NamedTuple):
+class Period(NamedTuple):
     """A part of a row: from one turn of the main shaft to another, rad, the end after the start; what is done then."""
 
     start: float
@@ -151,11 +151,11 @@ class Span(NamedTuple):
     label: str = ""
 
 
-class Row(NamedTuple):
+class BarRow(NamedTuple):
     """A mechanism over the turn of the main shaft: its name, what it does then, and its setting angle rad, if any."""
 
     name: str
-    spans: tuple[Span, ...]
+    spans: tuple[Period, ...]
     setting: float | None = None
 
 
@@ -165,7 +165,7 @@ def within(turned: float) -> float:
     return 0.0 if TURN - found <= SLIVER else found
 
 
-def pieces(span: Span, begin: float = 0.0) -> Iterator[Span]:
+def pieces(span: Period, begin: float = 0.0) -> Iterator[Period]:
     """Cut a span where a turn from `begin` starts anew; its parts are counted from there, 0 to a whole turn.
 
     >>> [(round(one.start, 3), round(one.end, 3)) for one in pieces(Span(6.0, 7.0, "rise"))]

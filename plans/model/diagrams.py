@@ -25,7 +25,7 @@ ROUNDED = 1e-9  # rad: far more than a rounding of an angle, and far less than t
 MOST = 360  # positions: of more a chord is shorter than the line it is drawn with
 
 
-class Course(NamedTuple):
+class OutputRates(NamedTuple):
     """The output's coordinate, velocity and acceleration at some angles, (N,) each."""
 
     s: Floats
@@ -47,10 +47,10 @@ class Count(NamedTuple):
     sense: float = 1.0
     turns: float = 0.0
 
-    def course(self, turned: Floats, rows: Sequence[Floats], omega: float) -> Course:
+    def course(self, turned: Floats, rows: Sequence[Floats], omega: float) -> OutputRates:
         """Count a coordinate, its velocity and acceleration at angles; the crank turns with omega > 0, rad/s."""
         s, v, a = rows
-        return Course(
+        return OutputRates(
             self.sense * (s - self.zero) - self.turns * turned, self.sense * v - self.turns * omega, self.sense * a
         )
 
@@ -117,7 +117,7 @@ class Diagrams:
     axis: Axis
     count: Count
     lead: float
-    at: Course  # (M,)
+    at: OutputRates  # (M,)
     speeds: Floats  # (M - 1,): v by the chords of S, over the middles; NaN of a part that is not passed
     growths: Floats  # (M,): a by the chords of v, over the places
     true_speeds: Floats  # (M - 1,): v at the middles
@@ -184,7 +184,7 @@ def unfollowed(axis: Axis) -> Message | None:
     return message("diagrams.few", least=FEWEST) if longest < FEWEST else None
 
 
-def still(course: Course, count: Count, omega: float, link: int) -> Message | None:
+def still(course: OutputRates, count: Count, omega: float, link: int) -> Message | None:
     """See that the output moves, and not evenly with the crank, which turns with omega > 0."""
     if np.nanmax(np.abs(course.v), initial=0.0) > STILL * omega:
         return None

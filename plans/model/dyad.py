@@ -147,7 +147,7 @@ class Pair(NamedTuple):
         return self.joint if isinstance(self.joint, str) else self.joint.point
 
 
-class Group(Protocol):
+class Assur(Protocol):
     """A structural group: links that have one place, or one of a few, as soon as their hosts have theirs."""
 
     @property
@@ -180,7 +180,7 @@ def pair(first: int, other: int, joint: Joint) -> Pair:
     return Pair(min(first, other), max(first, other), joint)
 
 
-def pairs(mechanism: Mechanism, groups: Sequence[Group]) -> tuple[Pair, ...]:
+def pairs(mechanism: Mechanism, groups: Sequence[Assur]) -> tuple[Pair, ...]:
     """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
     found = [pair(FRAME, mechanism.drive.link, mechanism.drive.guide or mechanism.drive.pivot)]
     for group in groups:
@@ -192,13 +192,13 @@ CLASSES = ("I", "II", "III", "IV")  # of groups and mechanisms, the simplest fir
 SEARCHES = (dyads,)  # for groups that hang on solved links, those of the fewest links first
 
 
-def decompose(mechanism: Mechanism) -> tuple[Group, ...]:
+def decompose(mechanism: Mechanism) -> tuple[Assur, ...]:
     """Break a mechanism into groups in the order of their attachment, whatever the order of the scene's tables.
 
     Raises StructureError where links are left that form no group.
     """
     solved = {FRAME, mechanism.drive.link}
-    groups: list[Group] = []
+    groups: list[Assur] = []
     while left := sorted(set(mechanism.links) - solved):
         group = next((group for search in SEARCHES for group in search(mechanism, solved, left)), None)
         if group is None:
@@ -208,12 +208,12 @@ def decompose(mechanism: Mechanism) -> tuple[Group, ...]:
     return tuple(groups)
 
 
-def formula(mechanism: Mechanism, groups: Sequence[Group]) -> str:
+def formula(mechanism: Mechanism, groups: Sequence[Assur]) -> str:
     """Write the formula of structure (формула строения), such as I(0,1) -> II3(2,3) -> II2(4,5)."""
     return " -> ".join([f"I(0,{mechanism.drive.link})", *(group.label for group in groups)])
 
 
-def mechanism_class(groups: Sequence[Group]) -> str:
+def mechanism_class(groups: Sequence[Assur]) -> str:
     """Give the class of the mechanism: the highest class of its groups (класс механизма)."""
     return max([CLASSES[0], *(group.order for group in groups)], key=CLASSES.index)
 

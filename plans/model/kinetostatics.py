@@ -78,7 +78,7 @@ class Reaction(NamedTuple):
             return np.where(self.moment == 0, 0.0, self.moment / across)
 
 
-class Balancing(NamedTuple):
+class Effort(NamedTuple):
     """What the drive gives: the moment N*m about the shaft, and where it drives by a force that force N at `r` m.
 
     Of a slide that is pushed along the moment is that of the force on a wheel of the drive's unit as its radius.
@@ -101,7 +101,7 @@ class Kinetostatics:
     by: str  # "construction" or "analysis"
     phi: Floats
     reactions: Mapping[str, Reaction]
-    balancing: Balancing
+    balancing: Effort
     gaps: tuple[Gap, ...]
     # Positions whose forces have a true digit; beside the others, at a jam, no force of the rest may seem nothing.
     known: npt.NDArray[np.bool_] | None = None

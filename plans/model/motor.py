@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import NamedTuple, Protocol
 
 
-class Law(Protocol):
+class MotorLaw(Protocol):
     """The moment of a motor over its speed (механическая характеристика)."""
 
     def moment(self, speed: float) -> float:
@@ -177,7 +177,7 @@ class Motor(NamedTuple):
     60.0
     """
 
-    law: Law
+    law: MotorLaw
     ratio: float = 1.0
 
     def moment(self, omega: float) -> float:

@@ -159,7 +159,7 @@ class Correction(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Balance:
+class RotorBalance:
     """What balances a rotor, by one road: the sums before, the corrections, and the reactions before and after."""
 
     by: str

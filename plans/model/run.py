@@ -159,7 +159,7 @@ class Failure(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Run:
+class MachineRun:
     """A run by one road: rows (N,) of time s, angle turned rad, speed rad/s, acceleration rad/s2; its stages.
 
     The row in which a stage ends and that in which the next begins are of one instant: forces may jump there.
@@ -249,7 +249,7 @@ class Account:
     flywheel: Flywheel | None = None
     speeds: Speeds | None = None
     before: Speeds | None = None
-    run: Run | None = None
+    run: MachineRun | None = None
 
     @property
     def unanswered(self) -> tuple[Gap, ...]:

@@ -9,13 +9,13 @@ from plans.techniques import Technique
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Told
+    from plans.quantity import Comparison, Stated
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
-class Rotor(Technique):
+class RotorTechnique(Technique):
     """Balancing of rotors by vector polygons."""
 
     tables = ("rotor",)
@@ -53,7 +53,7 @@ class Rotor(Technique):
 
         return compare_rotor(study.of(RotorStudy))
 
-    def numbers(self, study: Study, by: str) -> Told:
+    def numbers(self, study: Study, by: str) -> Stated:
         from plans.rotor.quantities import numbers
 
         return numbers(study, by)
@@ -64,4 +64,4 @@ class Rotor(Technique):
         return marks(study, position, name)
 
 
-TECHNIQUE = Rotor()
+TECHNIQUE = RotorTechnique()

@@ -49,7 +49,7 @@ CLOSES = because("closes_polygon")
 RUN = 8  # vectors laid off in one row: a row of a thousand like ones would lose digits with each
 
 
-class Side(NamedTuple):
+class Laid(NamedTuple):
     """A side of a polygon: its vector, and the corners between which it lies."""
 
     vector: Mark
@@ -57,11 +57,11 @@ class Side(NamedTuple):
     end: Mark
 
 
-class Polygon(NamedTuple):
+class VectorPolygon(NamedTuple):
     """A polygon of vectors: its sides in order, what closes it, and how far rounding can have moved that."""
 
     board: Board
-    sides: tuple[Side, ...]
+    sides: tuple[Laid, ...]
     closing: Mark
     slack: float
 
@@ -78,7 +78,7 @@ class Polygon(NamedTuple):
 
 def polygon(
     board: Board, pole: Mark, name: str, vectors: Sequence[Mark], carried: float = 0.0, why: Message = CLOSES
-) -> Polygon:
+) -> VectorPolygon:
     """Lay vectors off one after another from a pole and close them; a vector of no length has no side.
 
     `carried` is how far rounding can have moved the vectors themselves.
@@ -86,7 +86,7 @@ def polygon(
     kept = [vector for vector in vectors if vector.point]
     sides = _row(board, pole, name, kept)
     closing = close(board, pole, name, kept, why) if len(kept) > RUN else board.join(name, _end(pole, sides), pole, why)
-    return Polygon(board, sides, closing, rounding(kept) + carried)
+    return VectorPolygon(board, sides, closing, rounding(kept) + carried)
 
 
 def close(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: Message) -> Mark:
@@ -104,15 +104,15 @@ def rounding(vectors: Sequence[Mark]) -> float:
     return ROUNDING * EPS * sum(abs(complex(vector.point)) for vector in vectors)
 
 
-def _row(board: Board, pole: Mark, name: str, vectors: Sequence[Mark]) -> tuple[Side, ...]:
-    sides: list[Side] = []
+def _row(board: Board, pole: Mark, name: str, vectors: Sequence[Mark]) -> tuple[Laid, ...]:
+    sides: list[Laid] = []
     for number, vector in enumerate(vectors, 1):
         start = _end(pole, sides)
-        sides.append(Side(vector, start, board.lay_off(f"{name}:{number}", start, vector, because("end_to_end"))))
+        sides.append(Laid(vector, start, board.lay_off(f"{name}:{number}", start, vector, because("end_to_end"))))
     return tuple(sides)
 
 
-def _end(pole: Mark, sides: Sequence[Side]) -> Mark:
+def _end(pole: Mark, sides: Sequence[Laid]) -> Mark:
     return sides[-1].end if sides else pole
 
 
@@ -136,8 +136,8 @@ class Balancing:
 
     rotor: Rotor
     masses: tuple[Placed, ...]
-    moments: Polygon
-    forces: Polygon
+    moments: VectorPolygon
+    forces: VectorPolygon
     corrections: tuple[Placed, ...]
     unbalance: Placed  # against the sum of the static moments, before any correction
 
@@ -168,7 +168,7 @@ def _mass(board: Board, mass: Unbalance) -> Placed:
     return Placed(board.given(unbalance_letters(mass.name), mass.moment * heading(mass.angle), why), mass.place)
 
 
-def _moments(rotor: Rotor, masses: Sequence[Placed]) -> Polygon:
+def _moments(rotor: Rotor, masses: Sequence[Placed]) -> VectorPolygon:
     """Draw the polygon of moments about the last plane, from which arms are measured."""
     board, last = Board(COUPLES), rotor.planes[-1]
     pole = board.given("0", 0j, because("moments_start"))
@@ -180,7 +180,7 @@ def _moments(rotor: Rotor, masses: Sequence[Placed]) -> Polygon:
     return polygon(board, pole, name, vectors, why=because("closes_about", place=_named(rotor, last)))
 
 
-def _first(board: Board, rotor: Rotor, moments: Polygon) -> Placed:
+def _first(board: Board, rotor: Rotor, moments: VectorPolygon) -> Placed:
     """Give the correction in plane I: what closes the moments, over its arm."""
     plane, arm = rotor.planes[0], rotor.arm(rotor.planes[0].place)
     mark = board.turn(unbalance_letters(plane.name), moments.closing, 1 / arm, _arm(rotor, plane, "over_arm"))

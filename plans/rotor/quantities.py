@@ -14,10 +14,10 @@ from plans.model.rotor import (
     EPS,
     MILLIMETRES,
     ROUNDING,
-    Balance,
     Correction,
     Resultant,
     Rotor,
+    RotorBalance,
     grade_of,
     letters,
     permissible,
@@ -33,16 +33,16 @@ if TYPE_CHECKING:
 def compare_rotor(study: RotorStudy) -> Comparison:
     """Balance a rotor by analysis too, and put every quantity beside that of the construction."""
     ours, theirs = study.balance, balance(study.rotor)
-    both = _Compared(study, ours, theirs)
+    both = _ComparedRotor(study, ours, theirs)
     return Comparison(ours, theirs, (*both.sums(), *both.corrections(), *both.reactions(), *both.left()))
 
 
-class _Compared(NamedTuple):
+class _ComparedRotor(NamedTuple):
     """A rotor balanced by both roads."""
 
     study: RotorStudy
-    ours: Balance
-    theirs: Balance
+    ours: RotorBalance
+    theirs: RotorBalance
 
     @property
     def rotor(self) -> Rotor:
@@ -130,7 +130,7 @@ def numbers(study: Study, by: str) -> Numbers:
     return Numbers({"scene": study.scene.heading(), "by": found.by, "rotor": data})
 
 
-def _quality(rotor: Rotor, found: Balance) -> dict[str, Any]:
+def _quality(rotor: Rotor, found: RotorBalance) -> dict[str, Any]:
     """Give e*omega m/s before the correction, its grade, and the unbalance kg*m that the asked grade permits."""
     before = rotor.quality(*found.sizes)
     if before is None or rotor.mass is None or rotor.speed is None:
@@ -142,7 +142,7 @@ def _quality(rotor: Rotor, found: Balance) -> dict[str, Any]:
     return {"quality": data}
 
 
-def _constructed(rotor: RotorStudy, borne: bool) -> Balance:
+def _constructed(rotor: RotorStudy, borne: bool) -> RotorBalance:
     return rotor.balance if borne else rotor.corrected
 
 

@@ -16,13 +16,13 @@ from plans.scene import units
 from plans.scene.faults import Fault, Path, Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.notes import HUNDREDS, odd_lengths
-from plans.scene.readers import Check, Field, many
+from plans.scene.readers import Check, FieldReader, many
 from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 from plans.scene.units import WORKING
 from plans.words.words import ALONE, message
 
-STATIC_MOMENT = units.Kind(
+STATIC_MOMENT = units.UnitKind(
     "static moment",
     "kg*m",
     {
@@ -124,7 +124,7 @@ def _check_apart(places: tuple[Decimal, ...]) -> None:
         raise wrong("one_place", place=f"{places[0]:f}", at=(1,))
 
 
-def _bearings() -> Field:
+def _bearings() -> FieldReader:
     """Read the places of two bearings."""
     two = Check(partial(f.check_pair, what=BEARINGS), least=2, most=2)
     return many(f.COORDINATE, Check(_check_apart, unique=True), first=two)._replace(shown=f"{BEARINGS} m")

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
-from plans.model.rotor import CONSTRUCTION, Balance, Correction, Resultant, Rotor
+from plans.model.rotor import CONSTRUCTION, Correction, Resultant, Rotor, RotorBalance
 from plans.rotor.balancing import COUPLES, UNBALANCES, Balancing, Placed, balancing, close, rounding
 from plans.words.words import because
 
@@ -92,18 +92,18 @@ class RotorStudy:
         return (*self.drawing.boards, *((board,) if board is not None else ()))
 
     @cached_property
-    def corrected(self) -> Balance:
+    def corrected(self) -> RotorBalance:
         """What balances the rotor, whatever its bearings bear."""
         drawing, moments = self.drawing, self.drawing.moments
         pairs = zip(self.rotor.planes, drawing.corrections, strict=True)
         corrections = tuple(Correction(plane, _resultant(placed.mark, placed.slack)) for plane, placed in pairs)
         couple = _resultant(moments.closing, moments.slack, -1)
-        return Balance(
+        return RotorBalance(
             CONSTRUCTION, couple, _resultant(drawing.unbalance.mark, drawing.unbalance.slack, -1), corrections
         )
 
     @cached_property
-    def balance(self) -> Balance:
+    def balance(self) -> RotorBalance:
         """What balances the rotor, and what its bearings bear before and after."""
         before, after = self.reactions
         return replace(self.corrected, before=before.resultants, after=after.resultants)

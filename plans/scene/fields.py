@@ -13,7 +13,7 @@ from geometry.errors import LimitError
 from plans.scene import forms, units
 from plans.scene.faults import suggestion, wrong
 from plans.scene.forms import ENTRIES_LIMIT
-from plans.scene.readers import Check, Field, many, one
+from plans.scene.readers import Check, FieldReader, many, one
 from plans.scene.units import type_name
 from plans.words.words import Message, message
 
@@ -126,28 +126,28 @@ def few(value: object, limit: int, name: str) -> object:
     return value
 
 
-def number(kind: units.Kind) -> Field:
+def number(kind: units.UnitKind) -> FieldReader:
     """Read any number of a kind of quantity."""
     return one(units.quantity, partial(forms.quantity, kind), kind.si, kind=kind)
 
 
-def not_negative(kind: units.Kind) -> Field:
+def not_negative(kind: units.UnitKind) -> FieldReader:
     """Read a quantity of zero or above."""
     return one(units.not_negative, partial(forms.quantity, kind, minimum=0), kind.si, kind=kind)
 
 
-def positive(kind: units.Kind) -> Field:
+def positive(kind: units.UnitKind) -> FieldReader:
     """Read a quantity above zero."""
     return one(units.positive, partial(forms.quantity, kind, exclusiveMinimum=0), kind.si, kind=kind)
 
 
-def words(*choices: str, kind: str = "choice", likely: Callable[[object], str] | None = None) -> Field:
+def words(*choices: str, kind: str = "choice", likely: Callable[[object], str] | None = None) -> FieldReader:
     """Read one of some words."""
     shown = ", ".join(f'"{word}"' for word in choices)
     return one(choice, partial(forms.choice, choices), shown, choices=choices, kind=kind, likely=likely)
 
 
-def pair(entry: Field, what: str = "[x, y]") -> Field:
+def pair(entry: FieldReader, what: str = "[x, y]") -> FieldReader:
     """Read a list of two."""
     return many(entry, first=Check(partial(check_pair, what=what), least=2, most=2))._replace(
         shown=f"{what} {entry.shown}"

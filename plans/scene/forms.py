@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from plans.scene.faults import Path
-from plans.scene.units import LARGEST, RATE_LIMIT, Kind
+from plans.scene.units import LARGEST, RATE_LIMIT, UnitKind
 from plans.techniques import TECHNIQUES, Technique, techniques
 
 Form = dict[str, Any]
@@ -18,7 +18,7 @@ ANY_LETTER = r"[A-Za-z\u00aa-\uffff]"
 POINT = rf"{ANY_LETTER}[0-9A-Za-z_\u00aa-\uffff]*['\u2032]*"
 
 
-def text_with_unit(kind: Kind) -> str:
+def text_with_unit(kind: UnitKind) -> str:
     """Give the pattern of a number with a unit; kg·m², kg*m^2 and kg m2 are one unit.
 
     >>> import re
@@ -33,7 +33,7 @@ def text_with_unit(kind: Kind) -> str:
     return rf"^{NUMBER}({'|'.join(written)})\s*$"
 
 
-def quantity(kind: Kind, **bounds: float) -> Form:
+def quantity(kind: UnitKind, **bounds: float) -> Form:
     """Give the form of a quantity: a bare number in SI units (angles: degrees), or text with a unit."""
     most = {} if kind.most == LARGEST else {"maximum": float(kind.most)}
     least = {"minimum": -most["maximum"]} if most else {}
@@ -43,7 +43,7 @@ def quantity(kind: Kind, **bounds: float) -> Form:
     return {"anyOf": [number, {"type": "string", "pattern": text_with_unit(kind)}]}
 
 
-def rate(kind: Kind) -> Form:
+def rate(kind: UnitKind) -> Form:
     """Give the form of an angular velocity or acceleration."""
     return quantity(kind, minimum=-float(RATE_LIMIT), maximum=float(RATE_LIMIT))
 

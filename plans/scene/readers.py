@@ -39,7 +39,7 @@ class Refused(ValueError):  # noqa: N818  (it is caught and worded, never shown)
         self.refusals = refusals
 
 
-class Field(NamedTuple):
+class FieldReader(NamedTuple):
     """How a value of the file is read, its form for editors and for people, and the tables in it by their paths."""
 
     read: Reader
@@ -57,16 +57,16 @@ class Check(NamedTuple):
     unique: bool = False
 
 
-def one(check: Callable[..., Any], form: Callable[[], Form] = dict, shown: str = "", **given: object) -> Field:
+def one(check: Callable[..., Any], form: Callable[[], Form] = dict, shown: str = "", **given: object) -> FieldReader:
     """Read a value by a check that raises Wrong: every wrong value is one refusal."""
 
     def reader(value: object, path: Path, refused: Refusals) -> Any:
         return checked(partial(check, value, **given), value, path, refused)
 
-    return Field(reader, form, shown)
+    return FieldReader(reader, form, shown)
 
 
-def many(entry: Field, *checks: Check, first: Check | None = None) -> Field:
+def many(entry: FieldReader, *checks: Check, first: Check | None = None) -> FieldReader:
     """Read a list as a tuple: `first` looks at the whole before any entry is read, the checks afterwards."""
 
     def reader(value: object, path: Path, refused: Refusals) -> Any:
@@ -84,10 +84,10 @@ def many(entry: Field, *checks: Check, first: Check | None = None) -> Field:
         least, most, unique = _bounds(first, *checks)
         return forms.entries(entry.form(), least, most, **({"uniqueItems": True} if unique else {}))
 
-    return Field(reader, form, f"[{entry.shown}, ...]", _within(entry))
+    return FieldReader(reader, form, f"[{entry.shown}, ...]", _within(entry))
 
 
-def named(name: Field, entry: Field, *checks: Check, first: Check | None = None) -> Field:
+def named(name: FieldReader, entry: FieldReader, *checks: Check, first: Check | None = None) -> FieldReader:
     """Read a table whose keys are names that the author chose."""
 
     def reader(value: object, path: Path, refused: Refusals) -> Any:
@@ -107,12 +107,12 @@ def named(name: Field, entry: Field, *checks: Check, first: Check | None = None)
         least, most, _ = _bounds(first, *checks)
         return forms.named(entry.form(), name.form()["pattern"], least, most)
 
-    return Field(reader, form, f"{name.shown} = {entry.shown}", _within(entry))
+    return FieldReader(reader, form, f"{name.shown} = {entry.shown}", _within(entry))
 
 
-def either(kind: type, then: Field, otherwise: Field) -> Field:
+def either(kind: type, then: FieldReader, otherwise: FieldReader) -> FieldReader:
     """Read values of one kind (list, dict) in one way and all others in another."""
-    return Field(
+    return FieldReader(
         lambda value, path, refused: (then if isinstance(value, kind) else otherwise).read(value, path, refused),
         lambda: {"anyOf": [otherwise.form(), then.form()]},
         f"{otherwise.shown}, or {then.shown}",
@@ -139,7 +139,7 @@ def _of_unit(refusal: Refusal, depth: int) -> bool:
     return refusal.kind == "wrong_unit" and len(refusal.path) == depth
 
 
-def _within(entry: Field) -> tuple[tuple[Path, type[Any]], ...]:
+def _within(entry: FieldReader) -> tuple[tuple[Path, type[Any]], ...]:
     return tuple((("*", *path), kind) for path, kind in entry.tables)
 
 

@@ -16,7 +16,7 @@ from plans.scene.tables import Key, Table, key, table
 from plans.techniques import techniques
 from plans.words.words import languages
 
-FACTOR = units.Kind("scale factor", "", {}, Decimal("1e-12"), Decimal("1e12"))
+FACTOR = units.UnitKind("scale factor", "", {}, Decimal("1e-12"), Decimal("1e12"))
 MM = Decimal("0.001")  # m
 PART = r"([0-9]+(?:\.[0-9]+)?)"
 RATIO = re.compile(rf"\s*{PART}\s*:\s*{PART}\s*")

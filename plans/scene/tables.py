@@ -13,7 +13,7 @@ from typing import Any, ClassVar, Final, NamedTuple, TypeAlias, TypeVar
 
 from plans.scene.faults import Path, Wrong
 from plans.scene.forms import Form
-from plans.scene.readers import REFUSED, Field, Refusal, Refusals, Refused, checked, refusal
+from plans.scene.readers import REFUSED, FieldReader, Refusal, Refusals, Refused, checked, refusal
 
 REQUIRED: Final = object()  # the default of a key that has none
 T = TypeVar("T", bound="Table")
@@ -33,7 +33,7 @@ class Key(NamedTuple):
     `also` are other names that an author may give it.
     """
 
-    field: Field
+    field: FieldReader
     default: Any
     meaning: str
     missing: Missing | None
@@ -41,7 +41,7 @@ class Key(NamedTuple):
 
 
 def key(
-    field: Field,
+    field: FieldReader,
     default: Any = REQUIRED,
     *,
     meaning: str = "",
@@ -137,14 +137,14 @@ def read_parts(kinds: Kinds, data: object, *before: Refusal) -> Mapping[type[Tab
     return found
 
 
-def table(kind: type[Table]) -> Field:
+def table(kind: type[Table]) -> FieldReader:
     """Read a table with the keys of its kind."""
 
     def reader(value: object, path: Path, refused: Refusals) -> Any:
         found = _parts((kind,), value, path, refused)
         return REFUSED if found is REFUSED else found[kind]
 
-    return Field(reader, lambda: form_of((kind,)), "table", (((), kind),))
+    return FieldReader(reader, lambda: form_of((kind,)), "table", (((), kind),))
 
 
 def form_of(kinds: Kinds) -> Form:

@@ -31,7 +31,7 @@ ALIKE = 0.8  # of the letters of a unit: bars is bar, but kN*m is not kN
 DECIMAL_COMMA = re.compile(r"\s*([+-]?[0-9]+),([0-9]+)\b")
 
 
-class Kind(NamedTuple):
+class UnitKind(NamedTuple):
     """A kind of quantity: its name, its unit in SI, and the other units with what one of them is in that unit.
 
     Its sizes in SI are zero, or lie between `least` and `most`: no machine has others.
@@ -49,9 +49,9 @@ class Kind(NamedTuple):
         return ", ".join(unit for unit in self.units if unit.isascii()) or "none"
 
 
-def _kind(name: str, si: str, *sizes: str, **russian_or_other: str) -> Kind:
+def _kind(name: str, si: str, *sizes: str, **russian_or_other: str) -> UnitKind:
     units = {si: Decimal(1), **{unit: Decimal(size) for unit, size in russian_or_other.items()}}
-    return Kind(name, si, units, *map(Decimal, sizes))
+    return UnitKind(name, si, units, *map(Decimal, sizes))
 
 
 LENGTH = _kind("length", "m", dm="0.1", cm="0.01", mm="0.001", м="1", дм="0.1", см="0.01", мм="0.001")
@@ -59,13 +59,13 @@ _DEGREES = WORKING.divide(Decimal(180), PI)
 _RADIANS = WORKING.divide(PI, Decimal(180))
 _RPM = WORKING.divide(PI, Decimal(30))
 _ONE = Decimal(1)
-ANGLE = Kind("angle", "deg", {"deg": _ONE, "rad": _DEGREES, "°": _ONE, "рад": _DEGREES, "град": _ONE})
-SPEED = Kind(
+ANGLE = UnitKind("angle", "deg", {"deg": _ONE, "rad": _DEGREES, "°": _ONE, "рад": _DEGREES, "град": _ONE})
+SPEED = UnitKind(
     "angular speed",
     "rad/s",
     {"rad/s": _ONE, "rpm": _RPM, "deg/s": _RADIANS, "рад/с": _ONE, "об/мин": _RPM, "°/s": _RADIANS},
 )
-ANGULAR_ACCELERATION = Kind(
+ANGULAR_ACCELERATION = UnitKind(
     "angular acceleration",
     "rad/s2",
     {"rad/s2": _ONE, "deg/s2": _RADIANS, "рад/с2": _ONE, "°/s2": _RADIANS},
@@ -99,7 +99,7 @@ STIFFNESS = _kind(
     "stiffness", "N/m", "1e-9", "1e15", **{"kN/m": "1000", "N/cm": "100", "N/mm": "1000", "Н/м": "1", "Н/мм": "1000"}
 )
 DENSITY = _kind("density", "kg/m3", "1e-3", "1e6", **{"g/cm3": "1000", "кг/м3": "1", "г/см3": "1000"})
-NUMBER = Kind("number", "", {})
+NUMBER = UnitKind("number", "", {})
 
 
 def decimal(literal: str) -> Decimal:
@@ -110,7 +110,7 @@ def decimal(literal: str) -> Decimal:
         return Decimal("Infinity")
 
 
-def quantity(value: object, kind: Kind) -> Decimal:
+def quantity(value: object, kind: UnitKind) -> Decimal:
     """Give a number of the file, or a string with a unit, in SI (degrees for angles), exactly.
 
     >>> quantity("110 mm", LENGTH), quantity(Decimal("0.11"), LENGTH)
@@ -159,7 +159,7 @@ def pressure_angle(value: object) -> Decimal:
     return result
 
 
-def rate(value: object, kind: Kind) -> Decimal:
+def rate(value: object, kind: UnitKind) -> Decimal:
     """Give an angular velocity or acceleration: zero, or of a size between RATE_LEAST and RATE_LIMIT."""
     result = quantity(value, kind)
     if result and not RATE_LEAST <= abs(result) <= RATE_LIMIT:
@@ -167,7 +167,7 @@ def rate(value: object, kind: Kind) -> Decimal:
     return result
 
 
-def positive(value: object, kind: Kind) -> Decimal:
+def positive(value: object, kind: UnitKind) -> Decimal:
     """Give a quantity above zero: a stiffness."""
     result = quantity(value, kind)
     if result <= 0:
@@ -188,7 +188,7 @@ def friction(value: object) -> Decimal:
     return result
 
 
-def not_negative(value: object, kind: Kind) -> Decimal:
+def not_negative(value: object, kind: UnitKind) -> Decimal:
     """Give a quantity of zero or above: a mass, a moment of inertia, a coefficient of friction."""
     result = quantity(value, kind)
     if result < 0:
@@ -208,7 +208,7 @@ def type_name(value: object) -> str:
     return next((name for kinds, name in names if isinstance(value, kinds)), "a date or time")
 
 
-def _written(text: str, kind: Kind) -> Decimal:
+def _written(text: str, kind: UnitKind) -> Decimal:
     match = QUANTITY.fullmatch(text)
     comma = DECIMAL_COMMA.match(text)
     if comma:
@@ -226,13 +226,13 @@ def _written(text: str, kind: Kind) -> Decimal:
     return WORKING.multiply(number, kind.units[unit]) if kind.units[unit] != 1 else number
 
 
-def _ranged(number: Decimal, kind: Kind) -> Decimal:
+def _ranged(number: Decimal, kind: UnitKind) -> Decimal:
     if number and not kind.least <= abs(number) <= kind.most:
         raise wrong("out_of_range", kind=kind.name, least=f"±{kind.least}", most=f"±{kind.most}", unit=kind.si)
     return number
 
 
-def _example(kind: Kind, number: str = "1", unit: str = "") -> str:
+def _example(kind: UnitKind, number: str = "1", unit: str = "") -> str:
     """Give an example: the number as written with the unit that is nearly what is written, or one of the SI unit."""
     from difflib import get_close_matches  # noqa: PLC0415  (only a wrong unit needs it)
 
@@ -248,7 +248,7 @@ def _unit(text: str) -> str:
     return re.sub(r"\s*([*/])\s*|\s+", lambda match: match[1] or "*", text)
 
 
-def _finite(number: Decimal, kind: Kind) -> Decimal:
+def _finite(number: Decimal, kind: UnitKind) -> Decimal:
     if not number.is_finite():
         raise wrong("not_finite", kind=kind.name)
     if number == 0:

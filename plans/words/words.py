@@ -83,7 +83,7 @@ def word(language: str, key: str, /, **parts: object) -> str:
     phrase = words(language)[key]
     if not isinstance(phrase, str):
         phrase = phrase[min(_plural(language, parts["count"]), len(phrase) - 1)]
-    return phrase.format_map({name: _Part(part, language) for name, part in parts.items()})
+    return phrase.format_map({name: _PhrasePart(part, language) for name, part in parts.items()})
 
 
 def term(language: str, group: str, name: str) -> str:
@@ -133,7 +133,7 @@ def _plural(language: str, count: object) -> int:
     return next((k for k, pattern in enumerate(patterns) if re.search(pattern, str(count))), len(patterns))
 
 
-class _Part:
+class _PhrasePart:
     """A part of a phrase, written as the phrase asks for it."""
 
     __slots__ = ("language", "value")

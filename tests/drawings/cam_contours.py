@@ -11,7 +11,7 @@ import shapely
 
 from drawings.cam.profile_view import ProfileView, profile_view
 from geometry.curve import Piece, sampled
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.cam.profile.findings import cam_found
 from plans.model.cam import (
     DWELL,
@@ -27,7 +27,7 @@ from plans.model.cam import (
     Follower,
     Law,
 )
-from plans.model.cam_motion import Points, Sizes
+from plans.model.cam_motion import CamSizes, Points
 from plans.model.motion import Floats
 from tests.plans import cam_phases
 
@@ -50,15 +50,15 @@ def cam(
     return Cam("K1", sense, 10.0, phases, follower, closure, translates=translates)
 
 
-def view(one: Cam, sizes: Sizes, roller: float = 0.0) -> ProfileView:
+def view(one: Cam, sizes: CamSizes, roller: float = 0.0) -> ProfileView:
     """Give a cam with all that its figure shows."""
     own = replace(one, roller=roller)
-    return profile_view(cam_found(Course(own), sizes, positions(own)))
+    return profile_view(cam_found(FollowerCourse(own), sizes, positions(own)))
 
 
-OFFSET = Sizes(0.03266494437, 0.002220357697)
+OFFSET = CamSizes(0.03266494437, 0.002220357697)
 R_OFFSET = 0.01306597775
-ROCKER = Sizes(0.03692159408, 0.0, 0.1363651929, -(0.1211047752 - 0.06268252757j), math.radians(14.86559732))
+ROCKER = CamSizes(0.03692159408, 0.0, 0.1363651929, -(0.1211047752 - 0.06268252757j), math.radians(14.86559732))
 
 TO_ROLLER = Follower(TRANSLATING, ROLLER)
 
@@ -70,12 +70,12 @@ def groove(sense: int = 1) -> ProfileView:
 
 def wedge() -> ProfileView:
     """Give a cam that translates."""
-    return view(cam(TO_ROLLER, angles=(60.0, 20.0, 50.0, 20.0), translates=True), Sizes(0.0), 0.008)
+    return view(cam(TO_ROLLER, angles=(60.0, 20.0, 50.0, 20.0), translates=True), CamSizes(0.0), 0.008)
 
 
 def undercut() -> ProfileView:
     """Give a roller larger than the pitch curve lets it be."""
-    return view(cam(TO_ROLLER, angles=(60.0, 20.0, 60.0, 220.0)), Sizes(0.04, 0.006), 0.025)
+    return view(cam(TO_ROLLER, angles=(60.0, 20.0, 60.0, 220.0)), CamSizes(0.04, 0.006), 0.025)
 
 
 def rocker() -> ProfileView:

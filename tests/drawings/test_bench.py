@@ -26,7 +26,7 @@ from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Po
 from plans.bench.motion import PLANS, REPLAY
 from plans.bench.peers import PYLINKAGE
 from plans.bench.quantities import ANALYSIS, CONSTRUCTION
-from plans.bench.trial import NOT_INSTALLED, Bench, Computer, Errors, Goal, Order, Ratio, Row, Times
+from plans.bench.trial import NOT_INSTALLED, Bench, Computer, Demand, Errors, Goal, Ratio, Timed, Times
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES
@@ -36,7 +36,7 @@ from tests.parts import first
 
 SVG = "{http://www.w3.org/2000/svg}"
 ROUNDINGS = 1e-9  # shares: of what is no limit (energy by a slope) nothing is worse in any scene of the gallery
-ONCE = Order((12,), 1, startup=False)
+ONCE = Demand((12,), 1, startup=False)
 SCENE = GALLERY / "slider-crank.toml"
 
 
@@ -100,7 +100,7 @@ def test_errors_stand_in_the_order_of_their_roads() -> None:
 
 def test_what_will_take_too_long_is_left_out_and_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session, "PATIENCE", 1e-9)
-    rows = session.session(read_scene(GALLERY / "shaper.toml"), Order((6, 12), 1, startup=False, drawn=0), print).rows
+    rows = session.session(read_scene(GALLERY / "shaper.toml"), Demand((6, 12), 1, startup=False, drawn=0), print).rows
     late = [row for row in rows if row.positions == 12 and row.technique.startswith("linkage")]
     assert {CONSTRUCTION.format("linkage"), ANALYSIS.format("linkage")} == {row.technique for row in late}
     assert all(row.times is None and "would take" in row.note for row in late)
@@ -151,12 +151,12 @@ def invented() -> Bench:
     """Give a bench of made-up numbers."""
     times = Times((1e-5, 2e-5, 3e-5))
     rows = [
-        Row(name, count, Errors(10.0**-k, 10.0**-k / 2, "v_B"), times)
+        Timed(name, count, Errors(10.0**-k, 10.0**-k / 2, "v_B"), times)
         for k, name in enumerate(NAMES[:14])
         for count in (12, 360)
     ]
-    rows += [Row(PYLINKAGE, 10_000, note=NOT_INSTALLED), Row("lost", None, Errors(math.inf, 0.5, "a_B"), times)]
-    rows += [Row(sheet.BY_HAND.format("linkage", slip), None, Errors(slip / 5, slip / 10)) for slip in sheet.SLIPS]
+    rows += [Timed(PYLINKAGE, 10_000, note=NOT_INSTALLED), Timed("lost", None, Errors(math.inf, 0.5, "a_B"), times)]
+    rows += [Timed(sheet.BY_HAND.format("linkage", slip), None, Errors(slip / 5, slip / 10)) for slip in sheet.SLIPS]
     reached = Ratio("this / that", 360, Times((9.0, 8.0, 7.0)), Times((1.0, 1.0, 1.0)), Goal(5.0))
     missed = Ratio("part / whole", 12, Times((9.0,)), Times((10.0,)), Goal(0.5, least=False))
     unknown = Ratio("peer / ours", 360, goal=Goal(2.0), note=NOT_INSTALLED)
@@ -217,7 +217,7 @@ def test_the_plot_is_black_and_white_and_shows_every_technique() -> None:
     for text in (*NAMES[:14], "accepted", "by hand, mm"):
         assert f"<!-- {text} -->" in content  # what matplotlib has drawn as outlines it says beside
     assert "Abacus 9" in content and "<dc:date>" not in content
-    bare = replace(invented(), rows=(Row(PYLINKAGE, 12, note=NOT_INSTALLED),))
+    bare = replace(invented(), rows=(Timed(PYLINKAGE, 12, note=NOT_INSTALLED),))
     assert ElementTree.fromstring(plot.svg(bare)).tag == f"{SVG}svg"
 
 
@@ -295,11 +295,11 @@ def test_what_could_not_be_written_is_told_before_anything_is_measured(
 
 
 def test_words_of_the_command_line_go_before_those_of_quick() -> None:
-    def order(*words: str) -> Order:
+    def order(*words: str) -> Demand:
         return command.order(parser().parse_args(["bench", "scene.toml", *words]))
 
-    assert order() == Order((12, 360, 10_000, 100_000), 15)
-    assert order("--quick") == Order((12, 360), 3, startup=False, drawn=12)
+    assert order() == Demand((12, 360, 10_000, 100_000), 15)
+    assert order("--quick") == Demand((12, 360), 3, startup=False, drawn=12)
     assert order("--quick", "--positions", "500,24,24", "--startup").positions == (24, 500)
     assert order("--quick", "--startup").startup and not order("--no-startup").startup
     assert order("--accept", "0.02").accepted == 0.02

@@ -37,7 +37,7 @@ from drawings.rotor.sheet import SHEETS
 from drawings.symbols.figure import Subject, point
 from geometry.errors import LimitError
 from plans.analytic.cam.contour import contour
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.diagrams import LawDiagrams
 from plans.cam.diagrams import law_diagrams as diagrams_of
 from plans.cam.path import path
@@ -120,7 +120,7 @@ CASE = USUAL, cases.sizes(USUAL)
 
 def drawn(case: Case) -> Contour:
     cam, sizes = case
-    return profile(Course(cam), sizes, roller_of(cam), turns(cam)).contour
+    return profile(FollowerCourse(cam), sizes, roller_of(cam), turns(cam)).contour
 
 
 def told(content: bytes, case: Case) -> list[str]:
@@ -186,7 +186,7 @@ sizes = {{ base = "50 mm", offset = "5 mm" }}
 phases = [{{ kind = "rise", angle = 180, law = "sine" }}, {{ kind = "return", angle = 180, law = "sine" }}]
 """
     (cam,) = (one.cam for one in Study(parse_scene(scene.format(count=3600)))["cam"].drawings.values())
-    contour = profile(Course(cam), cases.sizes(cam), 0.0, turns(cam)).contour
+    contour = profile(FollowerCourse(cam), cases.sizes(cam), 0.0, turns(cam)).contour
     assert written(cam, contour).count(b"\n") == 3602  # with its heading, and the first again at the end
     with pytest.raises(LimitError, match=r"coordinates = 100000: more than COORDINATES_LIMIT = 36000"):
         parse_scene(scene.format(count=100000))

@@ -16,7 +16,7 @@ from drawings.checks.readers import frames
 from drawings.dynamics import graphs
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
-from drawings.dynamics.sheet import Machine, leaves, results, sheets
+from drawings.dynamics.sheet import MachineMotion, leaves, results, sheets
 from drawings.grading.curves.run_figures import Bare
 from drawings.page.scale import drafting_of
 from drawings.paper.hand import hand_of
@@ -39,7 +39,7 @@ def study() -> Study:
 def test_rounding_is_not_told_in_digits() -> None:
     """What vanishes but for rounding is 0 in the table, not a number of twenty digits."""
     own = study().comparison("dynamics").exact
-    (leaf,) = sheets(study().scene, Machine(study()["dynamics"].task, own, own))
+    (leaf,) = sheets(study().scene, MachineMotion(study()["dynamics"].task, own, own))
     cells = [one.plain for group in groups(leaf.groups) if group.name == "positions-1" for one in texts((group,))]
     assert len(cells) > 100 and max(map(len, cells)) <= 10
 

@@ -15,7 +15,7 @@ from drawings.paper.walk import texts as texts_of
 from drawings.pens.svg import svg
 from drawings.reading import alphabet
 from drawings.reading.alphabet import notations, shape, shapes
-from drawings.reading.lettered import Glyph, PathLetters, PenTrack, any_letters, tracks, written
+from drawings.reading.lettered import PathLetters, PenTrack, SeenGlyph, any_letters, tracks, written
 from drawings.reading.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
 from drawings.reading.sheet import SeenSheet, see
 from drawings.reading.transform import MIRROR
@@ -124,7 +124,7 @@ def absolute(track: PenTrack) -> str:
 )
 def test_letters_farther_apart_than_paper_reaches_are_no_line_of_writing(spaces: int, plain: str) -> None:
     trail, apart = written_trail("5"), 0.18 * (shape("5").width + 2 * (spaces + 1))
-    letters = PathLetters((0j, apart + 0j), 0.18, 2 * (Glyph(trail, readings(trail, 0.18)),))
+    letters = PathLetters((0j, apart + 0j), 0.18, 2 * (SeenGlyph(trail, readings(trail, 0.18)),))
     assert written([letters], "", INK).plain == plain
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from drawings.balance.costs import change
 from drawings.layout import value_table
-from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
+from drawings.layout.equation import DIRECTION, EquationBlock, Term, forces, moments
 from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, row_by_hand
 from drawings.lettering.extent import bounds
@@ -79,10 +79,10 @@ GROUP = forces([
     Term("R_{05}", DIRECTION),
 ])  # fmt: skip
 ABOUT_D = moments("D", [("+", "R^t_{34}·BD"), ("+", "G_4·h_1"), ("−", "Φ_4·h_2"), ("+", "M^Φ_4")])
-PASSAGE = Passage("equations", (GROUP, ABOUT_D), 5.0)
+PASSAGE = EquationBlock("equations", (GROUP, ABOUT_D), 5.0)
 
 
-def drawn(width: float, passage: Passage = PASSAGE) -> list[Text | Line]:
+def drawn(width: float, passage: EquationBlock = PASSAGE) -> list[Text | Line]:
     strokes = passage.write(Field(0.0, 0.0, width, 200.0), HAND).strokes
     return [stroke for stroke in strokes if isinstance(stroke, Text | Line)]
 
@@ -91,7 +91,7 @@ def test_two_lines_under_a_term_stay_apart_by_the_least_that_the_standard_allows
     for size in (2.5, 3.5, 5.0):
         lines = [
             stroke
-            for stroke in drawn(100.0, Passage("one", (forces([Term("G_4")]),), size))
+            for stroke in drawn(100.0, EquationBlock("one", (forces([Term("G_4")]),), size))
             if isinstance(stroke, Line)
         ]
         assert abs(lines[0].start.imag - lines[1].start.imag) >= 0.8 - 1e-9

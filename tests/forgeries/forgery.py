@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from drawings.paper.strokes import Text
-from drawings.sheet_diff.edit import Figures
+from drawings.sheet_diff.edit import SheetFigures
 from drawings.sheet_diff.items import Item, middle
 
 NEAR = 0.5  # mm: how exactly the place of an edit is told
@@ -44,7 +44,7 @@ class Forgery(NamedTuple):
     told: Told
 
 
-def of(item: Item, figures: Figures, *kinds: str) -> Told:
+def of(item: Item, figures: SheetFigures, *kinds: str) -> Told:
     """Say that an item must be told, by its name, figure and place."""
     at = None if isinstance(item.stroke, Text) and item.stroke.anchor != "start" else middle(item.stroke)
     return Told(kinds, item.name, figures.of(item), at)

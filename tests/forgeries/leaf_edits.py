@@ -8,7 +8,7 @@ from typing import Any
 
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 from drawings.reading.transform import Affine
-from drawings.sheet_diff.edit import Figures
+from drawings.sheet_diff.edit import SheetFigures
 from drawings.sheet_diff.items import Item, brought, items, middle
 from tests.forgeries.forgery import Told, of
 
@@ -60,7 +60,7 @@ def _deleted(kind: str) -> Edit:
         if not (own := marked(leaf, kind)):
             return None
         mark = chance.choice(own)
-        return swapped(leaf, mark, None), of(bearer(leaf, mark), Figures(leaf), "missing")
+        return swapped(leaf, mark, None), of(bearer(leaf, mark), SheetFigures(leaf), "missing")
 
     return edit
 
@@ -73,7 +73,7 @@ def all_but_one_deleted(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     gone = {id(mark) for mark in own if mark is not kept}
     first = next(mark for mark in own if mark is not kept)
     return changed(leaf, lambda one: None if id(one) in gone else one), of(
-        bearer(leaf, first), Figures(leaf), "missing"
+        bearer(leaf, first), SheetFigures(leaf), "missing"
     )
 
 
@@ -83,7 +83,7 @@ def arrow_shifted(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
         return None
     mark = chance.choice(own)
     by = complex(chance.uniform(2, 9), chance.uniform(2, 9))
-    return swapped(leaf, mark, brought(mark, Affine(t=by))), of(bearer(leaf, mark), Figures(leaf), "moved")
+    return swapped(leaf, mark, brought(mark, Affine(t=by))), of(bearer(leaf, mark), SheetFigures(leaf), "moved")
 
 
 def value_forged(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
@@ -99,7 +99,7 @@ def value_forged(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     value = complex(*map(float, mark.data["value"].split())) * 1.07
     data = dict(mark.data) | {"value": f"{value.real:.12g} {value.imag:.12g}"}
     forged = mark._replace(strokes=(line._replace(end=line.end + by), *head), data=data)
-    return swapped(leaf, mark, forged), of(bearer(leaf, mark), Figures(leaf), "end", "reshaped")
+    return swapped(leaf, mark, forged), of(bearer(leaf, mark), SheetFigures(leaf), "end", "reshaped")
 
 
 def _along(mark: Group) -> complex:
@@ -114,12 +114,12 @@ def reversed_vector(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     line = mark.strokes[0]
     assert isinstance(line, Line)
     other = mark._replace(strokes=(line._replace(start=line.end, end=line.start), *mark.strokes[1:]))
-    return swapped(leaf, mark, other), of(bearer(leaf, mark), Figures(leaf), "reversed")
+    return swapped(leaf, mark, other), of(bearer(leaf, mark), SheetFigures(leaf), "reversed")
 
 
 def head_lost(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     found = pick(leaf, chance, lambda item: item.what == "arrowhead")
-    return None if found is None else (swapped(leaf, found.stroke, None), of(found, Figures(leaf), "missing"))
+    return None if found is None else (swapped(leaf, found.stroke, None), of(found, SheetFigures(leaf), "missing"))
 
 
 def head_at_the_other_end(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
@@ -130,7 +130,7 @@ def head_at_the_other_end(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | Non
     head = mark.strokes[1]
     other = brought(head, Affine(-1 + 0j, 0j, _ends(mark)))
     item = next(one for one in items(leaf) if one.stroke is head)
-    return swapped(leaf, head, other), of(item, Figures(leaf), "moved", "reshaped", "turned")
+    return swapped(leaf, head, other), of(item, SheetFigures(leaf), "moved", "reshaped", "turned")
 
 
 def _ends(mark: Group) -> complex:
@@ -148,7 +148,7 @@ def _lettering(what: str) -> Edit:
         place = chance.choice([k for k, run in enumerate(runs) if any(one in DIGITS for one in run.text)])
         runs[place] = runs[place]._replace(text=_other_digit(runs[place].text, chance))
         return swapped(leaf, found.stroke, found.stroke._replace(content=tuple(runs))), Told(
-            ("text",), found.name, Figures(leaf).of(found)
+            ("text",), found.name, SheetFigures(leaf).of(found)
         )
 
     return edit
@@ -170,14 +170,14 @@ def letters_swapped(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     assert isinstance(a, Text) and isinstance(b, Text)
     other = {id(a): a._replace(content=b.runs), id(b): b._replace(content=a.runs)}
     return changed(leaf, lambda one: other.get(id(one), one)), Told(
-        ("text", "moved"), pair[0].name, Figures(leaf).of(pair[0])
+        ("text", "moved"), pair[0].name, SheetFigures(leaf).of(pair[0])
     )
 
 
 def letter_lost(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     found = pick(leaf, chance, lambda item: item.what == "letter")
     return None if found is None else (
-        swapped(leaf, found.stroke, None), Told(("missing",), found.name, Figures(leaf).of(found))
+        swapped(leaf, found.stroke, None), Told(("missing",), found.name, SheetFigures(leaf).of(found))
     )  # fmt: skip
 
 
@@ -186,13 +186,13 @@ def letter_moved(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     if found is None or not isinstance(found.stroke, Text):
         return None
     other = found.stroke._replace(at=found.stroke.at + 3 - 2j)
-    return swapped(leaf, found.stroke, other), Told(("moved",), found.name, Figures(leaf).of(found))
+    return swapped(leaf, found.stroke, other), Told(("moved",), found.name, SheetFigures(leaf).of(found))
 
 
 def _gone(kind: type) -> Edit:
     def edit(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
         found = pick(leaf, chance, lambda item: type(item.stroke) is kind and not item.home.mark)
-        return None if found is None else (swapped(leaf, found.stroke, None), of(found, Figures(leaf), "missing"))
+        return None if found is None else (swapped(leaf, found.stroke, None), of(found, SheetFigures(leaf), "missing"))
 
     return edit
 
@@ -203,7 +203,7 @@ def _styled(change: Callable[[LineStyle], LineStyle], *kinds: str) -> Edit:
         if found is None or not isinstance(found.stroke, Line):
             return None
         other = found.stroke._replace(style=change(found.stroke.style))
-        return swapped(leaf, found.stroke, other), of(found, Figures(leaf), *kinds)
+        return swapped(leaf, found.stroke, other), of(found, SheetFigures(leaf), *kinds)
 
     return edit
 
@@ -214,7 +214,7 @@ def line_turned(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
         return None
     line = found.stroke
     other = line._replace(end=line.start + (line.end - line.start) * (1 + 0.2j))
-    return swapped(leaf, line, other), of(found, Figures(leaf), "end", "missing")
+    return swapped(leaf, line, other), of(found, SheetFigures(leaf), "end", "missing")
 
 
 def circle_larger(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
@@ -222,14 +222,14 @@ def circle_larger(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     if found is None or not isinstance(found.stroke, Circle):
         return None
     other = found.stroke._replace(radius=found.stroke.radius * 1.1)
-    return swapped(leaf, found.stroke, other), of(found, Figures(leaf), "radius")
+    return swapped(leaf, found.stroke, other), of(found, SheetFigures(leaf), "radius")
 
 
 def copied(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     found = pick(leaf, chance, lambda item: not item.home.mark)
     if found is None:
         return None
-    return swapped(leaf, found.stroke, [found.stroke, found.stroke]), of(found, Figures(leaf), "copied")
+    return swapped(leaf, found.stroke, [found.stroke, found.stroke]), of(found, SheetFigures(leaf), "copied")
 
 
 def line_added(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:

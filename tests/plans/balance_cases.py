@@ -10,8 +10,8 @@ import numpy as np
 from plans.analytic.balance.balance import balance
 from plans.analytic.balance.counterweights import Course
 from plans.analytic.kinematics import Analysis
-from plans.model.balance.linkage import STEPS, Balance, Task
-from plans.model.dyad import Group, decompose, pairs
+from plans.model.balance.linkage import STEPS, Balance, BalanceTask
+from plans.model.dyad import Assur, decompose, pairs
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import Mechanism
@@ -28,10 +28,10 @@ class Case(NamedTuple):
     machine: Machine
 
     @property
-    def groups(self) -> tuple[Group, ...]:
+    def groups(self) -> tuple[Assur, ...]:
         return decompose(self.mechanism)
 
-    def balance(self, task: Task, *phi: float) -> Balance:
+    def balance(self, task: BalanceTask, *phi: float) -> Balance:
         """Balance it by analysis."""
         return balance(self.course(phi or (np.pi / 3,)), task, self.groups)
 

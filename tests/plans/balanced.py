@@ -5,7 +5,7 @@ from __future__ import annotations
 from plans.balance.study import BalanceStudy
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
-from plans.model.balance.linkage import Place, Task
+from plans.model.balance.linkage import BalanceTask, Site
 from plans.scene.scene import parse_scene
 from tests.plans.scenes import scene
 
@@ -85,12 +85,12 @@ YOKE = scene(
 )
 
 
-def study(text: str, task: Task | None = None, positions: int = 12) -> BalanceStudy:
+def study(text: str, task: BalanceTask | None = None, positions: int = 12) -> BalanceStudy:
     """Give the study of a scene's balance with a task of its own."""
     linkage = LinkageStudy(parse_scene(text.format(positions=positions)))
-    return BalanceStudy(linkage, Statics(linkage), task or Task())
+    return BalanceStudy(linkage, Statics(linkage), task or BalanceTask())
 
 
-def asked(aim: str, *places: Place, share: float | None = None, least: str = "force") -> Task:
+def asked(aim: str, *places: Site, share: float | None = None, least: str = "force") -> BalanceTask:
     """Ask for a balance by counterweights on some links."""
-    return Task(aim, places, share, least)
+    return BalanceTask(aim, places, share, least)

@@ -21,7 +21,7 @@ from plans.model.cam import (
     Law,
     Phase,
 )
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import CamSizes
 from tests.plans import cam_phases
 
 USUAL = ((RISE, 120.0, "sine"), (DWELL, 30.0, ""), (RETURN, 90.0, "3-4-5"), (DWELL, 120.0, ""))
@@ -29,7 +29,7 @@ FLAT_USUAL = ((RISE, 140.0, "sine"), (DWELL, 20.0, ""), (RETURN, 140.0, "cosine"
 LIFT, SWING, LENGTH, ROLLER_RADIUS = 0.03, math.radians(25), 0.12, 0.010
 PIVOT = complex(0.125, -0.065)  # O less O1 of a rocker that rises counter-clockwise
 
-Case: TypeAlias = tuple[Cam, Sizes]
+Case: TypeAlias = tuple[Cam, CamSizes]
 
 
 def phases(listed: tuple[tuple[str, float, str], ...], lift: float, whole: float = 2 * math.pi) -> tuple[Phase, ...]:
@@ -47,15 +47,15 @@ def cam(motion: str = TRANSLATING, end: str = ROLLER, sense: int = 1, with_cam: 
     return Cam(**({"name": "K", "sense": sense, "speed": None} | own | given))  # type: ignore[arg-type]
 
 
-def sizes(one: Cam, offset: float = 0.012, base: float = 0.05) -> Sizes:
+def sizes(one: Cam, offset: float = 0.012, base: float = 0.05) -> CamSizes:
     """Give sizes that every usual cam can have."""
     if one.translates:
-        return Sizes(0.0)
+        return CamSizes(0.0)
     if not one.rocks:
-        return Sizes(0.09 if one.flat else base, 0.0 if one.flat else offset)
+        return CamSizes(0.09 if one.flat else base, 0.0 if one.flat else offset)
     pivot = -PIVOT if one.rising == 1 else PIVOT.conjugate()
     pivot = pivot if not one.flat else complex(-one.rising * 0.12, 0.15)
-    return Sizes(abs(pivot), 0.0, abs(pivot), pivot)
+    return CamSizes(abs(pivot), 0.0, abs(pivot), pivot)
 
 
 def every() -> list[Case]:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
-from plans.analytic.balance.bank import SliderCrank as Series
+from plans.analytic.balance.bank import ExactSliderCrank as Series
 from plans.analytic.balance.bank import bank_balance
 from plans.bank.harmonics import SliderCrank
 from plans.bank.study import BankStudy

@@ -9,7 +9,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from plans.analytic.dynamics.flywheel import Exact, exact
-from plans.analytic.dynamics.reduction import Reduction
+from plans.analytic.dynamics.reduction import ExactReduction
 from plans.analytic.kinematics import Analysis
 from plans.forces.loading import OutputStroke, loading, strokes
 from plans.model.machine import ALWAYS, IDLE, WORKING, Body, Diagram, Force, Machine, Moment, Spring, Transmission
@@ -43,13 +43,13 @@ class Steady(NamedTuple):
         return EXTREMES[key]
 
     @property
-    def reduction(self) -> Reduction:
+    def reduction(self) -> ExactReduction:
         runs = self.strokes
 
         def loads(motion: Motion):
             return loading(self.machine, motion, runs)
 
-        return Reduction(Analysis(self.mechanism, first=False), self.machine, loads, self.start)
+        return ExactReduction(Analysis(self.mechanism, first=False), self.machine, loads, self.start)
 
     @property
     def exact(self) -> Exact:

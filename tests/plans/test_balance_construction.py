@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from plans.balance.study import BalanceStudy, substituted
-from plans.model.balance.linkage import FULL, PARTIAL, SHARE, Place, Task
+from plans.model.balance.linkage import FULL, PARTIAL, SHARE, BalanceTask, Site
 from plans.model.dyad import decompose
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import Body, Transmission
@@ -41,13 +41,13 @@ def test_block_and_pin_that_slide_leave_both_their_masses() -> None:
     """A slotted crank drives a pin along a fixed line: the block in the slot goes with the pin."""
     mechanism = tangent_mechanism(0.3)
     bodies = {2: Body(2, 1.5, 0.0, 0j), 3: Body(3, 4.0, 0.0, 0.02 + 0j)}
-    found = substituted(mechanism, decompose(mechanism), bodies, asked(PARTIAL, Place(1, mass=2)))
+    found = substituted(mechanism, decompose(mechanism), bodies, asked(PARTIAL, Site(1, mass=2)))
     assert {point: term.value for point, term in found.left.items()} == {"A": 5.5}
     assert found.counterweights == {}
 
 
 def test_mechanism_that_cannot_be_assembled_has_counterweights_but_no_costs() -> None:
-    its = study(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(SHARE, Place(1, mass=9)))
+    its = study(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(SHARE, Site(1, mass=9)))
     assert its.share == 0
     assert its.counterweights[0].moment == pytest.approx(-0.37)
     assert its.after is not None
@@ -57,17 +57,17 @@ def test_mechanism_that_cannot_be_assembled_has_counterweights_but_no_costs() ->
 @pytest.mark.parametrize(
     ("text", "task", "where", "said"),
     [
-        (FOUR_BAR, asked(FULL, Place(1, mass=9)), "", "link 2 or 3"),
-        (ENGINE, asked(FULL, Place(1, mass=9)), "", "on link 2"),
-        (ENGINE, asked(PARTIAL, Place(1, at=0.1)), "counterweights[0].at", "3.7 kg"),
-        (ENGINE, asked(PARTIAL, Place(1, mass=2), Place(3, mass=1)), "counterweights[1].on", "1 or 2"),
-        (ENGINE, asked(PARTIAL, Place(2, radius=0.6)), "counterweights[0].on", "its mass"),
-        (FOUR_BAR, asked(SHARE, Place(1, mass=9), Place(2, mass=6), share=0.5), "balance", "reciprocating"),
-        (YOKE, asked(FULL, Place(1, mass=2)), "balance", "link 3 slides on the frame"),
-        (YOKE, asked(PARTIAL, Place(1, at=-0.05)), "counterweights[0].at", "degrees"),
+        (FOUR_BAR, asked(FULL, Site(1, mass=9)), "", "link 2 or 3"),
+        (ENGINE, asked(FULL, Site(1, mass=9)), "", "on link 2"),
+        (ENGINE, asked(PARTIAL, Site(1, at=0.1)), "counterweights[0].at", "3.7 kg"),
+        (ENGINE, asked(PARTIAL, Site(1, mass=2), Site(3, mass=1)), "counterweights[1].on", "1 or 2"),
+        (ENGINE, asked(PARTIAL, Site(2, radius=0.6)), "counterweights[0].on", "its mass"),
+        (FOUR_BAR, asked(SHARE, Site(1, mass=9), Site(2, mass=6), share=0.5), "balance", "reciprocating"),
+        (YOKE, asked(FULL, Site(1, mass=2)), "balance", "link 3 slides on the frame"),
+        (YOKE, asked(PARTIAL, Site(1, at=-0.05)), "counterweights[0].at", "degrees"),
     ],
 )
-def test_balance_that_cannot_be_is_refused(text: str, task: Task, where: str, said: str) -> None:
+def test_balance_that_cannot_be_is_refused(text: str, task: BalanceTask, where: str, said: str) -> None:
     with pytest.raises(SceneError) as refused:
         _ = study(text, task).counterweights
     (fault,) = refused.value.faults
@@ -77,7 +77,7 @@ def test_balance_that_cannot_be_is_refused(text: str, task: Task, where: str, sa
 
 
 def test_mechanism_that_is_balanced_already_needs_nothing() -> None:
-    first = study(FOUR_BAR, asked(FULL, Place(1, mass=9), Place(2, mass=6)))
+    first = study(FOUR_BAR, asked(FULL, Site(1, mass=9), Site(2, mass=6)))
     again = BalanceStudy(first.linkage, first.loaded_statics, first.task)
     assert [(one.mass, one.moment, one.needed) for one in again.counterweights] == [(0, 0, False)] * 2
     assert again.balance.still

@@ -21,9 +21,9 @@ from plans.model.balance.linkage import (
     REACTION,
     SECTOR,
     SHARE,
+    BalanceTask,
     Counterweight,
-    Place,
-    Task,
+    Site,
 )
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Way
@@ -60,7 +60,7 @@ def turned(mechanism: Mechanism) -> Mechanism:
     return replace(mechanism, links=links | {FRAME: mechanism.links[FRAME]}, slides=slides)
 
 
-def study(mechanism: Mechanism, its: Machine, task: Task) -> BalanceStudy:
+def study(mechanism: Mechanism, its: Machine, task: BalanceTask) -> BalanceStudy:
     """Study the balance of a mechanism with its masses, told on its links' own axes or in other frames."""
     linkage = study_of(pointed(mechanism))
     statics = Statics(linkage)
@@ -79,13 +79,13 @@ ENGINE_BODIES = bodies({1: (3, 0.04), 2: (4, 0.15), 3: (8, 0)})
 CROOKED = bodies({1: (3, 0.04 + 0.02j), 2: (4, 0.15 - 0.03j), 3: (8, 0.02 + 0.01j)})
 SHAPER = bodies({1: (4, 0.05 + 0.03j), 2: (1.5, 0.02j), 3: (12, 0.3 - 0.06j), 4: (3, 0.1 + 0.01j), 5: (20, 0.02)})
 CASES = {
-    "share": (ENGINE, machine(CROOKED, SLANT, GEARS), Task(SHARE, (Place(1, shape=SECTOR),), None, REACTION)),
-    "full": (ENGINE, machine(ENGINE_BODIES), Task(FULL, (Place(1, at=-0.15), Place(2, at=-0.25)))),
-    "partial": (ENGINE, machine(CROOKED), Task(PARTIAL, (Place(1, radius=0.07),))),
+    "share": (ENGINE, machine(CROOKED, SLANT, GEARS), BalanceTask(SHARE, (Site(1, shape=SECTOR),), None, REACTION)),
+    "full": (ENGINE, machine(ENGINE_BODIES), BalanceTask(FULL, (Site(1, at=-0.15), Site(2, at=-0.25)))),
+    "partial": (ENGINE, machine(CROOKED), BalanceTask(PARTIAL, (Site(1, radius=0.07),))),
     "shaper": (
         linkages.shaper(),
         machine(SHAPER),
-        Task(FULL, (Place(1, mass=6), Place(3, radius=0.3, shape=SECTOR), Place(4, mass=30))),
+        BalanceTask(FULL, (Site(1, mass=6), Site(3, radius=0.3, shape=SECTOR), Site(4, mass=30))),
     ),
 }
 
@@ -113,7 +113,7 @@ THICK, DENSE = 0.02, 7000.0
 @pytest.mark.parametrize(("shape", "half_angle"), [(DISC, np.pi), (SECTOR, 0.6), (SECTOR, 1.9)])
 def test_sizes_of_a_counterweight(shape: str, half_angle: float) -> None:
     """Mass, mass centre and inertia of a disc or sector are those of its plate cut into small pieces."""
-    place = Place(1, mass=5.0, shape=shape, density=DENSE, thickness=THICK)  # a disc has no half angle
+    place = Site(1, mass=5.0, shape=shape, density=DENSE, thickness=THICK)  # a disc has no half angle
     place = place if shape == DISC else place._replace(half_angle=half_angle)
     outer = Counterweight(place, "O", 0j, 0j, 5.0).outer
     cells = (np.arange(GRID) + 0.5) / GRID

@@ -23,9 +23,9 @@ from plans.balance.shares import mass_centre
 from plans.balance.study import BalanceStudy, counterweights, substituted
 from plans.balance.study import loaded as with_weights
 from plans.balance.substitution import Substitution
-from plans.balance.weights import Refused, tree_of
-from plans.model.balance.linkage import FULL, PARTIAL, Counterweight, MassCentre, Place, Task
-from plans.model.dyad import Group, decompose
+from plans.balance.weights import Unmade, tree_of
+from plans.model.balance.linkage import FULL, PARTIAL, BalanceTask, Counterweight, MassCentre, Site
+from plans.model.dyad import Assur, decompose
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from tests.parts import examples
@@ -139,10 +139,10 @@ class Asking:
 
     mechanism: Mechanism
     machine: Machine
-    task: Task
+    task: BalanceTask
 
     @property
-    def groups(self) -> tuple[Group, ...]:
+    def groups(self) -> tuple[Assur, ...]:
         """The groups."""
         return decompose(self.mechanism)
 
@@ -189,11 +189,11 @@ def asking(draw: st.DrawFn) -> Asking:
     hinged = {mechanism.drive.link} | {
         pair.taker for group in decompose(mechanism) for pair in group.outer_pairs if isinstance(pair.joint, str)
     }
-    places = [Place(link, **draw(_weight(size))) for link in sorted(hinged) if draw(st.integers(0, 5))]
-    one = Asking(mechanism, its, Task(draw(st.sampled_from((FULL, PARTIAL))), tuple(places)))
+    places = [Site(link, **draw(_weight(size))) for link in sorted(hinged) if draw(st.integers(0, 5))]
+    one = Asking(mechanism, its, BalanceTask(draw(st.sampled_from((FULL, PARTIAL))), tuple(places)))
     try:
         _ = one.weights
-    except Refused:
+    except Unmade:
         assume(False)
     return one
 
@@ -233,9 +233,9 @@ def test_what_is_balanced_already_needs_nothing(one: Asking) -> None:
 
 
 WHOLE = {
-    "four-bar": (FOUR_BAR, (Place(1, mass=9), Place(2, radius=0.1))),
-    "engine": (ENGINE, (Place(1, radius=0.2), Place(2, mass=16))),
-    "shaper": (SHAPER, (Place(1, mass=6), Place(3, mass=160), Place(4, radius=0.1))),
+    "four-bar": (FOUR_BAR, (Site(1, mass=9), Site(2, radius=0.1))),
+    "engine": (ENGINE, (Site(1, radius=0.2), Site(2, mass=16))),
+    "shaper": (SHAPER, (Site(1, mass=6), Site(3, mass=160), Site(4, radius=0.1))),
 }
 MASSES = st.lists(numbers(0.1, 9), min_size=5, max_size=5)
 CENTRES = st.lists(st.builds(complex, numbers(-0.3, 0.3), numbers(-0.3, 0.3)), min_size=5, max_size=5)

@@ -12,9 +12,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from plans.balance.study import BalanceStudy, substituted
-from plans.balance.weights import Refused, begins
+from plans.balance.weights import Unmade, begins
 from plans.linkage.drafts import Drafts
-from plans.model.balance.linkage import FULL, NONE, PARTIAL, Place, Task
+from plans.model.balance.linkage import FULL, NONE, PARTIAL, BalanceTask, Site
 from plans.model.machine import Transmission
 from tests.plans.loaded import Loaded, loaded, push
 
@@ -33,9 +33,9 @@ def balance(one: Loaded, aim: str = NONE) -> BalanceStudy:
     return BalanceStudy(one.study, one.statics, task(one, aim))
 
 
-def task(one: Loaded, aim: str) -> Task:
-    places = () if aim == NONE else tuple(Place(link, mass=HEAVY) for link in begins(one.mechanism, one.study.groups))
-    return Task(aim, places)
+def task(one: Loaded, aim: str) -> BalanceTask:
+    places = () if aim == NONE else tuple(Site(link, mass=HEAVY) for link in begins(one.mechanism, one.study.groups))
+    return BalanceTask(aim, places)
 
 
 def bearable(one: Loaded, aim: str) -> Loaded:
@@ -48,7 +48,7 @@ def bearable(one: Loaded, aim: str) -> Loaded:
         try:
             substituted(one.mechanism, groups, one.machine.bodies, task(one, aim))
             return one
-        except Refused as refused:
+        except Unmade as refused:
             at = next(k for k, group in enumerate(groups) if refused.details["link"] in group.links)
             light = {link for group in groups[at:] for link in group.links}
             bodies = {link: body for link, body in one.machine.bodies.items() if link not in light}

@@ -11,32 +11,32 @@ from geometry.meet import EPS
 from plans.analytic.balance import counterweights as by_vectors
 from plans.balance.quantities import BalanceComparison, compare_balance
 from plans.linkage.quantities import compare
-from plans.model.balance.linkage import FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, BalanceTask, Site
 from tests.parts import some
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, TWIN, asked, study
 
 CASES = {
-    "four-bar a": (FOUR_BAR, asked(FULL, Place(1, mass=9), Place(2, mass=6))),
-    "four-bar b": (FOUR_BAR, asked(FULL, Place(3, radius=0.2), Place(1, mass=5))),
-    "one of two": (FOUR_BAR, asked(FULL, Place(1, shape=SECTOR), Place(2, mass=6), Place(3, mass=8))),
-    "as it is": (SIX_LINK, Task(NONE)),
-    "engine in part": (ENGINE, asked(PARTIAL, Place(1, mass=2))),
-    "engine in part by the rod": (ENGINE, asked(PARTIAL, Place(2, mass=10))),
-    "two rods of which one carries": (TWIN, asked(PARTIAL, Place(4, mass=6), Place(2, mass=3))),
-    "engine in full": (ENGINE, asked(FULL, Place(1, mass=28), Place(2, mass=16))),
-    "engine in full by places": (ENGINE, asked(FULL, Place(1, at=-0.15), Place(2, at=-0.25))),
-    "a share": (ENGINE, asked(SHARE, Place(1, radius=0.1), share=0.4)),
-    "least force": (ENGINE, asked(SHARE, Place(1, mass=20))),
-    "least reaction": (ENGINE, asked(SHARE, Place(1, shape=SECTOR), least=REACTION)),
-    "shaper": (SHAPER, asked(FULL, Place(1, mass=6), Place(3, mass=160), Place(4, mass=30))),
-    "shaper in part": (SHAPER, asked(PARTIAL, Place(3, mass=160), Place(1, shape=SECTOR))),
+    "four-bar a": (FOUR_BAR, asked(FULL, Site(1, mass=9), Site(2, mass=6))),
+    "four-bar b": (FOUR_BAR, asked(FULL, Site(3, radius=0.2), Site(1, mass=5))),
+    "one of two": (FOUR_BAR, asked(FULL, Site(1, shape=SECTOR), Site(2, mass=6), Site(3, mass=8))),
+    "as it is": (SIX_LINK, BalanceTask(NONE)),
+    "engine in part": (ENGINE, asked(PARTIAL, Site(1, mass=2))),
+    "engine in part by the rod": (ENGINE, asked(PARTIAL, Site(2, mass=10))),
+    "two rods of which one carries": (TWIN, asked(PARTIAL, Site(4, mass=6), Site(2, mass=3))),
+    "engine in full": (ENGINE, asked(FULL, Site(1, mass=28), Site(2, mass=16))),
+    "engine in full by places": (ENGINE, asked(FULL, Site(1, at=-0.15), Site(2, at=-0.25))),
+    "a share": (ENGINE, asked(SHARE, Site(1, radius=0.1), share=0.4)),
+    "least force": (ENGINE, asked(SHARE, Site(1, mass=20))),
+    "least reaction": (ENGINE, asked(SHARE, Site(1, shape=SECTOR), least=REACTION)),
+    "shaper": (SHAPER, asked(FULL, Site(1, mass=6), Site(3, mass=160), Site(4, mass=30))),
+    "shaper in part": (SHAPER, asked(PARTIAL, Site(3, mass=160), Site(1, shape=SECTOR))),
 }
 # The three roads of the main vector: main points with direct sums, the polygon of inertia forces, and what the frame
 # holds; each within so many roundings of the largest.
 ROADS = 8
 
 
-def compared(text: str, task: Task) -> BalanceComparison:
+def compared(text: str, task: BalanceTask) -> BalanceComparison:
     its = study(text, task)
     return compare_balance(its, compare(its.linkage))
 
@@ -54,7 +54,7 @@ def test_both_roads_agree(case) -> None:
 @pytest.mark.parametrize("aim", [PARTIAL, SHARE])
 def test_both_roads_give_up_on_a_mechanism_that_cannot_be_assembled(aim) -> None:
     """Its counterweights are known all the same: they ask for no position."""
-    found = compared(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(aim, Place(1, mass=9)))
+    found = compared(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(aim, Site(1, mass=9)))
     assert found.agrees
     assert [one.moment for one in found.construction.counterweights] == [pytest.approx(-0.37)]
 
@@ -81,7 +81,7 @@ def test_a_mass_centre_that_moves_is_seen() -> None:
 def test_of_a_massless_slider_no_share_is_better_than_none() -> None:
     """Both roads take the share 0 of a mass that is not there, and nothing shakes with it."""
     text = ENGINE.partition("2 = {{ mass")[0]
-    found = compared(text, asked(SHARE, Place(1, mass=9)))
+    found = compared(text, asked(SHARE, Site(1, mass=9)))
     assert found.agrees
     for road in (found.construction, found.analysis):
         assert road.shares is not None

@@ -9,7 +9,7 @@ import pytest
 
 from plans.balance.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
-from plans.model.balance.linkage import FORCE, FULL, REACTION, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import FORCE, FULL, REACTION, SECTOR, SHARE, BalanceTask, Site
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import parse_scene
 from tests.gallery import GALLERY
@@ -19,10 +19,10 @@ ONE = counterweight("on = 1", "mass = 9")
 ALL = 'aim = "full"\n'
 
 
-def task(text: str, linkage: str = FOUR_BAR) -> Task:
+def task(text: str, linkage: str = FOUR_BAR) -> BalanceTask:
     scene = parse_scene(linkage + text)
     mechanism_of(scene)
-    found: Task = scene.meaning["balance"].task
+    found: BalanceTask = scene.meaning["balance"].task
     return found
 
 
@@ -41,11 +41,11 @@ def said(text: str, linkage: str = FOUR_BAR) -> list[tuple[str, str]]:
 def test_a_task_is_read_with_its_units() -> None:
     first = counterweight("on = 1", 'radius = "150 mm"', 'density = "11.3 g/cm3"', 'thickness = "4 cm"')
     second = counterweight("on = 3", 'shape = "sector"', "half_angle = 90")
-    assert task(f'[balance]\naim = "full"\n{first}{second}') == Task(
+    assert task(f'[balance]\naim = "full"\n{first}{second}') == BalanceTask(
         FULL,
         (
-            Place(1, radius=0.15, density=11300.0, thickness=0.04),
-            Place(3, shape=SECTOR, half_angle=math.pi / 2),
+            Site(1, radius=0.15, density=11300.0, thickness=0.04),
+            Site(3, shape=SECTOR, half_angle=math.pi / 2),
         ),
     )
 

@@ -19,8 +19,8 @@ from plans.model.balance.linkage import (
     ROUNDING,
     SECTOR,
     SHARE,
-    Place,
-    Task,
+    BalanceTask,
+    Site,
 )
 from plans.model.machine import GEAR as GEARED
 from plans.model.machine import Transmission
@@ -30,10 +30,10 @@ from tests.plans.balance_cases import bodies, engine
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, asked, study
 
 DIGITS = 5e-10  # of values that are printed with ten digits
-VARIANT_A = asked(FULL, Place(1, mass=9), Place(2, mass=6))
-VARIANT_B = asked(FULL, Place(1, mass=5), Place(3, mass=8))
-ENGINE_FULL = asked(FULL, Place(1, mass=28), Place(2, mass=16))
-SHAPER_FULL = asked(FULL, Place(1, mass=6), Place(3, mass=160), Place(4, mass=30))
+VARIANT_A = asked(FULL, Site(1, mass=9), Site(2, mass=6))
+VARIANT_B = asked(FULL, Site(1, mass=5), Site(3, mass=8))
+ENGINE_FULL = asked(FULL, Site(1, mass=28), Site(2, mass=16))
+SHAPER_FULL = asked(FULL, Site(1, mass=6), Site(3, mass=160), Site(4, mass=30))
 
 
 def moments(its: BalanceStudy) -> dict[int, complex]:
@@ -89,7 +89,7 @@ def test_four_bar_with_counterweights_on_crank_and_rocker() -> None:
 
 
 def test_slider_crank_balanced_in_part() -> None:
-    its = study(ENGINE, asked(PARTIAL, Place(1, mass=2)))
+    its = study(ENGINE, asked(PARTIAL, Site(1, mass=2)))
     (one,) = its.counterweights
     assert moments(its) == pytest.approx({1: -0.25}, rel=DIGITS)
     assert one.centre == pytest.approx(-0.185, rel=DIGITS)
@@ -102,7 +102,7 @@ def test_slider_crank_balanced_in_part() -> None:
 
 def test_slider_crank_balanced_in_part_by_the_rod() -> None:
     """The one counterweight of (8.9) may stand on AB as well: h1/OA = h2/AB with its mass behind the pin."""
-    its = study(ENGINE, asked(PARTIAL, Place(2, mass=10)))
+    its = study(ENGINE, asked(PARTIAL, Site(2, mass=10)))
     kappa = (3 * 0.04 / 0.1 + 4 + 10 + 8) / 25  # h1/OA, where the counterweight's place does not enter
     assert moments(its) == pytest.approx({2: kappa * 25 * 0.4 - 8 * 0.4}, rel=DIGITS)
     assert its.after is not None
@@ -118,7 +118,7 @@ def test_slider_crank_balanced_in_full() -> None:
 
 def test_slotted_link_balanced_in_parts_and_in_full() -> None:
     alone = SHAPER.partition("4 = {{ mass")[0]  # link 3 without what it drives
-    its = study(alone, asked(FULL, Place(1, mass=6), Place(3, mass=160)))
+    its = study(alone, asked(FULL, Site(1, mass=6), Site(3, mass=160)))
     assert [one.centre for one in its.counterweights] == pytest.approx([-0.06333333333, -0.0225], rel=DIGITS)
     whole = study(SHAPER, SHAPER_FULL)
     told = [-0.06333333333, -0.254375, -0.1433333333]
@@ -136,7 +136,7 @@ def test_slotted_link_balanced_in_parts_and_in_full() -> None:
         (SHAPER, SHAPER_FULL, 0.7),
     ],
 )
-def test_balanced_mass_centre_rests(text: str, task: Task, longest: float) -> None:
+def test_balanced_mass_centre_rests(text: str, task: BalanceTask, longest: float) -> None:
     its = study(text, task, positions=3600)
     assert its.after is not None
     r = its.after.centre.r
@@ -151,17 +151,17 @@ def printed(value: float, text: str) -> bool:
 def test_an_offset_guide_is_balanced_as_one_through_the_shaft() -> None:
     moments = []
     for offset in (0.0, 0.07):
-        case, task = engine(offset), Task(FULL, (Place(1, mass=28), Place(2, mass=16)))
+        case, task = engine(offset), BalanceTask(FULL, (Site(1, mass=28), Site(2, mass=16)))
         found = case.balance(task)
         moments.append([one.moment for one in found.counterweights])
         assert found.after.around.path <= 1e-14 * 0.4
     assert np.allclose(*moments, rtol=1e-15)
 
 
-@pytest.mark.parametrize("place", [Place(1, radius=0.15), Place(1, at=-0.15), Place(1, shape=SECTOR)])
+@pytest.mark.parametrize("place", [Site(1, radius=0.15), Site(1, at=-0.15), Site(1, shape=SECTOR)])
 def test_masses_follow_from_static_moments(place) -> None:
     """The mass of the rod's counterweight weighs on the crank: either of them follows from its static moment."""
-    found = engine(0.03).balance(Task(FULL, (place, place._replace(link=2))))
+    found = engine(0.03).balance(BalanceTask(FULL, (place, place._replace(link=2))))
     first, second = found.counterweights
     assert np.isclose(second.moment, -(4 * 0.15 + 8 * 0.4), rtol=1e-15)
     assert np.isclose(first.moment, -(3 * 0.04 + (4 + 8 + second.mass) * 0.1), rtol=1e-15)
@@ -178,7 +178,7 @@ def test_masses_follow_from_static_moments(place) -> None:
 GEAR = Transmission(GEARED, 0.18, 3.6, 0.35)
 
 
-PLACES = Place(1, mass=20), Place(1, radius=0.05), Place(1, shape=SECTOR)
+PLACES = Site(1, mass=20), Site(1, radius=0.05), Site(1, shape=SECTOR)
 DRIVES = (Transmission(), 0.0), (GEAR, 0.0), (GEAR, 300.0)
 
 
@@ -190,10 +190,10 @@ def test_the_best_share_is_least_of_all(place, drive, epsilon) -> None:
     case = engine(0.02)
     links = replace(case.mechanism, drive=case.mechanism.drive._replace(epsilon=epsilon))
     case = case._replace(mechanism=links, machine=replace(case.machine, gravity=-9.81j, transmission=drive))
-    found = case.balance(Task(SHARE, (place,)))
+    found = case.balance(BalanceTask(SHARE, (place,)))
     for best, of in ((found.shares.least_force, "shaking"), (found.shares.least_reaction, "reaction")):
         shares = (max(best.share - 1e-4, 0.0), best.share, best.share + 1e-4)
-        tried = [case.balance(Task(SHARE, (place,), share)) for share in shares]
+        tried = [case.balance(BalanceTask(SHARE, (place,), share)) for share in shares]
         sizes = [one.after.shaking if of == "shaking" else one.after.reactions["0-1"] for one in tried]
         assert sizes[1] <= min(sizes) * (1 + ROUNDING * EPS)
         told = best.force if of == "shaking" else best.reaction
@@ -206,13 +206,13 @@ def test_half_the_reciprocating_mass_is_best_of_a_very_long_rod() -> None:
     """With F = m r w^2 (1 - k) along the guide and k m r w^2 across it the largest is least where both are equal."""
     links = linkages.slider_crank(0.1, 1e5, omega=20.0, epsilon=0.0)
     case = engine()._replace(mechanism=links, machine=bodies((1, 3, 0), (3, 8, 0)))
-    best = case.balance(Task(SHARE, (Place(1, mass=2),))).shares.least_force
+    best = case.balance(BalanceTask(SHARE, (Site(1, mass=2),))).shares.least_force
     assert np.isclose(best.share, 0.5, atol=1e-5) and np.isclose(best.force, 8 * 0.1 * 400 / 2, rtol=1e-5)
 
 
 def test_harmonics_of_the_engine() -> None:
     """Methods M7.8, all printed digits: the first and the second harmonic of the slider, against its closed series."""
-    case, task = engine(), Task(PARTIAL, (Place(1, mass=2),))
+    case, task = engine(), BalanceTask(PARTIAL, (Site(1, mass=2),))
     weights = case.balance(task).counterweights
     road = Analysis(case.mechanism)
     road.motion(np.zeros(1))

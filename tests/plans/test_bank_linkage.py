@@ -14,7 +14,7 @@ from plans.balance.study import BalanceStudy
 from plans.bank.quantities import compare_bank
 from plans.bank.study import BankStudy, Linkage, NoTurn
 from plans.model.balance.bank import Asked, BankTask, Member
-from plans.model.balance.linkage import PARTIAL, Place
+from plans.model.balance.linkage import PARTIAL, Site
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, asked, study
@@ -33,16 +33,16 @@ def bank(its: BalanceStudy, task: BankTask, after: bool = True) -> BankStudy:
     return BankStudy(task, Linkage(its.linkage, its.points(after), task.speed))
 
 
-def mechanism(its: BalanceStudy, task: BankTask, after: bool = True) -> bank_linkage.Linkage:
+def mechanism(its: BalanceStudy, task: BankTask, after: bool = True) -> bank_linkage.ExactLinkage:
     """Give the linkage for the analysis."""
     linkage, added = its.linkage, its.counterweights if after else ()
     solid, orders = bodies(its.machine, added), (*task.orders, *(one.order for one in task.asked))
-    return bank_linkage.Linkage(Analysis(linkage.mechanism), solid, task.speed, linkage.turn.phi, orders)
+    return bank_linkage.ExactLinkage(Analysis(linkage.mechanism), solid, task.speed, linkage.turn.phi, orders)
 
 
 def test_textbook() -> None:
     """Figures 8.11 and 8.13: the engine that is balanced partly shakes along its guide, methods M7.6 and M7.8."""
-    its = study(ENGINE, asked(PARTIAL, Place(1, mass=2)))
+    its = study(ENGINE, asked(PARTIAL, Site(1, mass=2)))
     task = BOOK._replace(unit=None)
     for found in (bank(its, task).balance, bank_balance(task, mechanism(its, task))):
         assert [f"{found.force[k].real:.9g}" for k in (0, 90, 180)] == ["475", "-98.1155781", "-285"]

@@ -18,8 +18,8 @@ from geometry.strips import middles
 from plans.bench import cams, motion, series, trial
 from plans.bench.motion import NEWTON, PLANS, REPLAY, TOLERANCES, Replay, sample, with_positions
 from plans.bench.quantities import CONSTRUCTION, apart, quantities, roads
-from plans.bench.trial import Errors, Order, Road, Row, Times, interleaved, order, orders, timed
-from plans.cam.course import Course
+from plans.bench.trial import Demand, Errors, Timed, Times, Timing, interleaved, order, orders, timed
+from plans.cam.course import FollowerCourse
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
@@ -78,9 +78,9 @@ def test_a_road_that_refuses_says_why_and_a_long_one_runs_once(ticking: Callable
     def refuse() -> None:
         raise DraftError("no room on the sheet")
 
-    ways = [Road(refuse, 3, {"one": Errors.one, "two": Errors.one})]
-    ways += [Road(lambda: ticking(0.1) or 5.0, 3, {"three": Errors.one})]
-    ways += [Road(lambda: ticking(trial.LONG + 1) or 5.0, 3, {"four": Errors.one})]
+    ways = [Timing(refuse, 3, {"one": Errors.one, "two": Errors.one})]
+    ways += [Timing(lambda: ticking(0.1) or 5.0, 3, {"three": Errors.one})]
+    ways += [Timing(lambda: ticking(trial.LONG + 1) or 5.0, 3, {"four": Errors.one})]
     one, two, three, four = timed(ways, 2)
     assert [row.note for row in (one, two)] == ["left out: no room on the sheet"] * 2
     assert one.times is None and one.errors is None
@@ -89,7 +89,7 @@ def test_a_road_that_refuses_says_why_and_a_long_one_runs_once(ticking: Callable
 
 
 def test_orders_are_told_where_errors_fall_above_rounding() -> None:
-    rows = [Row("a", n, Errors.one(n**-2.0)) for n in (10, 100)] + [Row("b", n, Errors.one(1e-15)) for n in (1, 2)]
+    rows = [Timed("a", n, Errors.one(n**-2.0)) for n in (10, 100)] + [Timed("b", n, Errors.one(1e-15)) for n in (1, 2)]
     assert [*orders(rows)] == ["  a: order 2.00 from 10 to 100"]
 
 
@@ -170,7 +170,7 @@ def test_few_positions_are_all_looked_at_and_many_all_over_the_turn() -> None:
 
 
 @pytest.mark.parametrize("known", series.KNOWN, ids=lambda one: one.name)
-def test_chords_are_of_the_order_that_is_known_of_them(known: series.Diagram) -> None:
+def test_chords_are_of_the_order_that_is_known_of_them(known: series.KnownDiagram) -> None:
     """And the integral in closed form is that of the diagram, by a fine sum of rectangles."""
     edges = np.linspace(0, known.end, 100_001)
     areas = np.cumsum(known.ordinate(middles(edges)) * np.diff(edges))
@@ -194,7 +194,7 @@ def errors_of(ways: Any) -> dict[str, list[float]]:
 
 @pytest.mark.parametrize("loads", [PLANING, pytest.param(PUSHED, marks=pytest.mark.rest)])
 def test_the_flywheel_by_chords_is_of_order_two_and_a_mean_bears_no_jump(loads: str) -> None:
-    found = errors_of(series.dynamics(study(loads), Order((12,), 1, startup=False)))
+    found = errors_of(series.dynamics(study(loads), Demand((12,), 1, startup=False)))
     chords = found[series.CHORDS]
     power = order(chords[1:], series.STRIPS[1:4])
     assert power > 1.8 and (loads == PUSHED or power < 2.2)
@@ -205,7 +205,7 @@ def test_the_flywheel_by_chords_is_of_order_two_and_a_mean_bears_no_jump(loads: 
 
 def test_the_ways_to_a_profile_are_of_their_orders() -> None:
     counts = (90, 720)
-    judged = [cams.Judged(Course(cam(end="roller")), offset_sizes(), 0.013, count) for count in counts]
+    judged = [cams.Judged(FollowerCourse(cam(end="roller")), offset_sizes(), 0.013, count) for count in counts]
     found = errors_of(road for one in judged for road in one.roads())
     for way in (name for name in (cams.INVERSION, cams.OFFSET) if name in found):
         assert order(found[way], counts) == pytest.approx(2.0, abs=0.1)
@@ -218,6 +218,6 @@ def test_the_ways_to_a_profile_are_of_their_orders() -> None:
 )
 def test_series_of_a_scene_fall(name: str, technique: str, power: float | None) -> None:
     make = series.diagrams if power else series.bank
-    errors = errors_of(make(Study(read_scene(GALLERY / f"{name}.toml")), Order((12,), 1, startup=False)))[technique]
+    errors = errors_of(make(Study(read_scene(GALLERY / f"{name}.toml")), Demand((12,), 1, startup=False)))[technique]
     assert errors[0] > errors[1]
     assert power is None or order(errors, series.FEW) == pytest.approx(power, abs=0.15)

@@ -9,10 +9,10 @@ from functools import cache
 import pytest
 
 from plans.analytic.cam.findings import cam_found as analysed
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.cam.profile.findings import cam_found
 from plans.model.cam import FORCE, RETURN, RISE, FollowerLoad, Limits
-from plans.model.cam_motion import CamFound, Extreme, Sizes
+from plans.model.cam_motion import CamFound, CamSizes, Extreme
 from tests.parts import some
 from tests.plans.textbook_cams import FLAT_BASE, LIFT, START, cam, offset_sizes, phases, pivot, rocker
 
@@ -39,8 +39,8 @@ ALL = {
     "rocker against": (rocker("roller", -1, -1), pivot(rocker("roller", -1, -1), complex(0.12, -0.07))),
     "rocker undercut": (rocker("roller", roller=0.04, closure=FORCE), pivot(rocker())),
     "hollow": (rocker("roller", roller=0.019), pivot(rocker())),
-    "flat": (cam(end="flat", closure=FORCE), Sizes(FLAT_BASE)),
-    "flat hollow": (cam(end="flat", sense=-1, closure=FORCE), Sizes(0.03)),
+    "flat": (cam(end="flat", closure=FORCE), CamSizes(FLAT_BASE)),
+    "flat hollow": (cam(end="flat", sense=-1, closure=FORCE), CamSizes(0.03)),
     "flat rocker": (rocker("flat", face=0.005, closure=FORCE), pivot(rocker("flat"), FACE)),
     "flat rocker hollow": (rocker("flat", face=0.005, closure=FORCE), pivot(rocker("flat"), complex(0.12, -0.2))),
     "flat rocker loaded": (
@@ -52,7 +52,7 @@ ALL = {
 
 @cache
 def draw(own, sizes) -> CamFound:
-    return cam_found(Course(own), sizes, positions(own))
+    return cam_found(FollowerCourse(own), sizes, positions(own))
 
 
 @cache
@@ -147,7 +147,7 @@ def test_the_outer_side_of_a_groove_is_undercut_in_a_hollow(road):
 def test_what_would_mend_a_pressure_angle_leaves_the_offset_as_it_is(road):
     limits, offset = Limits(math.radians(30), math.radians(40)), 0.03
     least = road(cam(limits=limits), offset_sizes(offset, 0.02)).mending
-    most = road(cam(), Sizes(least, offset)).pressure
+    most = road(cam(), CamSizes(least, offset)).pressure
     assert max(abs(most[kind].value) / limits.of(kind) for kind in most) == pytest.approx(1, abs=1e-12)
 
 
@@ -155,7 +155,7 @@ def test_what_would_mend_a_pressure_angle_leaves_the_offset_as_it_is(road):
 def test_what_would_make_the_profile_under_a_flat_face_convex(road):
     """With that R0 the least radius is just the one asked for: R0 is added to it everywhere (M2.12)."""
     own = replace(ALL["flat hollow"][0], limits=Limits(curvature=0.004))
-    mending = road(own, Sizes(0.03)).mending
-    assert road(own, Sizes(mending)).sharpest.value == pytest.approx(0.004, abs=1e-15)
-    assert {one.kind for one in road(own, Sizes(mending * 0.999)).flaws} == {"sharp"}
-    assert road(cam(phases(*STEADY), end="flat", closure=FORCE), Sizes(0.2)).mending is None
+    mending = road(own, CamSizes(0.03)).mending
+    assert road(own, CamSizes(mending)).sharpest.value == pytest.approx(0.004, abs=1e-15)
+    assert {one.kind for one in road(own, CamSizes(mending * 0.999)).flaws} == {"sharp"}
+    assert road(cam(phases(*STEADY), end="flat", closure=FORCE), CamSizes(0.2)).mending is None

@@ -9,7 +9,7 @@ import pytest
 
 from plans.analytic.cam import laws as seams
 from plans.analytic.cam.laws import limits, travel
-from plans.cam.course import Course, law_of
+from plans.cam.course import FollowerCourse, law_of
 from plans.model.cam import DWELL, LAWS, RETURN, RISE, Cam, Law
 from plans.model.cam_motion import Shock
 from tests.parts import some
@@ -67,11 +67,11 @@ def share(law: Law, k: float, order: int, road: str, before: bool = False) -> fl
 
 
 def moved(cam: Cam, phi: np.ndarray, road: str, before: bool = False) -> np.ndarray:
-    return np.array(travel(cam, phi, before) if road == "analysis" else Course(cam).at(phi, before))
+    return np.array(travel(cam, phi, before) if road == "analysis" else FollowerCourse(cam).at(phi, before))
 
 
 def shocks(cam: Cam, road: str) -> tuple[Shock, ...]:
-    return seams.shocks(cam) if road == "analysis" else Course(cam).shocks
+    return seams.shocks(cam) if road == "analysis" else FollowerCourse(cam).shocks
 
 
 def titled(law: Law) -> str:
@@ -111,7 +111,7 @@ def test_worked_jerks(name: str) -> None:
 @pytest.mark.parametrize("law", EVERY, ids=titled)
 def test_both_roads_give_one_motion(law: Law, slides: bool) -> None:
     cam = usual(law, translates=slides)
-    joints = np.array(Course(cam).joints)
+    joints = np.array(FollowerCourse(cam).joints)
     phi = np.linspace(0.0, cam.turn, 721)
     phi = np.concatenate([phi[np.abs(phi[:, None] - joints).min(axis=1) > 1e-9], joints])
     for before in (False, True):

@@ -11,7 +11,7 @@ import pytest
 from plans.analytic.cam.findings import cam_found as analysed
 from plans.analytic.cam.sizes import sizes
 from plans.cam.centre.sizes import sizing
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.cam.profile.findings import cam_found
 from plans.cam.study import CamStudy
 from plans.model.cam import (
@@ -26,7 +26,7 @@ from plans.model.cam import (
     GivenSizes,
     Limits,
 )
-from plans.model.cam_motion import CamError, CamFound, Sizes
+from plans.model.cam_motion import CamError, CamFound, CamSizes
 from tests.parts import some
 from tests.plans.cam_cases import LIFT, SWING, cam, phases
 
@@ -41,11 +41,11 @@ def limited(motion: str, closure: str, rise: float, back: float, sense: int = 1)
     return cam(motion, sense=sense, with_cam=sense, closure=closure, limits=limits, phases=own)
 
 
-def draw(one: Cam, own: Sizes) -> CamFound:
-    return cam_found(Course(one), own, positions(one))
+def draw(one: Cam, own: CamSizes) -> CamFound:
+    return cam_found(FollowerCourse(one), own, positions(one))
 
 
-def analyse(one: Cam, own: Sizes) -> CamFound:
+def analyse(one: Cam, own: CamSizes) -> CamFound:
     return analysed(one, own, positions(one))
 
 
@@ -59,7 +59,7 @@ CASES = [
 @pytest.mark.parametrize("case", some(CASES, 21))
 def test_sizes_that_are_found_keep_to_the_limits(case):
     one = limited(*case)
-    for found in (draw(one, sizing(Course(one)).sizes), analyse(one, sizes(one))):
+    for found in (draw(one, sizing(FollowerCourse(one)).sizes), analyse(one, sizes(one))):
         assert "pressure" not in {flaw.kind for flaw in found.flaws} and found.advised is None
 
 
@@ -77,6 +77,6 @@ def test_a_roller_over_the_centre_is_refused():
     one = replace(cam(), given=GivenSizes(0.05, 0.0), roller=0.05)
     with pytest.raises(CamError) as refused:
         CamStudy([one]).found  # noqa: B018
-    least = draw(replace(one, roller=0.01), Sizes(0.05)).sharpest
+    least = draw(replace(one, roller=0.01), CamSizes(0.05)).sharpest
     assert least is not None and dict(refused.value.message.parts)["most"] == f"{1000 * min(least.value, 0.05):.6g}"
     assert CamStudy([replace(one, roller=0.049)]).found

@@ -9,11 +9,11 @@ import pytest
 
 from geometry.curve import CubicPiece, RoundPiece, gaps
 from plans.analytic.cam.laws import travel
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.path import PIECES, ProfilePath, path
 from plans.cam.profile.profile import CamOutline
 from plans.model.cam import DWELL, RETURN, RISE, ROLLER, TRANSLATING, Cam
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import CamSizes
 from tests.parts import some
 from tests.plans import cam_cases as cases
 from tests.plans.cam_cases import Case, every, roller_of, titled
@@ -35,7 +35,7 @@ def test_profile_is_on_the_exact_envelope(sense: int, sign: int) -> None:
     normal = sense * -np.sin(alpha) + 1j * np.cos(alpha)
     tip = sense * sizes.offset + 1j * (level + found.s)
     exact = (tip - roller_of(cam) * normal) * np.exp(-1j * sense * turned)
-    assert np.abs(CamOutline(Course(cam), sizes, -roller_of(cam)).at(turned).at - exact).max() < 1e-12 * MM
+    assert np.abs(CamOutline(FollowerCourse(cam), sizes, -roller_of(cam)).at(turned).at - exact).max() < 1e-12 * MM
 
 
 @pytest.mark.parametrize("case", CASES, ids=titled)
@@ -73,12 +73,12 @@ def test_corner_of_the_law_is_led_round(end: str) -> None:
     assert [round(piece.radius, 12) for piece in about] == ([0.01, 0.01] if end == "roller" else [])
 
 
-def _off(cam: Cam, sizes: Sizes, found: ProfilePath, roller: float) -> float:
+def _off(cam: Cam, sizes: CamSizes, found: ProfilePath, roller: float) -> float:
     """Measure how far a path is off the outline by the roots of a polynomial: feet of perpendiculars on its cubics."""
     ends = [*found.starts[1:], cam.turn]
     rows = [row for row in zip(found.pieces, found.starts, ends, strict=True) if isinstance(row[0], CubicPiece)]
     shares = np.array([0.031, 0.173, 0.309, 0.457, 0.543, 0.691, 0.827, 0.969])
-    spots = CamOutline(Course(cam), sizes, -roller).at(
+    spots = CamOutline(FollowerCourse(cam), sizes, -roller).at(
         np.concatenate([start + shares * (end - start) for _, start, end in rows])
     )
     return max(_foot(row[0], spot) for row, own in zip(rows, spots.at.reshape(-1, 8), strict=True) for spot in own)

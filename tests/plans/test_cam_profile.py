@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.profile.contact import ProfileExtremes
 from plans.cam.profile.profile import profile, roller_of
 from plans.cam.profile.touch import Stretches
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import CamSizes
 from tests.plans.digits import printed
 from tests.plans.textbook_cams import FLAT_BASE, cam, offset_sizes, pivot, rocker
 
@@ -19,12 +19,12 @@ ROLLER = 0.01306597775
 
 
 def at(own, sizes, *degrees, roller=0.0):
-    return profile(Course(own), sizes, roller, np.radians(degrees))
+    return profile(FollowerCourse(own), sizes, roller, np.radians(degrees))
 
 
 def test_textbook_pressure_and_sliding():
     """M2.6, (5.27), (5.28): R0 = 0.05, e = 0.012, 10 rad/s."""
-    found = at(cam(), Sizes(0.05, 0.012), 50, 0).contour
+    found = at(cam(), CamSizes(0.05, 0.012), 50, 0).contour
     assert printed(found.travel.s[0], found.travel.slope[0]) == (0.01011267585, 0.02672884503)
     assert printed(np.degrees(found.pressure[0]), 10 * found.sliding[0]) == (14.09692312, 0.6047244201)
     assert found.pressure[1] == pytest.approx(-math.atan(0.012 / math.sqrt(0.05**2 - 0.012**2)), abs=1e-15)
@@ -48,10 +48,10 @@ def test_textbook_clockwise_rocker_lays_off_the_other_way():
 
 def test_textbook_flat_face():
     """M2.10: P and its radius at 50 degrees, the face to both sides."""
-    own, sizes = cam(end="flat"), Sizes(FLAT_BASE)
+    own, sizes = cam(end="flat"), CamSizes(FLAT_BASE)
     found = at(own, sizes, 50).contour
     assert printed(found.profile[0], found.radius[0]) == (0.06119346145 + 0.0164553818j, 0.07894014394)
-    extremes = ProfileExtremes(Stretches(Course(own), sizes))
+    extremes = ProfileExtremes(Stretches(FollowerCourse(own), sizes))
     low, high = extremes.face
     assert printed(high, -low) == (0.02864788976, 0.0358098622)
     assert extremes.sharpest is not None
@@ -80,7 +80,7 @@ def test_textbook_pitch_profile_of_a_rocker():
 
 def test_textbook_radius_of_curvature():
     """M2.13, figure 5.54: the least radii with their places."""
-    course, sizes = Course(cam()), offset_sizes()
+    course, sizes = FollowerCourse(cam()), offset_sizes()
     stretches = Stretches(course, sizes)
     extremes = ProfileExtremes(stretches)
     least = extremes.sharpest
@@ -94,7 +94,7 @@ def test_textbook_radius_of_curvature():
 def test_textbook_roller():
     """M2.14: both rules, the working profile, its least radius, and a roller that undercuts."""
     own, sizes = cam(end="roller"), offset_sizes()
-    extremes = ProfileExtremes(Stretches(Course(own), sizes))
+    extremes = ProfileExtremes(Stretches(FollowerCourse(own), sizes))
     assert extremes.sharpest is not None
     taken = roller_of(None, extremes.sharpest.value, sizes.base)
     assert taken.rule == "wear"

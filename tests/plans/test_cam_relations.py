@@ -15,13 +15,13 @@ from geometry.precision import errors
 from geometry.replay import exact
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.findings import cam_found as analysed
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import profile
 from plans.cam.profile.resting import resting
 from plans.cam.profile.touch import Stretches
 from plans.model.cam import FLAT, LAWS, RETURN, RISE, ROLLER, Cam, Follower
-from plans.model.cam_motion import Contour, Sizes
+from plans.model.cam_motion import CamSizes, Contour
 from tests.parts import examples
 from tests.plans.textbook_cams import FLAT_BASE, LENGTH, LIFT, SWING, cam, offset_sizes, phases, pivot, rocker
 
@@ -32,7 +32,7 @@ SMOOTH = [name for name in LAWS if name != "constant velocity"]
 
 
 @st.composite
-def cams(draw) -> tuple[Cam, Sizes]:
+def cams(draw) -> tuple[Cam, CamSizes]:
     """Give cams whose followers all can follow: lifts that are small beside the base."""
     up, dwell, down = (draw(st.integers(*ends)) for ends in ((60, 130), (0, 50), (60, 130)))
     rocks, flat = draw(st.booleans()), draw(st.booleans())
@@ -44,14 +44,14 @@ def cams(draw) -> tuple[Cam, Sizes]:
     end = FLAT if flat else ROLLER
     if not rocks:
         made = cam(parts, end, sense)
-        return made, Sizes(0.09) if flat else offset_sizes(draw(st.floats(-0.03, 0.03)), 0.07)
+        return made, CamSizes(0.09) if flat else offset_sizes(draw(st.floats(-0.03, 0.03)), 0.07)
     follower = Follower("rocking", end, LENGTH, turns, draw(st.floats(-0.01, 0.01)) if flat else 0.0)
     made = cam(parts, end, sense, follower=follower)
     return made, pivot(made, complex(0.16, -0.2) if flat else complex(0.12, -0.09))
 
 
-def drawn_by(own: Cam, sizes: Sizes, turned) -> Contour:
-    return profile(Course(own), sizes, RADIUS if own.follower.end == ROLLER else 0.0, turned).contour
+def drawn_by(own: Cam, sizes: CamSizes, turned) -> Contour:
+    return profile(FollowerCourse(own), sizes, RADIUS if own.follower.end == ROLLER else 0.0, turned).contour
 
 
 def turns(own: Cam) -> np.ndarray:
@@ -87,8 +87,8 @@ def test_scale(case, times):
         parts = tuple(one._replace(level=one.level * times, change=one.change * times) for one in parts)
     other = replace(own, follower=follower, phases=parts)
     turned, radius = turns(own), RADIUS if own.follower.end == ROLLER else 0.0
-    one = profile(Course(own), sizes, radius, turned).contour
-    two = profile(Course(other), larger, radius * times, turned).contour
+    one = profile(FollowerCourse(own), sizes, radius, turned).contour
+    two = profile(FollowerCourse(other), larger, radius * times, turned).contour
     assert np.abs(one.profile * times - two.profile).max() <= 256 * EPS * times
     assert one.pressure == pytest.approx(two.pressure, abs=1e-12)
     assert 1 / one.radius == pytest.approx(times / two.radius, rel=1e-9, abs=1e-9)
@@ -146,7 +146,7 @@ def law(phi):
     return 1 - k**3 * (10 - 15 * k + 6 * k**2), -30 * k**2 * (1 - k) ** 2 / down
 
 
-def envelope(own: Cam, sizes: Sizes, phi, radius):
+def envelope(own: Cam, sizes: CamSizes, phi, radius):
     """Give the working profile in 50 digits, from the family of circles, or of lines, that it is the envelope of."""
     s, slope = (MP.mpf(own.lift) * one for one in law(phi))
     back = MP.expj(-own.sense * phi)
@@ -165,7 +165,7 @@ def envelope(own: Cam, sizes: Sizes, phi, radius):
 ENVELOPES = {
     "translating": (cam(end=ROLLER), offset_sizes(-0.012, 0.04)),
     "clockwise": (cam(end=ROLLER, sense=-1), offset_sizes(0.012, 0.04)),
-    "flat": (cam(end=FLAT, sense=-1), Sizes(FLAT_BASE)),
+    "flat": (cam(end=FLAT, sense=-1), CamSizes(FLAT_BASE)),
     "rocker": (rocker(ROLLER), pivot(rocker(ROLLER))),
     "rocker against": (rocker(ROLLER, 1, -1), pivot(rocker(ROLLER, 1, -1), complex(0.12, -0.08))),
 }
@@ -178,7 +178,7 @@ def test_the_working_profile_is_the_exact_envelope(name, road):
     own, sizes = ENVELOPES[name]
     turned = np.linspace(0.01, 6.2, 61)
     radius = 0.0 if own.flat else 0.01
-    found = profile(Course(own), sizes, radius, turned).contour if road == "construction" else None
+    found = profile(FollowerCourse(own), sizes, radius, turned).contour if road == "construction" else None
     points = (found or contour(own, sizes, radius, turned)).profile
     true = [envelope(own, sizes, MP.mpf(phi), MP.mpf(radius)) for phi in turned.tolist()]
     assert max(float(abs(MP.mpc(one) - exactly)) for one, exactly in zip(points.tolist(), true, strict=True)) <= 1e-15
@@ -189,16 +189,16 @@ def test_on_the_point_where_it_touches_the_follower_rests_as_it_should(name):
     """What rests on a corner is found by a geometry of its own; on the profile itself it gives the law back."""
     own, sizes = ENVELOPES[name]
     roller, turned = 0.0 if own.flat else 0.01, np.linspace(0.3, 4.1, 7)
-    found = profile(Course(own), sizes, roller, turned).contour
+    found = profile(FollowerCourse(own), sizes, roller, turned).contour
     for k, corner in enumerate(found.profile.tolist()):
-        s = resting(Stretches(Course(own), sizes), roller, corner, turned[k : k + 1])
+        s = resting(Stretches(FollowerCourse(own), sizes), roller, corner, turned[k : k + 1])
         assert s == pytest.approx(found.travel.s[k : k + 1], abs=1e-14)
 
 
 @pytest.mark.parametrize("name", list(ENVELOPES))
 def test_the_record_replayed_in_50_digits_is_within_its_bounds(name):
     own, sizes = ENVELOPES[name]
-    drawing = profile(Course(own), sizes, 0.0 if own.flat else 0.01, np.linspace(0.01, 6.2, 31)).drawing
+    drawing = profile(FollowerCourse(own), sizes, 0.0 if own.flat else 0.01, np.linspace(0.01, 6.2, 31)).drawing
     last = drawing.board.marks[-1] if own.flat else drawing.board["Q"]
     bound = errors(drawing.point, last)
     for place in (0, 7, 19, 30):
@@ -212,7 +212,7 @@ def test_a_circle_under_a_lift_of_nothing():
     """H3."""
     own = cam(phases((RISE, 120, 0.0, "sine"), (RETURN, 90, 0.0, "3-4-5")), end=ROLLER)
     for found in (
-        cam_found(Course(own), offset_sizes(), positions(own)),
+        cam_found(FollowerCourse(own), offset_sizes(), positions(own)),
         analysed(own, offset_sizes(), positions(own)),
     ):
         assert np.abs(found.contour.pitch) == pytest.approx(offset_sizes().base)

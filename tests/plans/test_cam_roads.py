@@ -12,13 +12,13 @@ import pytest
 from geometry.meet import EPS
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.findings import cam_found as analysed
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.cam.profile.contact import Contact, pressure, pressure_slope
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import curvature, curvature_slope, profile, slip, slip_slope
 from plans.cam.profile.touch import FaceTouch, Tip, Value
 from plans.model.cam import LAWS, Cam, FollowerLoad, Law, Phase
-from plans.model.cam_motion import BEND, SLOPE, CamFound, Sizes
+from plans.model.cam_motion import BEND, SLOPE, CamFound, CamSizes
 from tests.parts import some
 from tests.plans.law_cams import LIFT, LINES, RISING, usual
 from tests.plans.textbook_cams import FLAT_BASE, START, cam, offset_sizes, pivot, rocker
@@ -27,7 +27,7 @@ TURNS = 3600
 FACE = complex(0.06, -0.15)  # O - O1 of a rocker with a flat face
 
 
-def flat_rocker(sense: int, turns: int) -> tuple[Cam, Sizes]:
+def flat_rocker(sense: int, turns: int) -> tuple[Cam, CamSizes]:
     own = rocker("flat", sense, turns, face=0.005)
     return own, pivot(own, FACE)
 
@@ -38,16 +38,16 @@ def every() -> list[object]:
         for offset in (0.012, -0.012, 0.0):
             for end in ("pointed", "roller"):
                 made.append((f"{end} e={offset} {sense}", cam(end=end, sense=sense), offset_sizes(offset, START)))
-        made.append((f"flat {sense}", cam(end="flat", sense=sense), Sizes(FLAT_BASE)))
+        made.append((f"flat {sense}", cam(end="flat", sense=sense), CamSizes(FLAT_BASE)))
         for turns in (1, -1):
             own = rocker("roller", sense, turns)
             made.append((f"rocker {sense} {turns}", own, pivot(own, complex(0.12, -0.07))))
             made.append((f"flat rocker {sense} {turns}", *flat_rocker(sense, turns)))
         slow = tuple(Phase(p.kind, p.angle / 10, p.start / 10, p.level, p.change, p.law) for p in cam().phases)
-        made.append((f"bar {sense}", replace(cam(slow, end="roller", sense=sense), translates=True), Sizes(0.0)))
+        made.append((f"bar {sense}", replace(cam(slow, end="roller", sense=sense), translates=True), CamSizes(0.0)))
         own = rocker("roller", sense, 1)
         slow = tuple(Phase(p.kind, p.angle / 10, p.start / 10, p.level, p.change, p.law) for p in own.phases)
-        made.append((f"bar rocker {sense}", replace(own, phases=slow, translates=True), Sizes(0.0)))
+        made.append((f"bar rocker {sense}", replace(own, phases=slow, translates=True), CamSizes(0.0)))
     return [pytest.param(own, sizes, id=name) for name, own, sizes in made]
 
 
@@ -59,7 +59,7 @@ def test_both_roads_agree_at_3600_turns(own, sizes):
     """To 4 kappa eps of the longest length: kappa of the notch, and of the normal, which is short where OD is."""
     roller = 0.01 if own.follower.end == "roller" else 0.0
     turned = np.linspace(0, own.turn, TURNS)
-    drawn = profile(Course(own), sizes, roller, turned)
+    drawn = profile(FollowerCourse(own), sizes, roller, turned)
     one, other = drawn.contour, contour(own, sizes, roller, turned)
     long = max(*(np.abs(z).max() for z in (one.tip, one.pitch, one.lever)), abs(sizes.pivot), own.follower.length or 0)
     sharp = drawn.drawing.board["P"].sharpness
@@ -91,7 +91,7 @@ CAMS = {
     "guide": (cam(), offset_sizes()),
     "rocker": (rocker(), pivot(rocker())),
     "rocker against": (rocker(sense=-1, turns=-1), pivot(rocker(sense=-1, turns=-1), complex(0.12, -0.07))),
-    "flat": (cam(end="flat"), Sizes(FLAT_BASE)),
+    "flat": (cam(end="flat"), CamSizes(FLAT_BASE)),
     "flat rocker": (rocker("flat", face=0.005), pivot(rocker("flat"), FACE)),
     "flat rocker against": (rocker("flat", 1, -1, 0.005), pivot(rocker("flat", 1, -1), FACE)),
 }
@@ -120,11 +120,11 @@ def test_a_derivative_is_that_of_its_value(name: str) -> None:
         assert at(own, sizes, turned, slope) == pytest.approx(rise, rel=1e-6, abs=1e-7 * np.abs(rise).max()), told
 
 
-def at(own: Cam, sizes: Sizes, turned: np.ndarray, value: Callable[[Tip], np.ndarray]) -> np.ndarray:
-    return value(Tip(Course(own), sizes, turned))
+def at(own: Cam, sizes: CamSizes, turned: np.ndarray, value: Callable[[Tip], np.ndarray]) -> np.ndarray:
+    return value(Tip(FollowerCourse(own), sizes, turned))
 
 
-SIZES = Sizes(0.05, 0.01)
+SIZES = CamSizes(0.05, 0.01)
 PI = math.pi
 TRAPEZOID, SINE = 8 * PI / (2 + PI), 4 * PI**2 / (4 + PI)  # accelerations of the modified trapezoid and sine
 # Largest s' and s'' of a phase of length 1 and lift 1 (M2.2).
@@ -141,7 +141,7 @@ BOOK = {
 
 
 def draw(cam: Cam) -> CamFound:
-    return cam_found(Course(cam), SIZES, positions(cam))
+    return cam_found(FollowerCourse(cam), SIZES, positions(cam))
 
 
 def analyse(cam: Cam) -> CamFound:

@@ -16,9 +16,9 @@ from plans.analytic.cam.pressure import extreme, pressure
 from plans.analytic.cam.sizes import sizes
 from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import sizing
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.model.cam import FLAT, FORCE, NO_LIMITS, RETURN, RISE, ROCKING, Cam, Follower, GivenSizes, Limits
-from plans.model.cam_motion import CamError, Sizes
+from plans.model.cam_motion import CamError, CamSizes
 from tests.parts import examples
 from tests.plans.textbook_cams import LENGTH, LIFT, rocker, usual
 from tests.plans.textbook_cams import cam as cam_of
@@ -51,7 +51,7 @@ def flat_rocker(sense: int = 1, turns: int = 1, face: float = 0.005, swing: floa
 
 
 def construction(cam: Cam) -> Sizing:
-    return sizing(Course(cam))
+    return sizing(FollowerCourse(cam))
 
 
 def printed(value: float, digits: str) -> bool:
@@ -60,7 +60,7 @@ def printed(value: float, digits: str) -> bool:
     return f"{value:.{places}f}" == digits or f"{value:.{places}f}" == digits + "0" * (places - len(digits))
 
 
-def same(one: Sizes, other: Sizes, slack: float = EXACT) -> bool:
+def same(one: CamSizes, other: CamSizes, slack: float = EXACT) -> bool:
     return all(abs(a - b) <= slack for a, b in zip(one, other, strict=True))
 
 
@@ -137,7 +137,7 @@ LAWS = ("constant velocity", "constant acceleration", "cosine", "trapezoid", "mo
 
 
 # What sizes must do, whoever found them.
-def held(cam: Cam, own: Sizes) -> bool:
+def held(cam: Cam, own: CamSizes) -> bool:
     """Tell whether a dense scan of the pressure angle keeps to the limits."""
     angles = pressure(cam, own, np.linspace(0, 2 * math.pi, 2001))
     return bool(

@@ -10,7 +10,7 @@ import pytest
 
 from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.sizes import sizes
-from plans.cam.quantities import Compared, settled
+from plans.cam.quantities import ComparedCam, settled
 from plans.cam.study import LAWS, PROFILE
 from plans.model.cam_motion import CamFound
 from plans.scene.scene import parse_scene
@@ -35,10 +35,10 @@ SCENE = scene(
 
 
 @cache
-def compared() -> Compared:
+def compared() -> ComparedCam:
     (drawing,) = Study(parse_scene(SCENE))["cam"].drawings.values()
     theirs = cam_found(drawing.cam, sizes(drawing.cam), drawing.turned)
-    return Compared(drawing, settled(theirs, drawing.found))
+    return ComparedCam(drawing, settled(theirs, drawing.found))
 
 
 def apart(theirs: CamFound) -> list[str]:

@@ -14,7 +14,7 @@ from plans.cyclogram.rows import row_of_feed, rows_of_cams, rows_of_machine
 from plans.cyclogram.study import NoCyclogram
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model import cyclogram as c
-from plans.model.cyclogram import TURN, Cyclogram, Span, Window, pieces
+from plans.model.cyclogram import TURN, Cyclogram, Period, Window, pieces
 from plans.scene.faults import SceneError
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
@@ -91,9 +91,9 @@ def test_without_overrun_at_the_beginning_the_window_is_at_the_end() -> None:
 
 
 def test_a_span_is_cut_where_the_turn_begins() -> None:
-    cut = list(pieces(Span(6.0, 7.0, "rise"), 0.5))
+    cut = list(pieces(Period(6.0, 7.0, "rise"), 0.5))
     assert [(one.start, one.end) for one in cut] == [(5.5, TURN), (0.0, 6.5 - TURN)]
-    assert len(list(pieces(Span(6.0, 7.0, "rise"), 5.5))) == 1
+    assert len(list(pieces(Period(6.0, 7.0, "rise"), 5.5))) == 1
 
 
 CAM = """

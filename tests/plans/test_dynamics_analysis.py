@@ -13,7 +13,7 @@ from plans.analytic.dynamics.flywheel import (
     Exact,
     methods,
 )
-from plans.analytic.dynamics.reduction import Reduction, reduced
+from plans.analytic.dynamics.reduction import ExactReduction, reduced
 from plans.analytic.dynamics.speeds import Swing, steady
 from plans.analytic.kinematics import Analysis
 from plans.model.dynamics import Shaft, Task
@@ -54,7 +54,7 @@ def test_task_of_theme_7_four_bar() -> None:
     linkage = linkages.four_bar(0.1, 0.3, 0.2, abs(C), sketch=sketch, omega=1.0, epsilon=0.0)
     phi = cmath.phase(A * turn)
     one = Steady(linkage, machine(bodies={3: Body(3, 0.0, 2.0, 0j)}), phi)
-    motion = Reduction(Analysis(linkage), one.machine, lambda _: Loading((), ()), phi)
+    motion = ExactReduction(Analysis(linkage), one.machine, lambda _: Loading((), ()), phi)
     assert reduced(motion, np.array([phi])).inertia[0] == ten(0.6666666667)
 
 

@@ -12,14 +12,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.rotor import balance as solve
-from plans.model.rotor import EPS, Balance, Plane, Rotor, Unbalance
+from plans.model.rotor import EPS, Plane, Rotor, RotorBalance, Unbalance
 from plans.rotor.quantities import compare_rotor
 from plans.rotor.study import RotorStudy
 from tests.parts import examples
 from tests.plans.rotors import DYNAMIC, STATIC, angles, dynamic, mass, masses, rotors, sizes, static
 
 
-def draw(rotor: Rotor) -> Balance:
+def draw(rotor: Rotor) -> RotorBalance:
     return RotorStudy(rotor).balance
 
 
@@ -137,7 +137,7 @@ def test_the_polygons_close(rotor) -> None:
         assert math.hypot(x, y) <= 8 * EPS * math.fsum(map(abs, vectors))
 
 
-def near(ours: Balance, theirs: Balance, rotor: Rotor, of=lambda value: value) -> None:
+def near(ours: RotorBalance, theirs: RotorBalance, rotor: Rotor, of=lambda value: value) -> None:
     for one, other in zip(ours.corrections, theirs.corrections, strict=True):
         assert abs(one.moment.value - of(other.moment.value)) <= 32 * EPS * sizes(rotor)
 

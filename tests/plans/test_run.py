@@ -17,10 +17,10 @@ from plans.analytic.dynamics.equation import (
     SPEED,
     STOP,
     TOLERANCES,
-    Ends,
     Equation,
+    LegEnds,
+    RunState,
     Solver,
-    State,
     size_of,
 )
 from plans.analytic.dynamics.run import chosen, run
@@ -49,8 +49,8 @@ def explicit(link: ReducedLink, speed: float) -> Solver:
     return Solver(EXPLICIT, size_of(link, speed))
 
 
-def at(omega: float) -> State:
-    return State(0.0, np.array([0.0, omega, 0.0, 0.0, 0.0, 0.0]))
+def at(omega: float) -> RunState:
+    return RunState(0.0, np.array([0.0, omega, 0.0, 0.0, 0.0, 0.0]))
 
 
 @pytest.mark.parametrize(("slip", "time"), [(0.2, 13.778769107388), (0.02, 66.173225390963), (0.002, 654.570807341343)])
@@ -60,7 +60,7 @@ def test_a_kloss_motor_without_load_runs_up_in_the_time_of_the_closed_form(slip:
     closed = 2.0 * SPEED_50HZ / 120.0 * ((1 - s * s) / (2 * slip) + slip * math.log(1 / s))
     assert closed == pytest.approx(time, abs=1e-12 * time)
     leg = explicit(link, SPEED_50HZ).leg(
-        Equation(link, motor, base=SPEED_50HZ), AT_REST, Ends(math.inf, SPEED_50HZ * (1 - s))
+        Equation(link, motor, base=SPEED_50HZ), AT_REST, LegEnds(math.inf, SPEED_50HZ * (1 - s))
     )
     assert leg.reason == SPEED
     assert leg.end.t == pytest.approx(closed, rel=1e-10)
@@ -68,7 +68,7 @@ def test_a_kloss_motor_without_load_runs_up_in_the_time_of_the_closed_form(slip:
 
 def test_textbook_run_up_of_the_slider_crank() -> None:
     link, motor = slider_crank(4.0), Motor(Linear(60.0, 20.0))
-    leg = explicit(link, 20.0).leg(Equation(link, motor, base=20.0), AT_REST, Ends(math.inf, 10.44041021))
+    leg = explicit(link, 20.0).leg(Equation(link, motor, base=20.0), AT_REST, LegEnds(math.inf, 10.44041021))
     assert leg.rows[0, 3] == pytest.approx(14.87292941, abs=5e-9)
     assert leg.end.t == pytest.approx(1.0, abs=2e-9)
     assert leg.end.turned == pytest.approx(5.839695429, abs=2e-8)
@@ -78,7 +78,7 @@ def test_textbook_steady_turn_of_the_planing_machine() -> None:
     """Methods 4.9: with the flywheel and the energy that are found there, the speed keeps between its bounds."""
     link = slider_crank(36.70337073, force=2000.0)
     start = math.sqrt(2 * 2996.601908 / 36.73754573)
-    leg = explicit(link, start).leg(Equation(link, Motor(Constant(57.29577951)), True), at(start), Ends(TURN))
+    leg = explicit(link, start).leg(Equation(link, Motor(Constant(57.29577951)), True), at(start), LegEnds(TURN))
     assert leg.reason == ANGLE
     speeds = np.concatenate([leg.turning, leg.rows[:, 2]])
     assert speeds.max() == pytest.approx(12.81769803, abs=2e-8)
@@ -90,10 +90,10 @@ def test_textbook_steady_turn_of_the_planing_machine() -> None:
 
 def test_textbook_run_down_under_a_brake() -> None:
     link = steady(5.0)
-    leg = explicit(link, 12.0).leg(Equation(link, None, brake=30.0), at(12.0), Ends(math.inf))
+    leg = explicit(link, 12.0).leg(Equation(link, None, brake=30.0), at(12.0), LegEnds(math.inf))
     assert leg.reason == STOP
     assert (leg.end.t, leg.end.turned, leg.end.omega) == pytest.approx((2.0, 12.0, 0.0), rel=1e-12)
-    half = explicit(link, 12.0).leg(Equation(link, None, brake=30.0), at(12.0), Ends(6.0))
+    half = explicit(link, 12.0).leg(Equation(link, None, brake=30.0), at(12.0), LegEnds(6.0))
     assert half.end.omega == pytest.approx(8.485281374, abs=5e-10)
 
 

@@ -16,7 +16,7 @@ from plans.dynamics.run import run, step_of
 from plans.dynamics.study import curve
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.dynamics import THICKEST, TURN, Rim, Wheel
-from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled
+from plans.model.motor import Constant, Kloss, Linear, Motor, MotorLaw, Tabled
 from plans.model.run import RUN_UP, STALLED, STEADY, TOO_MANY_ROWS, TOO_WEAK, ReducedLink, RunTask
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
@@ -97,7 +97,7 @@ def test_a_curve_goes_through_its_ordinates_and_its_slope_is_its_own() -> None:
 
 
 POINTS = Tabled((0.0, 50.0, 100.0, 150.0), (40.0, 30.0, 60.0, 10.0))
-LAWS: list[Law] = [Linear(60.0, 20.0), Kloss(60.0, 0.2, 157.0), Kloss(60.0, 1.5, 157.0), POINTS]
+LAWS: list[MotorLaw] = [Linear(60.0, 20.0), Kloss(60.0, 0.2, 157.0), Kloss(60.0, 1.5, 157.0), POINTS]
 
 
 def test_kloss_has_its_greatest_moment_at_the_critical_slip_and_none_at_the_synchronous_speed() -> None:
@@ -110,7 +110,7 @@ def test_kloss_has_its_greatest_moment_at_the_critical_slip_and_none_at_the_sync
 
 
 @pytest.mark.parametrize("law", LAWS)
-def test_a_slope_is_that_of_the_moment(law: Law) -> None:
+def test_a_slope_is_that_of_the_moment(law: MotorLaw) -> None:
     for speed in (3.0, 17.0, 61.0, 120.0, 149.0):
         chord = (law.moment(speed + 1e-4) - law.moment(speed - 1e-4)) / 2e-4
         assert law.slope(speed) == pytest.approx(chord, rel=1e-6, abs=1e-9)
@@ -144,7 +144,7 @@ def scene_text(motor: str, run: str = "") -> str:
         ("moment = 57.5", Constant(57.5)),
     ],
 )
-def test_a_scene_gives_one_of_four_laws(motor: str, law: Law) -> None:
+def test_a_scene_gives_one_of_four_laws(motor: str, law: MotorLaw) -> None:
     scene = parse_scene(scene_text(motor, '[dynamics.run]\nstep = "5 ms"\nturns = 3\nbrake = 7\nresistance = "start"'))
     form = scene.of(DynamicsForm).dynamics
     assert form.motor is not None

@@ -23,7 +23,7 @@ from plans.scene.scene import kinds_of
 from plans.scene.schema import schema
 from plans.scene.source import parse_source
 from plans.scene.tables import holders_of, read_parts, tables_of
-from plans.scene.units import Kind
+from plans.scene.units import UnitKind
 from tests import parts
 from tests.catalogue.scenes import SOUND, TEXTS
 from tests.plans.test_scene_techniques import LINKAGE as PLAIN
@@ -133,7 +133,7 @@ KINDS += (units.MASS, units.INERTIA, units.FORCE, units.MOMENT, units.STIFFNESS)
 @over("kind", KINDS)
 @over("form", ["{n} {unit}", "{n}{unit}", " {n}  {unit} ", "{n}", "{n} {unit}x", "x {n} {unit}"])
 @over("n", ["1", "-0.5", "+1e-3", "1.5E6", ".5", "5.", "1,5", "0x10", "1_000"])
-def test_a_quantity_is_marked_where_the_reader_refuses_it(kind: Kind, form: str, n: str) -> None:
+def test_a_quantity_is_marked_where_the_reader_refuses_it(kind: UnitKind, form: str, n: str) -> None:
     for unit in (*kind.units, "turn", "kg·m²", "kg * m^2", "kg m2", "N m", "m/s**2"):
         text = form.format(n=n, unit=unit)
         try:

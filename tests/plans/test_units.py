@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from plans.scene import units
 from plans.scene.faults import Wrong
-from plans.scene.units import Kind
+from plans.scene.units import UnitKind
 from plans.words.words import ENGLISH, words
 from tests.parts import examples
 from tests.rows import over
@@ -40,7 +40,7 @@ from tests.rows import over
         (Decimal("-0.0"), units.LENGTH, "0"),
     ],
 )
-def test_a_quantity_is_exact(written: object, kind: Kind, exact: str) -> None:
+def test_a_quantity_is_exact(written: object, kind: UnitKind, exact: str) -> None:
     assert units.quantity(written, kind) == Decimal(exact)
 
 
@@ -74,7 +74,7 @@ def test_a_quantity_is_exact(written: object, kind: Kind, exact: str) -> None:
         ("half", units.NUMBER, "not_bare"),
     ],
 )
-def test_a_refusal_is_of_one_kind(written: object, kind: Kind, fault: str) -> None:
+def test_a_refusal_is_of_one_kind(written: object, kind: UnitKind, fault: str) -> None:
     with pytest.raises(Wrong) as refused:
         units.quantity(written, kind)
     assert refused.value.kind == fault
@@ -103,7 +103,7 @@ ENORMOUS = [
 
 
 @pytest.mark.parametrize(("kind", "written"), ENORMOUS, ids=lambda given: getattr(given, "name", given))
-def test_a_quantity_of_no_machine_is_refused_in_any_unit(kind: Kind, written: str) -> None:
+def test_a_quantity_of_no_machine_is_refused_in_any_unit(kind: UnitKind, written: str) -> None:
     assert units.quantity(kind.most, kind) == kind.most
     assert units.quantity(-kind.least, kind) == -kind.least
     for value in (written, kind.most * 2, kind.least / 2):

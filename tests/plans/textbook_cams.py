@@ -11,7 +11,7 @@ import numpy as np
 
 from plans.model.cam import DWELL, GROOVE, POINTED, RISE, ROCKING, TRANSLATING, TURN, Cam, Follower, Law, Phase
 from plans.model.cam import RETURN as BACK
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import CamSizes
 from tests.plans.cam_phases import parted
 
 LIFT, LENGTH, SWING = 0.03, 0.12, math.radians(25)
@@ -49,13 +49,13 @@ def rocker(end: str = POINTED, sense: int = 1, turns: int = 1, face: float = 0.0
     )
 
 
-def offset_sizes(offset: float = OFFSET, start: float = START) -> Sizes:
+def offset_sizes(offset: float = OFFSET, start: float = START) -> CamSizes:
     """Give the sizes of a follower that translates by e and S0."""
-    return Sizes(math.hypot(offset, start), offset)
+    return CamSizes(math.hypot(offset, start), offset)
 
 
-def pivot(own: Cam, centre: complex = CENTRE) -> Sizes:
+def pivot(own: Cam, centre: complex = CENTRE) -> CamSizes:
     """Give the sizes of a rocker by O - O1 as it stands for a cam and a rise counter-clockwise, mirrored as need be."""
     place = -centre if own.rising == 1 else np.conj(centre)
     start = place + LENGTH * own.rising * cmath.exp(-1j * own.rising * own.lift / 2)
-    return Sizes(abs(start), 0.0, abs(place), complex(place))
+    return CamSizes(abs(start), 0.0, abs(place), complex(place))

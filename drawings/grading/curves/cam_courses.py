@@ -15,11 +15,11 @@ from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import LimitLine, least, sides_of, sizes
 from plans.model.cam import RETURN, RISE, Cam
-from plans.model.cam_motion import Contour, Sizes
+from plans.model.cam_motion import CamSizes, Contour
 from plans.model.motion import Complexes, Floats
 
 
-def ruled(cam: Cam, sizes: Sizes, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> complex:
+def ruled(cam: Cam, sizes: CamSizes, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> complex:
     """Give A as it is seen from O, where S' and S at some places are drawn otherwise than they are.
 
     Floats that are given stay where they are, and so do all where rulers leave no room for O.
@@ -112,7 +112,7 @@ class CamCourses:
             found[count], found[count + 1] = -zero, self.base(zero, abs(zero))
         return found
 
-    def sizes_of(self, points: Complexes) -> Sizes:
+    def sizes_of(self, points: Complexes) -> CamSizes:
         """Give the main sizes from where O stands on a diagram."""
         zero, found = -points[len(self.turned)], self.expected.sizes
         if self.cam.rocks:
@@ -143,7 +143,7 @@ class CamCourses:
         found = self.inverted(self.sizes_of(drawn[DIAGRAM])).pitch
         return np.asarray(found + (0 if self.cam.rocks else self.expected.ways(np.asarray(1j * way), self.turned)))
 
-    def inverted(self, main: Sizes, cam: Cam | None = None) -> Contour:
+    def inverted(self, main: CamSizes, cam: Cam | None = None) -> Contour:
         """Give the profile at the numbered positions, of other sizes or another law."""
         return contour(cam or self.cam, main, self.expected.found.roller, self.turned)
 
@@ -155,7 +155,7 @@ class CamCourses:
         return np.asarray(points * np.exp(2j * sense * self.turned))
 
     @property
-    def other_side(self) -> Sizes | None:
+    def other_side(self) -> CamSizes | None:
         """The sizes with the offset to the other side; None where there is none, or none is to be seen."""
         main = self.expected.sizes
         return None if self.cam.rocks or self.cam.flat or not main.offset else main._replace(offset=-main.offset)
@@ -176,7 +176,7 @@ class CamCourses:
         return replace(self.cam, phases=tuple(phases), angles=())
 
     @property
-    def limits_swapped(self) -> Sizes | None:
+    def limits_swapped(self) -> CamSizes | None:
         """The sizes with the limits of rise and return in each other's place; None where that says nothing."""
         limits = self.cam.limits
         if self.cam.rocks or self.cam.flat or limits.rise is None or limits.back is None or limits.rise == limits.back:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.bank.compensators import COMPENSATOR
-from drawings.bank.due import Bank, Body
+from drawings.bank.due import Bank, CompensatorBody
 from drawings.cyclogram.due_rows import BARS, machine_rows
 from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
 from drawings.forces.due_acting import branches
@@ -42,7 +42,7 @@ from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import Compensator
-from plans.model.cyclogram import Row
+from plans.model.cyclogram import BarRow
 from plans.model.diagrams import TURN
 from plans.model.machine import Force, Moment
 from plans.model.motion import Complexes, Floats
@@ -187,7 +187,7 @@ class Slope:
 CIRCLE = "circle"  # the name of the chart
 
 
-def rings(sheet: SceneSheet, rows: Sequence[Row], sense: int) -> Iterator[FigureAsked]:
+def rings(sheet: SceneSheet, rows: Sequence[BarRow], sense: int) -> Iterator[FigureAsked]:
     """Give the bearings at which the spans of some rows begin, mm: to the outer circle of each ring."""
     group = group_named(sheet.leaf.groups, CIRCLE)
     radii = [] if group is None else sorted(stroke.radius for stroke in flat((group,)) if isinstance(stroke, Circle))
@@ -209,7 +209,7 @@ def rings(sheet: SceneSheet, rows: Sequence[Row], sense: int) -> Iterator[Figure
 
 
 def _unset(
-    rows: Sequence[Row], places: np.ndarray[tuple[int, ...], np.dtype[np.intp]], true: Complexes, sense: int
+    rows: Sequence[BarRow], places: np.ndarray[tuple[int, ...], np.dtype[np.intp]], true: Complexes, sense: int
 ) -> Iterator[Mistake]:
     """Give the rings with a row that is not turned by its setting angle, and with all that are not."""
     turns = np.array([np.exp(-1j * sense * (row.setting or 0.0)) for row in rows])[places - 1]
@@ -269,7 +269,7 @@ class _Layout:
     expected: Bank
     found: Compensator
 
-    def arms(self, part: str, bodies: list[Body]) -> Iterator[FigureAsked]:
+    def arms(self, part: str, bodies: list[CompensatorBody]) -> Iterator[FigureAsked]:
         """Give the arms of some masses: to scale where their masses are given, else by their directions."""
         drawn = {body.name: arm_at(self.sheet.leaf, self.plan, written(body.name)) for body in bodies}
         shown = [body for body in bodies if drawn[body.name] is not None]
@@ -288,7 +288,7 @@ class _Layout:
             behind=() if part else names, course=None if part else self._course(names, true),
         )  # fmt: skip
 
-    def _long(self, body: Body, drawn: Mapping[str, tuple[complex, complex] | None], scaled: bool) -> float:
+    def _long(self, body: CompensatorBody, drawn: Mapping[str, tuple[complex, complex] | None], scaled: bool) -> float:
         """Give how long an arm is, m; of one that is not to scale, mm on our own sheet."""
         if scaled and self.found.asked.mass:
             return body.moment / self.found.asked.mass

@@ -61,7 +61,7 @@ def figures_of_dynamics(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked
     yield from load_diagrams(sheet, study.of(DynamicsStudy).statics)
     if comparison.analysis.cycle is None:
         return
-    drawn = _DynamicsSheet(sheet, AnalysedTurn(task, comparison.analysis), AnalysedTurn(task, comparison.exact))
+    drawn = _GradedDynamics(sheet, AnalysedTurn(task, comparison.analysis), AnalysedTurn(task, comparison.exact))
     yield from drawn.graphs()
     yield from drawn.loop()
     yield from bare_speeds(sheet, drawn.expected, drawn.exact)
@@ -69,7 +69,7 @@ def figures_of_dynamics(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked
 
 
 @dataclass(frozen=True)
-class _DynamicsSheet:
+class _GradedDynamics:
     """A sheet with what the analysis says of it: by the chords of the construction, and exactly."""
 
     sheet: SceneSheet

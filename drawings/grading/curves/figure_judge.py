@@ -41,7 +41,7 @@ class FigureJudge:
     def verdicts(self, drawn: DrawnFigure, allowed: Floats) -> Iterator[Verdict]:
         """Judge one figure, and keep it for those that go on from it."""
         asked = drawn.asked
-        judged = _Told(drawn, allowed, self._going_on(asked), set(asked.behind) <= self.right)
+        judged = _Answer(drawn, allowed, self._going_on(asked), set(asked.behind) <= self.right)
         yield from judged.verdicts()
         self.values[asked.key] = judged.whole_values
         if judged.mistake is not None:
@@ -68,7 +68,7 @@ class FigureJudge:
         return factors.pop() if len(factors) == 1 else 1.0
 
 
-class _Told:
+class _Answer:
     """What is said of one figure."""
 
     def __init__(self, drawn: DrawnFigure, allowed: Floats, going_on: Sequence[Complexes], rightly: bool) -> None:

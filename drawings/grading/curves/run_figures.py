@@ -25,7 +25,7 @@ from drawings.grading.curves.figure_records import (
 from plans.analytic.dynamics.speeds import energy_at
 from plans.model.dynamics import TURN, Flywheel, Speeds, settled
 from plans.model.motion import Complexes, Floats
-from plans.model.run import STEADY, Run
+from plans.model.run import STEADY, MachineRun
 from plans.words.words import because
 
 ALIKE = 0.05  # by how much the factors at both edges of a strip may differ that are taken for one: a fair hand's do
@@ -136,7 +136,7 @@ READ: Final = MappingProxyType(
 )
 
 
-def tachogram(sheet: SceneSheet, constructed: Run | None, exact: Run | None) -> Iterator[FigureAsked]:
+def tachogram(sheet: SceneSheet, constructed: MachineRun | None, exact: MachineRun | None) -> Iterator[FigureAsked]:
     """Give the tachogram of a sheet: the speeds where its stages end, and between, off the curve."""
     marks = {vector.name: vector for vector in sheet.measured.vectors if vector.plan == TACHOGRAM}
     scales = sheet.scales(TACHOGRAM)
@@ -166,7 +166,7 @@ def _ends(name: str) -> bool:
     return name.removeprefix("t_").isdigit()
 
 
-def _instants(run: Run) -> Iterator[tuple[str, float]]:
+def _instants(run: MachineRun) -> Iterator[tuple[str, float]]:
     """Give the instants at which a tachogram is held, s, by their names in their order."""
     ends = [0.0, *(float(run.t[stage.last]) for stage in run.stages)]
     for k, (start, end) in enumerate(pairwise(ends), 1):
@@ -176,13 +176,13 @@ def _instants(run: Run) -> Iterator[tuple[str, float]]:
         yield f"t_{k}", end
 
 
-def _rising(run: Run) -> tuple[Floats, Floats]:
+def _rising(run: MachineRun) -> tuple[Floats, Floats]:
     """Give the instants of a run with their speeds, one of both where two stages meet."""
     kept = np.append(np.diff(run.t) > 0, True)
     return run.t[kept], run.omega[kept]
 
 
-def _straight(run: Run, names: list[str], t: Floats) -> Iterator[Mistake]:
+def _straight(run: MachineRun, names: list[str], t: Floats) -> Iterator[Mistake]:
     """Give a tachogram whose stages are straight, as if their moments were constant."""
     at = [k for k, name in enumerate(names) if _ends(name)]
     ends = np.concatenate(([0.0], t[at]))

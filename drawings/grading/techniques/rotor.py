@@ -27,8 +27,8 @@ from plans.balance.study import BalanceStudy
 from plans.bank.harmonics import FORCE, MOMENT, letters
 from plans.bank.study import BankStudy
 from plans.model.balance.bank import Harmonic, Member
-from plans.model.rotor import Balance, Unbalance
-from plans.rotor.balancing import COUPLES, UNBALANCES, Polygon, heading, moment_letters, unbalance_letters
+from plans.model.rotor import RotorBalance, Unbalance
+from plans.rotor.balancing import COUPLES, UNBALANCES, VectorPolygon, heading, moment_letters, unbalance_letters
 from plans.rotor.study import RotorStudy
 from plans.study import Study
 
@@ -50,7 +50,7 @@ def record_of_rotor(study: Study, leaf: Leaf) -> Record:
     return Record(found, {name: {None: mu} for name, mu in leaf.metadata["scales"].items() if name in SHOWN})
 
 
-def _polygon(polygon: Polygon, slips: Mapping[str, tuple[Slip, ...]]) -> Iterator[Found]:
+def _polygon(polygon: VectorPolygon, slips: Mapping[str, tuple[Slip, ...]]) -> Iterator[Found]:
     """Give the sides of a polygon, with what is known of those of masses; what closes it is against all others."""
     zero, closing = polygon.board["0"], polygon.closing
     for vector, start, end in polygon.sides:
@@ -60,7 +60,7 @@ def _polygon(polygon: Polygon, slips: Mapping[str, tuple[Slip, ...]]) -> Iterato
     yield Found(closing.name, Span(zero, closing), Span(last, zero), back=verdict.HEAVY)
 
 
-def _masses(study: RotorStudy, balance: Balance) -> Iterator[Found]:
+def _masses(study: RotorStudy, balance: RotorBalance) -> Iterator[Found]:
     """Give where the masses and the counterweights lie, looking along the shaft."""
     board = Board(ALONG)
     centre = board.given("O", 0j)

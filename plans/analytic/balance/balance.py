@@ -19,12 +19,12 @@ from plans.model.balance.linkage import (
     SHARE,
     SHARES,
     Balance,
+    BalanceTask,
     Choice,
     Counterweight,
     Shares,
-    Task,
 )
-from plans.model.dyad import Group, pair
+from plans.model.dyad import Assur, pair
 from plans.model.machine import GEAR
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
@@ -215,7 +215,7 @@ def _roots(a: float, b: float, c: float) -> list[float]:
         return [float(np.divide(q, a)), float(np.divide(c, q))]
 
 
-def balance(course: Course, task: Task, groups: Sequence[Group], share: float | None = None) -> Balance:
+def balance(course: Course, task: BalanceTask, groups: Sequence[Assur], share: float | None = None) -> Balance:
     """Balance a mechanism; a `share` that is given is taken for one that the task seeks."""
     mechanism = course.mechanism
     before = state(course)
@@ -232,7 +232,9 @@ def weighing(course: Course, found: FoundWeights) -> Weighing:
     return Weighing(course, found.counterweights, shared(course.mechanism, found.left))
 
 
-def _chosen(course: Course, task: Task, found: FoundWeights, share: float | None) -> tuple[FoundWeights, Shares | None]:
+def _chosen(
+    course: Course, task: BalanceTask, found: FoundWeights, share: float | None
+) -> tuple[FoundWeights, Shares | None]:
     """Take the share of the reciprocating mass that is asked for, off the crank's counterweight."""
     if task.aim != SHARE:
         return found, None

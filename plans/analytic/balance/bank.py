@@ -80,7 +80,7 @@ def _harmonic(order: int, row: Complexes, before: Complexes, slack: float) -> Ha
 LOOKS = 72  # positions of a turn over which the size of the forces is taken
 
 
-class Linkage:
+class ExactLinkage:
     """A linkage by analysis whose crank turns evenly at an angular speed rad/s, with all that has mass."""
 
     def __init__(
@@ -161,7 +161,7 @@ def shaking(unit: Unit, speed: float, heading: Complexes) -> Complexes:
     return np.asarray(speed**2 * (unit.rotating * unit.crank * heading - unit.reciprocating * slider))
 
 
-class Mechanism(Protocol):
+class BankMechanism(Protocol):
     """One mechanism of the bank by analysis; `scale` N is the size of the forces that shake it.
 
     `shaking` is its force over the turn from a phase of its crank in degrees on, (STEPS + 1,) N.
@@ -173,7 +173,7 @@ class Mechanism(Protocol):
     def shaking(self, phase: Fraction) -> Complexes: ...  # noqa: D102
 
 
-class SliderCrank(NamedTuple):
+class ExactSliderCrank(NamedTuple):
     """A slider-crank by its closed series, at an angular speed rad/s."""
 
     unit: Unit
@@ -201,7 +201,7 @@ def turn() -> Complexes:
     return np.array([direction(Fraction(360 * k, STEPS)) for k in range(STEPS + 1)])
 
 
-def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
+def bank_balance(task: BankTask, mechanism: BankMechanism) -> BankBalance:
     """Find the harmonics of a bank and its compensators."""
     orders = tuple(dict.fromkeys((*task.orders, *(asked.order for asked in task.asked))))
     single = {order: _single(mechanism, order) for order in orders}
@@ -227,7 +227,7 @@ def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
 
 
 def _whole(
-    mechanism: Mechanism, members: Sequence[Member], places: Sequence[float]
+    mechanism: BankMechanism, members: Sequence[Member], places: Sequence[float]
 ) -> tuple[Complexes, Complexes, float]:
     """Sum force N and moment N*m of the bank over the turn; give the largest force of one mechanism too, N."""
     turns = {phase: mechanism.shaking(phase) for phase in {member.phase % 360 for member in members}}
@@ -235,7 +235,7 @@ def _whole(
     return terms.sum(axis=0), np.array(places) @ terms, max(mechanism.scale, float(np.max(np.abs(terms))))
 
 
-def _single(mechanism: Mechanism, order: int) -> Harmonic:
+def _single(mechanism: BankMechanism, order: int) -> Harmonic:
     ahead, back = (mechanism.harmonic(signed) for signed in (order, -order))
     return Harmonic(order, ahead, back, HARMONIC * EPS * mechanism.scale)
 

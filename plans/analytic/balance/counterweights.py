@@ -17,8 +17,8 @@ from plans.analytic.balance.mass_centre import bodies, mass_centre
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.points import acceleration
-from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, SECTOR, Counterweight, Place, State, Task
-from plans.model.dyad import Group, Pair
+from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, SECTOR, BalanceTask, Counterweight, Site, State
+from plans.model.dyad import Assur, Pair
 from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Twist
 from plans.model.machine import Machine
 from plans.model.mechanism import FRAME, Mechanism, Slide
@@ -175,7 +175,7 @@ class Sought(NamedTuple):
     left: tuple[str, ...]
 
 
-def sought(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> Sought:
+def sought(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> Sought:
     """Tell what a task seeks: one counterweight of the crank and of each group, or the mass at a guide of the frame."""
     drive = mechanism.drive
     links, left = {drive.link} if task.place(drive.link) else set(), []
@@ -192,7 +192,7 @@ def sought(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> Sought:
     return Sought(blanks, frozenset(links), tuple(left))
 
 
-def _rod(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> int | None:
+def _rod(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> int | None:
     """Give the first rod on the crank that may carry where the crank may not: it balances the crank in part."""
     if task.aim != PARTIAL or task.place(mechanism.drive.link):
         return None
@@ -200,12 +200,12 @@ def _rod(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> int | Non
     return next((link for link in rods if task.place(link)), None)
 
 
-def _on_crank(mechanism: Mechanism, group: Group) -> bool:
+def _on_crank(mechanism: Mechanism, group: Assur) -> bool:
     """Tell whether a group is a rod on the crank with its slider on the frame."""
     return group.kind == "RRP" and [pair.giver for pair in group.outer_pairs] == [mechanism.drive.link, FRAME]
 
 
-def _carrier(group: Group, task: Task) -> int | None:
+def _carrier(group: Assur, task: BalanceTask) -> int | None:
     """Choose the link of a group that carries: of two that may the one hinged to the frame, else the first."""
     hinged = [pair for pair in group.outer_pairs if isinstance(pair.joint, str) and task.place(pair.taker)]
     if group.kind == "RPP" or not hinged:  # all of that group slides: nothing on it turns
@@ -213,7 +213,7 @@ def _carrier(group: Group, task: Task) -> int | None:
     return next((pair for pair in hinged if pair.giver == FRAME), hinged[0]).taker
 
 
-def _left(mechanism: Mechanism, group: Group) -> list[str]:
+def _left(mechanism: Mechanism, group: Assur) -> list[str]:
     """Give the point of a group that goes along a guide of the frame with the mass that is left."""
     guided = [pair for pair in group.outer_pairs if not isinstance(pair.joint, str) and pair.giver == FRAME]
     (inner,) = (pair.joint for pair in group.inner_pairs)
@@ -228,7 +228,7 @@ def _point(mechanism: Mechanism, pair: Pair) -> str:
     return pair.point if pair.point in on else next(iter(on))
 
 
-def _blank(mechanism: Mechanism, groups: Sequence[Group], place: Place) -> Counterweight:
+def _blank(mechanism: Mechanism, groups: Sequence[Assur], place: Site) -> Counterweight:
     """Give a counterweight that has yet to be found, counted from the hinge of its link toward the frame."""
     begin = mechanism.drive.pivot
     if place.link != mechanism.drive.link:
@@ -261,7 +261,7 @@ def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> Fo
 
     A mass that follows from a static moment weighs on the links that bear the link: each round sets one more of them.
     """
-    sums = Sums(mechanism, machine, wanted)
+    sums = Summed(mechanism, machine, wanted)
     found = FoundWeights(wanted.blanks, {}, {}, {})
     for _ in range(len(wanted.blanks) + 1):
         found = sums.solve(found)
@@ -274,7 +274,7 @@ def uncertain(weight: Counterweight, slack: float) -> float:
     return slack * weight.mass / abs(weight.moment) if follows else 0.0
 
 
-def mass_of(place: Place, moment: complex) -> float:
+def mass_of(place: Site, moment: complex) -> float:
     """Give the mass kg that a static moment kg*m has at the place that is given."""
     if place.mass is not None:
         return place.mass
@@ -294,7 +294,7 @@ def carrying(weight: Counterweight, moment: complex) -> Counterweight:
     return weight._replace(moment=moment, mass=mass_of(weight.place, moment) if moment else 0.0)
 
 
-class Sums:
+class Summed:
     """The static moments of a mechanism, vector by vector, and what may bring them to zero."""
 
     def __init__(self, mechanism: Mechanism, machine: Machine, wanted: Sought) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 
 from plans.analytic.cam.laws import travel
 from plans.model.cam import GROOVE, Cam, FollowerLoad
-from plans.model.cam_motion import Contour, FollowerTravel, Points, Sizes
+from plans.model.cam_motion import CamSizes, Contour, FollowerTravel, Points
 from plans.model.motion import Floats
 
 
@@ -22,25 +22,25 @@ class ContactForces(NamedTuple):
     speed: float
     roller: float  # m
 
-    def along(self, curve: Curve) -> Floats:
+    def along(self, curve: ContourValues) -> Floats:
         """Give what the cam overcomes along the follower's way, N; of a rocker its moment, N*m."""
         s, _, bend = curve.travel
         spring = self.load.preload + s * self.load.stiffness
         return np.asarray(self.load.force + spring + bend * (self.load.mass * self.speed * self.speed))
 
-    def normal(self, curve: Curve) -> Floats:
+    def normal(self, curve: ContourValues) -> Floats:
         """Give the force along the normal, N: its point goes by OD's part along the way for a unit of the normal's."""
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(self.along(curve) / self._gear(curve))
 
     @staticmethod
-    def _gear(curve: Curve) -> Floats:
+    def _gear(curve: ContourValues) -> Floats:
         """Give how far the point of contact goes along the normal while S grows by 1."""
         if curve.cam.flat:
             return curve.place if curve.cam.rocks else np.ones_like(curve.turned)
         return (curve.length if curve.cam.rocks else 1.0) * curve.parts[1] / curve.speed
 
-    def wear(self, curve: Curve) -> Floats:
+    def wear(self, curve: ContourValues) -> Floats:
         """Give force times sliding speed, W."""
         return np.abs(self.normal(curve) * curve.slip(self.roller)) * self.speed
 
@@ -56,11 +56,11 @@ def mirrored(cam: Cam, points: Points) -> Points:
 
 
 @dataclass(frozen=True)
-class Curve:
+class ContourValues:
     """What the closed forms give at N turns of a cam, (N,) each; `before` takes the sides before a joint."""
 
     cam: Cam
-    sizes: Sizes
+    sizes: CamSizes
     turned: Floats
     before: bool = False
 
@@ -236,9 +236,9 @@ class Curve:
         return np.asarray(x * cosine + y * sine + 1j * (y * cosine - x * sine))
 
 
-def contour(cam: Cam, sizes: Sizes, roller: float, turned: Floats, before: bool = False) -> Contour:
+def contour(cam: Cam, sizes: CamSizes, roller: float, turned: Floats, before: bool = False) -> Contour:
     """Give the profile at turns of the cam, rad, (N,)."""
-    curve = Curve(cam, sizes, np.asarray(turned, dtype=float), before)
+    curve = ContourValues(cam, sizes, np.asarray(turned, dtype=float), before)
     x, y = curve.tip
     size = np.ones_like(curve.turned) if cam.flat else curve.speed
     return Contour(

@@ -10,17 +10,17 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from plans.analytic.cam.contour import ContactForces, Curve
+from plans.analytic.cam.contour import ContactForces, ContourValues
 from plans.analytic.cam.laws import shocks
 from plans.model.cam import RETURN, RISE, SHAPE, TABLE, Cam, Law, interval_of
-from plans.model.cam_motion import BEND, HARD, SLOPE, SOFT, Extreme, Pressing, Sizes
+from plans.model.cam_motion import BEND, HARD, SLOPE, SOFT, CamSizes, Extreme, Pressing
 from plans.model.motion import Floats
 
 TERMS: Final = (48, 96, 192, 384)  # of a series, twice as many until the last eighth is rounding
 SMALL: Final = 1e-13  # of the largest term: what rounding leaves of the last ones
 HALVINGS: Final = 60  # of a bracket: more than a double has digits
 EIGHTHS: Final = {"trapezoid": (1, 3, 4, 5, 7), "modified trapezoid": (1, 3, 4, 5, 7), "modified sine": (1, 4, 7)}
-Value = Callable[[Curve], Floats]
+Value = Callable[[ContourValues], Floats]
 
 
 def seams(law: Law | None) -> tuple[float, ...]:
@@ -92,7 +92,7 @@ class WholeTurn:
     """A whole turn of a cam by its smooth pieces."""
 
     cam: Cam
-    sizes: Sizes
+    sizes: CamSizes
     kinds: tuple[str, ...] = ()  # of the phases that are looked at; none: all
 
     @cached_property
@@ -106,9 +106,9 @@ class WholeTurn:
         ]
         return np.array(rows).T
 
-    def at(self, turned: Floats, before: bool = False) -> Curve:
+    def at(self, turned: Floats, before: bool = False) -> ContourValues:
         """Give the profile at turns of the cam."""
-        return Curve(self.cam, self.sizes, turned, before)
+        return ContourValues(self.cam, self.sizes, turned, before)
 
     def series(self, value: Value) -> tuple[CosineSeries, ...]:
         """Give a value as a series on every piece."""
@@ -177,7 +177,7 @@ class CurveExtremes:
     """The extremes of one profile."""
 
     cam: Cam
-    sizes: Sizes
+    sizes: CamSizes
 
     @cached_property
     def turn(self) -> WholeTurn:
@@ -286,6 +286,6 @@ def _largest(turn: WholeTurn, value: Value) -> Extreme:
     return Extreme(*min(alike, key=lambda pair: (pair[0] < 0, pair[1])))
 
 
-def _height(offset: float, limit: float, curve: Curve) -> Floats:
+def _height(offset: float, limit: float, curve: ContourValues) -> Floats:
     """Give S0 with which (5.28) is just the limit, signed."""
     return np.asarray((curve.travel.slope - offset) / np.tan(limit) - curve.travel.s)

@@ -10,13 +10,13 @@ from typing import Final
 
 import numpy as np
 
-from plans.analytic.cam.contour import ContactForces, Curve, contour, forces_of
+from plans.analytic.cam.contour import ContactForces, ContourValues, contour, forces_of
 from plans.analytic.cam.extremes import CurveExtremes, SidedTurn, Value, WholeTurn
 from plans.analytic.cam.laws import shocks
 from plans.analytic.cam.loops import Loops
 from plans.analytic.cam.sizes import sizes as sizes_of
 from plans.model.cam import FORCE, GROOVE, NO_SIZES, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import HARD, CamError, CamFlaw, CamFound, Extreme, Sizes
+from plans.model.cam_motion import HARD, CamError, CamFlaw, CamFound, CamSizes, Extreme
 from plans.model.motion import Floats
 
 NEAR: Final = 1e-9  # of a limit: sizes found by it touch it but for rounding, and so may a roller a radius
@@ -61,10 +61,10 @@ class Flaws:
         if self.roller == 0:
             return
 
-        def value(curve: Curve) -> Floats:
+        def value(curve: ContourValues) -> Floats:
             return side * self.roller * curve.curvature - 1
 
-        def radius(curve: Curve) -> Floats:
+        def radius(curve: ContourValues) -> Floats:
             with np.errstate(divide="ignore"):
                 return np.where(side * curve.curvature > 0, np.abs(1 / curve.curvature), np.inf)
 
@@ -89,7 +89,7 @@ class Flaws:
         return self.cam.translates and turned in (0.0, self.cam.turn)
 
     def _flat(self) -> Iterator[CamFlaw]:
-        def hollow(curve: Curve) -> Floats:
+        def hollow(curve: ContourValues) -> Floats:
             if not curve.cam.rocks:
                 return -curve.radius
             return np.where(curve.lead > 0, -curve.radius * curve.lead, curve.sizes.base)
@@ -160,12 +160,12 @@ class Flaws:
         return [(parts[-1][0], parts[0][1]), *parts[1:-1]]
 
 
-def _excess(side: float, limit: float, curve: Curve) -> Floats:
+def _excess(side: float, limit: float, curve: ContourValues) -> Floats:
     """Give how far the pressure angle is beyond its limit to one side."""
     return side * curve.pressure - limit * (1 + NEAR)
 
 
-def _off_face(side: float, reach: float, curve: Curve) -> Floats:
+def _off_face(side: float, reach: float, curve: ContourValues) -> Floats:
     """Give how far contact is off the face on one side."""
     return side * curve.place - reach * (1 + NEAR)
 
@@ -176,7 +176,7 @@ def _inside(place: SidedTurn, start: float, end: float) -> bool:
     return start <= place.turned <= end
 
 
-def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
+def cam_found(cam: Cam, sizes: CamSizes, turned: Floats) -> CamFound:
     """Find a cam's profile at some turns, rad, its extremes over the whole turn, and its flaws."""
     extremes = CurveExtremes(cam, sizes)
     roller, rule = roller_radius(cam, extremes, sizes.base)
@@ -201,7 +201,7 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
     )
 
 
-def advised(cam: Cam) -> Sizes | None:
+def advised(cam: Cam) -> CamSizes | None:
     """Give the sizes that keep to the limits where none is given, if there are such."""
     if cam.flat or cam.translates:
         return None

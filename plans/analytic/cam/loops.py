@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from plans.analytic.cam.contour import Curve
+from plans.analytic.cam.contour import ContourValues
 from plans.analytic.cam.extremes import WholeTurn
 from plans.model.cam_motion import CamFlaw, Extreme, Points
 from plans.model.motion import Floats
@@ -56,7 +56,7 @@ class Loops:
             found += [pair for pair, m in zip(pairwise(cuts), middles, strict=True) if m < 0]
         return found
 
-    def _forward(self, curve: Curve) -> Floats:
+    def _forward(self, curve: ContourValues) -> Floats:
         if not curve.cam.flat:
             return 1 - self.roller * curve.curvature
         return np.where(curve.lead > 0, curve.radius, -1.0) if curve.cam.rocks else curve.radius
@@ -160,13 +160,13 @@ class Loops:
             return curve.travel.s - _rest(curve, corner, self.roller)
 
 
-def _rest(curve: Curve, corner: complex, roller: float) -> Floats:
+def _rest(curve: ContourValues, corner: complex, roller: float) -> Floats:
     """Give S with which the follower rests on a corner of the cam, (N,), m or rad."""
     place = np.asarray(corner - curve.turned if curve.cam.translates else corner * np.exp(1j * curve.turned))
     return _rocked(curve, place, roller) if curve.cam.rocks else _lifted(curve, place, roller)
 
 
-def _lifted(curve: Curve, place: Points, roller: float) -> Floats:
+def _lifted(curve: ContourValues, place: Points, roller: float) -> Floats:
     if curve.cam.flat:
         return np.asarray(place.imag - curve.sizes.base)
     aside = np.abs(place.real - curve.sizes.offset)
@@ -174,7 +174,7 @@ def _lifted(curve: Curve, place: Points, roller: float) -> Floats:
     return np.asarray(lift - (curve.height - curve.travel.s))
 
 
-def _rocked(curve: Curve, place: Points, roller: float) -> Floats:
+def _rocked(curve: ContourValues, place: Points, roller: float) -> Floats:
     """Give it for a rocker: by the triangle of its pivot, its pin and the corner, or of the foot under its face."""
     cam = curve.cam
     centre, direction = curve.pivot

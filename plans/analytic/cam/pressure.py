@@ -11,7 +11,7 @@ import numpy as np
 
 from plans.analytic.cam.laws import LAWS, breaks, travel
 from plans.model.cam import Cam, Law, Phase
-from plans.model.cam_motion import Extreme, FollowerTravel, Sizes
+from plans.model.cam_motion import CamSizes, Extreme, FollowerTravel
 from plans.model.motion import Floats
 
 GRID = 65  # places of a stretch that are looked at before a root is closed in on
@@ -55,7 +55,7 @@ class LawPart(NamedTuple):
 Value: TypeAlias = Callable[[FollowerTravel], Floats]
 
 
-class Peak(NamedTuple):
+class PressurePeak(NamedTuple):
     """A place where something is greatest."""
 
     value: float
@@ -73,20 +73,20 @@ def stretches(cam: Cam, kinds: Collection[str]) -> tuple[LawPart, ...]:
     )
 
 
-def peak(along: Collection[LawPart], value: Value, slope: Value) -> Peak:
+def peak(along: Collection[LawPart], value: Value, slope: Value) -> PressurePeak:
     """Give where a value is greatest: at a root of its slope, or at an end of a stretch."""
     return max((peak for stretch in along for peak in _candidates(stretch, value, slope)), key=lambda peak: peak.value)
 
 
-def _candidates(stretch: LawPart, value: Value, slope: Value) -> Iterator[Peak]:
+def _candidates(stretch: LawPart, value: Value, slope: Value) -> Iterator[PressurePeak]:
     shares = np.array([stretch.start, *roots(lambda k: slope(stretch.at(k)), stretch.grid), stretch.end])
     for share, height in zip(
         shares.tolist(), np.broadcast_to(value(stretch.at(shares)), shares.shape).tolist(), strict=True
     ):
-        yield Peak(height, stretch, share)
+        yield PressurePeak(height, stretch, share)
 
 
-def golden(along: Collection[LawPart], value: Value) -> Peak:
+def golden(along: Collection[LawPart], value: Value) -> PressurePeak:
     """Give where a value without a slope is greatest, by the golden section of the parts beside the best places.
 
     The place of a smooth peak is known to half of the digits, its value to all of them; that of a kink to all.
@@ -94,7 +94,7 @@ def golden(along: Collection[LawPart], value: Value) -> Peak:
     return max((_sectioned(stretch, value) for stretch in along), key=lambda peak: peak.value)
 
 
-def _sectioned(stretch: LawPart, value: Value) -> Peak:
+def _sectioned(stretch: LawPart, value: Value) -> PressurePeak:
     grid = stretch.grid
     best = int(np.argmax(value(stretch.at(grid))))
     low, high = float(grid[max(best - 1, 0)]), float(grid[min(best + 1, GRID - 1)])
@@ -105,7 +105,7 @@ def _sectioned(stretch: LawPart, value: Value) -> Peak:
     places = np.array([low, (low + high) / 2, high, stretch.start, stretch.end])
     values = value(stretch.at(places))
     top = int(np.argmax(values))
-    return Peak(float(values[top]), stretch, float(places[top]))
+    return PressurePeak(float(values[top]), stretch, float(places[top]))
 
 
 def roots(of: Callable[[Floats], Floats], grid: Floats) -> Floats:
@@ -133,23 +133,23 @@ class TangentRatio(NamedTuple):
     below_slope: Floats
 
 
-def pressure(cam: Cam, sizes: Sizes, turned: Floats, before: bool = False) -> Floats:
+def pressure(cam: Cam, sizes: CamSizes, turned: Floats, before: bool = False) -> Floats:
     """Give the pressure angle at turns of the cam, (N,) rad, above 0 where it is so on a plain rise."""
     ratio = ratio_of(cam, sizes, travel(cam, turned, before))
     return np.arctan2(ratio.above, ratio.below)
 
 
-def greatest(cam: Cam, sizes: Sizes) -> dict[str, Extreme]:
+def greatest(cam: Cam, sizes: CamSizes) -> dict[str, Extreme]:
     """Give the pressure angle that is largest by its size on each kind of phase, signed, rad."""
     return {kind: _greatest(cam, sizes, kind) for kind in dict.fromkeys(phase.kind for phase in cam.phases)}
 
 
-def _greatest(cam: Cam, sizes: Sizes, kind: str) -> Extreme:
+def _greatest(cam: Cam, sizes: CamSizes, kind: str) -> Extreme:
     found = [extreme(cam, sizes, kind, sign) for sign in (1, -1)]
     return max(found, key=lambda extreme: abs(extreme.value))
 
 
-def extreme(cam: Cam, sizes: Sizes, kind: str, sign: int) -> Extreme:
+def extreme(cam: Cam, sizes: CamSizes, kind: str, sign: int) -> Extreme:
     """Give the greatest (sign +1) or the least (-1) pressure angle on a kind of phase, rad."""
 
     def angle(at: FollowerTravel) -> Floats:
@@ -164,7 +164,7 @@ def extreme(cam: Cam, sizes: Sizes, kind: str, sign: int) -> Extreme:
     return Extreme(sign * found.value, found.stretch.turned(found.share))
 
 
-def ratio_of(cam: Cam, sizes: Sizes, at: FollowerTravel) -> TangentRatio:
+def ratio_of(cam: Cam, sizes: CamSizes, at: FollowerTravel) -> TangentRatio:
     """Give tan α by the kind of cam and follower."""
     if cam.flat:
         return _face(cam, sizes, at) if cam.rocks and not cam.translates else _square(at)
@@ -184,13 +184,13 @@ def _square(at: FollowerTravel) -> TangentRatio:
     return _ratio(zero, 1.0, zero, 0.0)
 
 
-def _guided(sizes: Sizes, at: FollowerTravel) -> TangentRatio:
+def _guided(sizes: CamSizes, at: FollowerTravel) -> TangentRatio:
     """Give (S' - e)/(S + S0) (5.28)."""
     level = math.sqrt(sizes.base**2 - sizes.offset**2)
     return _ratio(at.slope - sizes.offset, at.s + level, at.bend, at.slope)
 
 
-def _rocker(cam: Cam, sizes: Sizes, at: FollowerTravel) -> TangentRatio:
+def _rocker(cam: Cam, sizes: CamSizes, at: FollowerTravel) -> TangentRatio:
     """Give (L cos ψ - l(1 - ψ'))/(L sin ψ) with ψ from the line of centres; against the cam -, and 1 + ψ'."""
     f, length, apart = cam.follower.sense, cam.follower.length or 0.0, sizes.centre
     psi = sizes.initial + at.s
@@ -206,7 +206,7 @@ def _rail_rocker(cam: Cam, at: FollowerTravel) -> TangentRatio:
     return _ratio(above, np.cos(x), length * at.bend - f * np.cos(x) * at.slope, -np.sin(x) * at.slope)
 
 
-def _face(cam: Cam, sizes: Sizes, at: FollowerTravel) -> TangentRatio:
+def _face(cam: Cam, sizes: CamSizes, at: FollowerTravel) -> TangentRatio:
     """Give that of a rocker's face: -h/t, with t = L cos ψ/(1 - ψ') from the pivot to the contact along the face."""
     f, face, psi = cam.follower.sense, cam.follower.face, sizes.initial + at.s
     along, across = sizes.centre * np.cos(psi), sizes.centre * np.sin(psi)

@@ -17,7 +17,7 @@ import numpy as np
 
 from plans.analytic.cam.pressure import LawPart, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
-from plans.model.cam_motion import FollowerTravel, Points, Sizes, no_region, no_triangle, vanishing
+from plans.model.cam_motion import CamSizes, FollowerTravel, Points, no_region, no_triangle, vanishing
 from plans.model.motion import Floats
 
 ROUNDS = 200  # each takes one more line into account, of some hundreds
@@ -124,7 +124,7 @@ class Seed(NamedTuple):
         return complex(self.family.lines(np.array([share]))[0][0])
 
 
-def rocker_sizes(cam: Cam) -> Sizes:
+def rocker_sizes(cam: Cam) -> CamSizes:
     """Give R0, L and the rocker's angle at the start."""
     given, length, f = cam.given, cam.follower.length or 0.0, cam.follower.sense
     start = f * length * cmath.exp(-0.5j * f * cam.lift)
@@ -146,11 +146,11 @@ def _notched(cam: Cam, length: float, base: float, centre: float) -> float:
     return math.acos((length**2 + centre**2 - base**2) / (2 * length * centre))
 
 
-def _sizes(cam: Cam, start: complex, place: complex) -> Sizes:
+def _sizes(cam: Cam, start: complex, place: complex) -> CamSizes:
     base, centre = cam.given.base, cam.given.centre
     pivot = -place if cam.sense > 0 else place.conjugate()
     initial = cam.follower.sense * cmath.phase(start / place)
-    return Sizes(
+    return CamSizes(
         abs(start - place) if base is None else base, 0.0, abs(place) if centre is None else centre, pivot, initial
     )
 

@@ -13,8 +13,8 @@ from plans.analytic.cam.pressure import LawPart, golden, peak, stretches
 from plans.analytic.cam.rocker_sizes import rocker_sizes
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import (
+    CamSizes,
     FollowerTravel,
-    Sizes,
     fast_face,
     hard_face,
     no_distance,
@@ -28,7 +28,7 @@ from plans.model.cam_motion import (
 from plans.model.motion import Floats
 
 
-def face_sizes(cam: Cam) -> Sizes:
+def face_sizes(cam: Cam) -> CamSizes:
     """Give R0 with L given: the least angle at the start at which no radius is less than it may be."""
     base, centre = cam.given.base, cam.given.centre
     if centre is None:
@@ -41,7 +41,7 @@ def face_sizes(cam: Cam) -> Sizes:
         raise no_radius(cam)
     line = complex(math.cos(cam.lift / 2 + initial), -math.sin(cam.lift / 2 + initial))  # O1O where the rise is so
     mirrored = line if cam.rising > 0 else -line.conjugate()
-    return Sizes(height, 0.0, centre, -centre * mirrored, initial)
+    return CamSizes(height, 0.0, centre, -centre * mirrored, initial)
 
 
 def _initial(cam: Cam, centre: float) -> float:
@@ -77,10 +77,10 @@ def _slower(cam: Cam, everywhere: tuple[LawPart, ...]) -> None:
         raise fast_face(cam, fastest.stretch.turned(fastest.share))
 
 
-def sizes(cam: Cam) -> Sizes:
+def sizes(cam: Cam) -> CamSizes:
     """Give the main sizes, those that are given as they are. Raises CamError where there are none."""
     if cam.translates:
-        return Sizes(0.0)
+        return CamSizes(0.0)
     if cam.given.base is None and not any(cam.moving()):
         raise still(cam)
     if cam.flat:
@@ -101,24 +101,24 @@ class LimitLine(NamedTuple):
         return self.sign * offset + level * self.tangent - self.most
 
 
-def _guided(cam: Cam) -> Sizes:
+def _guided(cam: Cam) -> CamSizes:
     """Give R0 and e: S0 = (Q1 + Q2)/(tan a1 + tan a2), e = (Q1 tan a2 - Q2 tan a1)/(tan a1 + tan a2)."""
     given = cam.given
     if given.base is not None and given.offset is not None:
         if abs(given.offset) >= given.base:
             raise too_far(cam, given.offset, given.base)
-        return Sizes(given.base, given.offset)
+        return CamSizes(given.base, given.offset)
     if given.base is not None and cam.unlimited:
-        return Sizes(given.base, 0.0)
+        return CamSizes(given.base, 0.0)
     sides = tuple(sides_of(cam))
     if given.offset is not None:
         level = max((side.most - side.sign * given.offset) / side.tangent for side in sides)
-        return Sizes(math.hypot(level, given.offset), given.offset)
+        return CamSizes(math.hypot(level, given.offset), given.offset)
     offset, level = least(sides)
     base = math.hypot(offset, level)
     if given.base is None and base < LEAST_BASE * cam.way:
         raise vanishing(cam, limits_of(cam))
-    return Sizes(base, offset) if given.base is None else Sizes(given.base, offset * given.base / base)
+    return CamSizes(base, offset) if given.base is None else CamSizes(given.base, offset * given.base / base)
 
 
 def sides_of(cam: Cam) -> Iterator[LimitLine]:
@@ -166,16 +166,16 @@ def _foot(side: LimitLine) -> tuple[float, float]:
     return side.sign * size, side.tangent * size
 
 
-def _flat(cam: Cam) -> Sizes:
+def _flat(cam: Cam) -> CamSizes:
     """Give R0 = ρ_min - min(S + S'')."""
     offset = cam.given.offset or 0.0
     if cam.given.base is not None:
-        return Sizes(cam.given.base, offset)
+        return CamSizes(cam.given.base, offset)
     everywhere = stretches(cam, {phase.kind for phase in cam.phases})
     base = cam.limits.curvature + golden(everywhere, lambda at: -(at.s + at.bend)).value
     if base <= 0:
         raise no_radius(cam)
-    return Sizes(base, offset)
+    return CamSizes(base, offset)
 
 
 def refuse_falls(cam: Cam) -> None:

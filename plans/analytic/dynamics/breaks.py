@@ -15,7 +15,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from plans.analytic.closure import EPS, Flags
-from plans.analytic.dynamics.reduction import Reduction, pieces
+from plans.analytic.dynamics.reduction import ExactReduction, pieces
 from plans.model.dynamics import TURN
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Machine, Track
 from plans.model.motion import Complexes, Floats, Motion
@@ -93,7 +93,7 @@ Sample = Callable[[Motion], tuple[Floats, Floats]]
 LEAST, MOST = 36, 1152  # ordinates of a turn
 
 
-class Curve(Protocol):
+class TurnQuantity(Protocol):
     """A quantity that can be asked for at any angle turned, and for its integral from 0."""
 
     @property
@@ -112,14 +112,14 @@ class Curve(Protocol):
         """Give it at angles turned rad, (N,): at a jump as it is beyond, or before it if side < 0."""
 
     @property
-    def slope(self) -> Curve:
+    def slope(self) -> TurnQuantity:
         """Its derivative by the angle turned."""
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
 
 
-def smooth(reduction: Reduction, sample: Sample, noise: float) -> list[Curve]:
+def smooth(reduction: ExactReduction, sample: Sample, noise: float) -> list[TurnQuantity]:
     """Fit smooth quantities by harmonics, twice as many ordinates as long as the last of these are heard.
 
     Where they do not die away, because the quantities change too fast somewhere, they are fitted on pieces.
@@ -137,13 +137,13 @@ def smooth(reduction: Reduction, sample: Sample, noise: float) -> list[Curve]:
     return broken(reduction, sample, np.zeros(0), noise)
 
 
-def broken(reduction: Reduction, sample: Sample, breaks: Floats, noise: float) -> list[Curve]:
+def broken(reduction: ExactReduction, sample: Sample, breaks: Floats, noise: float) -> list[TurnQuantity]:
     """Fit quantities that jump or bend at `breaks`, rad."""
     knots = np.unique(np.concatenate(([0.0], breaks, [TURN])))
     return list(pieces(lambda turned: sample(reduction.motion(turned)), knots, noise))
 
 
-def looks(curves: Sequence[Curve], *more: float) -> Floats:
+def looks(curves: Sequence[TurnQuantity], *more: float) -> Floats:
     """Give the angles among which every change of sign of a combination of curves shows."""
     return np.unique(np.concatenate([np.array((0.0, *more, TURN)), *(curve.looks for curve in curves)]))
 
@@ -184,7 +184,7 @@ class StrokeRun(Protocol):
         """Give the share of the stroke that is gone at the positions of a motion."""
 
 
-def breaks(reduction: Reduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
+def breaks(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
     """Give the angles turned, rad in [0, 2 pi), at which the moment of the loads jumps or bends, rising.
 
     Angles that differ by less than the rounding of a root, `noise` of a turn, are one.
@@ -195,7 +195,7 @@ def breaks(reduction: Reduction, strokes: Mapping[Track, StrokeRun], noise: floa
     return _merged(np.concatenate((ends, crossed, turned)), noise * TURN)
 
 
-def _crossings(reduction: Reduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
+def _crossings(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
     """Give the angles at which a load over a stroke changes its law: at shares of it, and where it turns back."""
     counted = [track for track in strokes if any(_laws(reduction.machine, track))]
 
@@ -210,7 +210,7 @@ def _crossings(reduction: Reduction, strokes: Mapping[Track, StrokeRun], noise: 
     return np.concatenate(found)
 
 
-class Law(NamedTuple):
+class LoadLaw(NamedTuple):
     """A share of a stroke at which a load over it changes, and when that load acts."""
 
     share: float
@@ -222,7 +222,7 @@ class Law(NamedTuple):
         return self.during in (FORWARD, BACKWARD)
 
 
-def _changes(reduction: Reduction, run: StrokeRun, curve: Curve, law: Law) -> Iterator[Floats]:
+def _changes(reduction: ExactReduction, run: StrokeRun, curve: TurnQuantity, law: LoadLaw) -> Iterator[Floats]:
     """Give where a stroke is gone by a share while the load acts and, of a load by its way, where it turns back."""
     if 0.0 < law.share < 1.0:
         at = roots(lambda turned, side: curve.at(turned, side) - law.share, looks([curve]))
@@ -231,7 +231,7 @@ def _changes(reduction: Reduction, run: StrokeRun, curve: Curve, law: Law) -> It
         yield roots(curve.slope.at, looks([curve]))
 
 
-def _acts(reduction: Reduction, run: StrokeRun, curve: Curve, law: Law, turned: Floats) -> Flags:
+def _acts(reduction: ExactReduction, run: StrokeRun, curve: TurnQuantity, law: LoadLaw, turned: Floats) -> Flags:
     """Tell at which angles turned a load may act: not on the stroke, or the way, on which it rests."""
     if law.during == ALWAYS:
         return np.ones(len(turned), dtype=bool)
@@ -241,17 +241,17 @@ def _acts(reduction: Reduction, run: StrokeRun, curve: Curve, law: Law, turned: 
     return np.asarray(working == (law.during == WORKING))
 
 
-def _laws(machine: Machine, track: Track) -> Iterator[Law]:
+def _laws(machine: Machine, track: Track) -> Iterator[LoadLaw]:
     """Give what changes over a stroke."""
     for load in machine.loads:
         if load.stroke == track:
             places = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
             first, last = load.overrun
-            laws = [Law(share, load.during) for share in (*places, first, 1.0 - last)]
+            laws = [LoadLaw(share, load.during) for share in (*places, first, 1.0 - last)]
             yield from (law for law in laws if law.directed or 0.0 < law.share < 1.0)
 
 
-def _reversals(reduction: Reduction, noise: float) -> Floats:
+def _reversals(reduction: ExactReduction, noise: float) -> Floats:
     """Give the angles at which a point or a link with a load against its motion turns back."""
     machine = reduction.machine
     moving = [force for force in machine.forces if force.direction is None and force.size]
@@ -289,7 +289,7 @@ def _turning(omega: Floats, noise: float) -> Floats:
     return omega if (np.abs(omega) > noise).any() else np.zeros_like(omega)
 
 
-def _rests(reduction: Reduction, point: str, turned: Floats, noise: float) -> Floats:
+def _rests(reduction: ExactReduction, point: str, turned: Floats, noise: float) -> Floats:
     """Keep the angles at which a point is at rest, and not only slowest: there is nothing left of its velocity."""
     if not turned.size:
         return turned

@@ -88,7 +88,7 @@ class Equation:
         return self if end is None else replace(self, piece=(beyond(turned), before(end)))
 
 
-class State(NamedTuple):
+class RunState(NamedTuple):
     """Where a motion is: time s; angle turned, speed and the four works since rest."""
 
     t: float
@@ -104,13 +104,13 @@ class State(NamedTuple):
         """The speed, rad/s."""
         return float(self.values[1])
 
-    def works(self, since: State) -> Works:
+    def works(self, since: RunState) -> Works:
         """Give the works since an earlier state."""
         driving, resisting, braking, weights = (self.values[2:] - since.values[2:]).tolist()
         return Works(driving, 0.0 - resisting, 0.0 - braking, weights)
 
 
-AT_REST = State(0.0, np.zeros(SIZE))
+AT_REST = RunState(0.0, np.zeros(SIZE))
 
 
 class Leg(NamedTuple):
@@ -118,13 +118,13 @@ class Leg(NamedTuple):
 
     rows: Floats
     turning: Floats  # (m,) rad/s: where the acceleration vanishes
-    end: State
+    end: RunState
     reason: str
     evaluations: int
     jacobians: int
 
 
-class Ends(NamedTuple):
+class LegEnds(NamedTuple):
     """With what a leg is to end, whichever comes first: an angle rad, a speed rad/s above it."""
 
     angle: float
@@ -144,27 +144,27 @@ class Solver:
         """The error that a step is allowed, in shares of the state."""
         return TOLERANCES[self.name]
 
-    def leg(self, equation: Equation, start: State, ends: Ends) -> Leg:
+    def leg(self, equation: Equation, start: RunState, ends: LegEnds) -> Leg:
         """Follow a motion to its end, starting anew at every break; one that never comes to a speed is left earlier."""
         parts, state, going = [], start, True
         while going:
             edge = equation.link.following(state.turned) if equation.loaded else None
             stop = ends.angle if edge is None else min(edge, ends.angle)
-            parts.append(self._piece(equation.between(state.turned, edge), state, Ends(stop, ends.speed)))
+            parts.append(self._piece(equation.between(state.turned, edge), state, LegEnds(stop, ends.speed)))
             state = parts[-1].end
             going = parts[-1].reason == ANGLE and stop < ends.angle
             if ends.speed is not None and crawls(parts, equation.link.breaks):
                 break
         return _joined(parts)
 
-    def _piece(self, equation: Equation, start: State, ends: Ends) -> Leg:
+    def _piece(self, equation: Equation, start: RunState, ends: LegEnds) -> Leg:
         """Follow a motion without jumps of the forces; its end is refined by Newton's rule from a step of its own."""
         watched = _events(equation, ends)
         found = self._solved(equation, start, events=list(watched.values()))
         if found.status != 1:
             raise ArithmeticError(found.message)
         reason = next(name for name, times in zip(watched, found.t_events, strict=True) if name and len(times))
-        near = self._solved(equation, State(found.t[-2], equation.counted(found.y[:, -2], -1)), found.t[-1])
+        near = self._solved(equation, RunState(found.t[-2], equation.counted(found.y[:, -2], -1)), found.t[-1])
         end = _refined(equation, float(near.t[-1]), near.y[:, -1], reason, ends)
         at = self._kept(found.t)
         rows = np.array([found.t[at], found.y[0, at], equation.base + found.y[1, at], np.zeros(len(at))]).T
@@ -180,7 +180,7 @@ class Solver:
         part = np.floor((t - t[0]) / self.longest * CLOSE)
         return np.flatnonzero(np.diff(part, prepend=-1.0, append=-1.0)[:-1] + (t == t[-1]))
 
-    def _solved(self, equation: Equation, start: State, end: float = math.inf, **more: Any) -> Any:
+    def _solved(self, equation: Equation, start: RunState, end: float = math.inf, **more: Any) -> Any:
         from scipy.integrate import solve_ivp  # noqa: PLC0415  (only a run needs it)
 
         if self.name == IMPLICIT:
@@ -201,7 +201,7 @@ def crawls(parts: Sequence[Leg], breaks: Sequence[float]) -> bool:
 CRAWL = 1e-9  # a gain that would take a thousand million turns to count
 
 
-def _events(equation: Equation, ends: Ends) -> dict[str, Callable[[float, Floats], float]]:
+def _events(equation: Equation, ends: LegEnds) -> dict[str, Callable[[float, Floats], float]]:
     """Give what is watched by its name; an extreme of the speed, which has none, ends nothing."""
 
     def stop(_: float, state: Floats) -> float:
@@ -222,7 +222,7 @@ def _events(equation: Equation, ends: Ends) -> dict[str, Callable[[float, Floats
     return {"": turning, STOP: stop, ANGLE: angle, **asked}
 
 
-def _refined(equation: Equation, t: float, near: Floats, reason: str, ends: Ends) -> State:
+def _refined(equation: Equation, t: float, near: Floats, reason: str, ends: LegEnds) -> RunState:
     """Move a state that rounding and interpolation have left beside the end of its piece onto it."""
     rates = np.array(equation.rates(t, near))
     speed = ends.speed or 0.0
@@ -230,7 +230,7 @@ def _refined(equation: Equation, t: float, near: Floats, reason: str, ends: Ends
     late = float((wanted - near[part]) / rates[part]) if rates[part] else 0.0
     values = near + late * rates
     values[part] = wanted
-    return State(t + late, equation.counted(values, -1))
+    return RunState(t + late, equation.counted(values, -1))
 
 
 def _joined(parts: Sequence[Leg]) -> Leg:

@@ -10,8 +10,8 @@ from math import pi, sqrt
 import numpy as np
 
 from plans.analytic.closure import EPS
-from plans.analytic.dynamics.breaks import LEAST, Curve, Sided, StrokeRun, breaks, broken, looks, roots, smooth
-from plans.analytic.dynamics.reduction import Reduction
+from plans.analytic.dynamics.breaks import LEAST, Sided, StrokeRun, TurnQuantity, breaks, broken, looks, roots, smooth
+from plans.analytic.dynamics.reduction import ExactReduction
 from plans.analytic.extremes import EQUAL
 from plans.model.dynamics import ANALYSIS, TURN, Cycle, Flywheel, Methods, Rim, Task, Touch, Wheel, settled
 from plans.model.machine import Track
@@ -46,10 +46,10 @@ class Exact:
     """
 
     breaks: Floats
-    load: Curve  # of loads and weights
-    weight: Curve  # of the weights alone
-    mass: Curve
-    growth: Curve
+    load: TurnQuantity  # of loads and weights
+    weight: TurnQuantity  # of the weights alone
+    mass: TurnQuantity
+    growth: TurnQuantity
     noise: float
     size: float = 0.0  # N*m: the largest sum of the moments of loads and weights, each taken positive
 
@@ -103,7 +103,7 @@ class Exact:
         return np.unique(np.concatenate(([0.0], self.breaks, roots(slope, places))))
 
 
-def exact(reduction: Reduction, strokes: Mapping[Track, StrokeRun]) -> Exact:
+def exact(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun]) -> Exact:
     """Find moments and inertia over a turn of a machine whose loads change over `strokes`."""
     noise, sizes = _noise(reduction), list[float]()
 
@@ -122,7 +122,7 @@ def exact(reduction: Reduction, strokes: Mapping[Track, StrokeRun]) -> Exact:
     return Exact(at, load, weight, mass, growth, noise, max(sizes))
 
 
-def _noise(reduction: Reduction) -> float:
+def _noise(reduction: ExactReduction) -> float:
     """Give the share to which rates are known: their condition magnifies a rounding once for every order.
 
     At a change point it is of no account, for the linkage is carried through.

@@ -29,7 +29,7 @@ from plans.model.motion import Complexes, Floats, Motion
 Loads = Callable[[Motion], Loading]  # the loads over the positions of a motion
 
 
-class Ordinates(NamedTuple):
+class ReducedRows(NamedTuple):
     """Over some positions, (N,): moment of loads and weights N*m, inertia kg*m2 and its derivative, that of weights.
 
     `gross` N*m is the moment that all loads would have if none worked against another: the measure of its rounding.
@@ -42,7 +42,7 @@ class Ordinates(NamedTuple):
     gross: Floats
 
 
-class Reduction:
+class ExactReduction:
     """A machine whose crank turns at unit speed in its sense from position 0, at `start` rad."""
 
     def __init__(self, road: Analysis, machine: Machine, loads: Loads, start: float) -> None:
@@ -70,7 +70,7 @@ class Reduction:
         gaps = tuple(gap._replace(position=gap.position - 1) for gap in whole.gaps if gap.position)
         return whole.made(phi, lambda row: row[1:])._replace(gaps=gaps)
 
-    def ordinates(self, motion: Motion) -> Ordinates:
+    def ordinates(self, motion: Motion) -> ReducedRows:
         """Reduce at the positions of a motion; NaN at gaps.
 
         Positive is the sense of rotation; so derivatives by the angle turned are those by the crank's angle times it.
@@ -83,7 +83,7 @@ class Reduction:
         inertia = reduced_inertia(constraints, self.machine, poses, first)
         slope = self._slope(poses, first, second)
         turning = self.sense * moment, inertia, self.sense * slope, self.sense * weight
-        return Ordinates(*turning, self._gross(loading, poses, first))
+        return ReducedRows(*turning, self._gross(loading, poses, first))
 
     def _weights(self, poses: Floats, first: Floats) -> Floats:
         """Reduce the weights to the crank, N*m."""
@@ -116,7 +116,7 @@ class Reduction:
         return total
 
 
-def reduced(reduction: Reduction, phi: Floats) -> Reduced:
+def reduced(reduction: ExactReduction, phi: Floats) -> Reduced:
     """Reduce loads and masses at crank angles phi rad, (N,), the first of them that of position 0."""
     motion = reduction.motion(reduction.sense * (np.asarray(phi) - reduction.start))
     return Reduced(ANALYSIS, np.asarray(phi), *reduction.ordinates(motion)[:3], motion.gaps)
@@ -162,7 +162,7 @@ _FIT[0] /= 2.0
 
 
 @dataclass(frozen=True)
-class Pieces:
+class Pieced:
     """Edges (p + 1,) rad of the pieces, coefficients (p, n) of the quantity and (p, n + 1) of its integral from 0.
 
     `error` is the share of the largest that the last coefficients still have; where it `settled` that is rounding.
@@ -185,11 +185,11 @@ class Pieces:
         return self._sum(self.coefficients, turned, side)
 
     @property
-    def slope(self) -> Pieces:
+    def slope(self) -> Pieced:
         """Its derivative by the angle turned."""
         wide = np.diff(self.edges)[:, None]
         fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / wide
-        return Pieces(self.edges, fitted, self.coefficients, self.error, self.settled)
+        return Pieced(self.edges, fitted, self.coefficients, self.error, self.settled)
 
     @cached_property
     def value(self) -> Callable[[float], float]:
@@ -221,7 +221,7 @@ class Pieces:
         return np.asarray(chebyshev.chebval(place, np.moveaxis(coefficients[on], -1, 0), tensor=False))
 
 
-def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieces]:
+def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
     """Fit quantities on the pieces between knots, rad, the first 0 and the last a turn; `noise`: share of rounding."""
     low, high = knots[:-1], knots[1:]
     before = np.full(len(low), np.inf)
@@ -261,13 +261,13 @@ def _halves(low: Floats, high: Floats) -> tuple[Floats, Floats]:
     return np.concatenate((low, middle)), np.concatenate((middle, high))
 
 
-def _joined(kept: list[tuple[Floats, Floats, Floats]], error: float, settled: bool) -> list[Pieces]:
+def _joined(kept: list[tuple[Floats, Floats, Floats]], error: float, settled: bool) -> list[Pieced]:
     """Put the pieces in order and integrate each quantity along them."""
     low, high = (np.concatenate([part[k] for part in kept]) for k in (0, 1))
     order = np.argsort(low)
     edges = np.append(low[order], high[order][-1])
     fitted = np.concatenate([part[2] for part in kept], axis=1)[:, order]
-    return [Pieces(edges, fit, _integrals(fit, np.diff(edges)), error, settled) for fit in fitted]
+    return [Pieced(edges, fit, _integrals(fit, np.diff(edges)), error, settled) for fit in fitted]
 
 
 def _integrals(coefficients: Floats, wide: Floats) -> Floats:

@@ -20,11 +20,11 @@ from plans.analytic.dynamics.equation import (
     IMPLICIT,
     STIFF,
     STOP,
-    Ends,
     Equation,
     Leg,
+    LegEnds,
+    RunState,
     Solver,
-    State,
     size_of,
 )
 from plans.model.dynamics import ANALYSIS, TURN
@@ -38,9 +38,9 @@ from plans.model.run import (
     TURNS_MOST,
     UNSETTLED,
     Failure,
+    MachineRun,
     Method,
     ReducedLink,
-    Run,
     RunTask,
     Stage,
     SteadyTurn,
@@ -55,9 +55,9 @@ TRIALS = 12  # turns that are followed at most, to find the one that repeats its
 REPEATED = 1e-11  # change of the speed in a turn, in shares of it, at which the turn repeats itself
 
 
-def run(link: ReducedLink, motor: Motor, task: RunTask) -> Run:
+def run(link: ReducedLink, motor: Motor, task: RunTask) -> MachineRun:
     """Find the run of a machine from rest."""
-    return _Course(link, motor, task).run
+    return _GrowingRun(link, motor, task).run
 
 
 def chosen(link: ReducedLink, motor: Motor, speed: float) -> Solver:
@@ -78,13 +78,13 @@ def mean_resistance(link: ReducedLink) -> float:
     return -work / TURN
 
 
-def kinetic(link: ReducedLink, state: State) -> float:
+def kinetic(link: ReducedLink, state: RunState) -> float:
     """Give the kinetic energy J of the machine in a state."""
     return link.inertia(state.turned) * state.omega**2 / 2
 
 
 @dataclass
-class _Course:
+class _GrowingRun:
     """A run in the making: legs are added to it stage by stage, until one fails."""
 
     link: ReducedLink
@@ -103,14 +103,14 @@ class _Course:
         self.solver = chosen(self.link, self.motor, free or self.task.speed)
 
     @property
-    def run(self) -> Run:
+    def run(self) -> MachineRun:
         """The run with all its stages."""
         if self._runs_up() and self._goes_on() and self.task.brake is not None:
             self._runs_down(self.task.brake)
         rows = np.concatenate([leg.rows for leg in self.legs] or [np.zeros((1, 4))])
         t, turned, omega, epsilon = rows.T
         stages = tuple(self.stages)
-        return Run(ANALYSIS, t, turned, omega, epsilon, stages, self.steady, self._method, self.failure)
+        return MachineRun(ANALYSIS, t, turned, omega, epsilon, stages, self.steady, self._method, self.failure)
 
     @property
     def _method(self) -> Method:
@@ -124,14 +124,14 @@ class _Course:
         )
 
     @property
-    def _now(self) -> State:
+    def _now(self) -> RunState:
         return self.legs[-1].end if self.legs else AT_REST
 
     def _runs_up(self) -> bool:
         goal = goal_of(self.motor, self.task, self.mean if self.task.loaded else 0.0)
         if goal is None or self.equation.between(0.0, None).epsilon(0.0, 0.0) <= 0:
             return self._fails(RUN_UP, TOO_WEAK, self.mean)
-        leg = self.solver.leg(self.equation, AT_REST, Ends(TURNS_MOST * TURN, goal))
+        leg = self.solver.leg(self.equation, AT_REST, LegEnds(TURNS_MOST * TURN, goal))
         self._append(RUN_UP, AT_REST, [leg])
         if leg.reason == STOP:
             return self._fails(RUN_UP, STALLED, goal)
@@ -143,7 +143,7 @@ class _Course:
         legs: list[Leg] = []
         first = math.ceil(since.turned / TURN) * TURN
         for k in range(self.task.turns + 1):
-            leg = self.solver.leg(equation, legs[-1].end if legs else since, Ends(first + k * TURN))
+            leg = self.solver.leg(equation, legs[-1].end if legs else since, LegEnds(first + k * TURN))
             legs.append(leg)
             if leg.reason == STOP:
                 self._append(STEADY, since, legs)
@@ -154,7 +154,7 @@ class _Course:
         self.steady = self._settled(equation, since if len(legs) == 1 else legs[-2].end, legs[-1])
         return True
 
-    def _settled(self, equation: Equation, start: State, last: Leg) -> SteadyTurn:
+    def _settled(self, equation: Equation, start: RunState, last: Leg) -> SteadyTurn:
         """Find the turn that repeats itself, by Aitken's rule on the speeds with which turns begin.
 
         A constant moment has no such turn, or any one is: then it is the last that was followed.
@@ -178,18 +178,18 @@ class _Course:
 
     def _trial(self, equation: Equation, omega: float) -> Leg | None:
         """Follow a turn that begins at a speed; None where the machine stops in it."""
-        leg = self.solver.leg(equation, _at(omega), Ends(TURN))
+        leg = self.solver.leg(equation, _at(omega), LegEnds(TURN))
         self.trials.append(leg)
         return leg if leg.reason == ANGLE else None
 
     def _runs_down(self, brake: float) -> None:
         since, equation = self._now, Equation(self.link, None, brake=brake)
-        leg = self.solver.leg(equation, since, Ends(since.turned + TURNS_MOST * TURN))
+        leg = self.solver.leg(equation, since, LegEnds(since.turned + TURNS_MOST * TURN))
         self._append(RUN_DOWN, since, [leg])
         if leg.reason == ANGLE:
             self._fails(RUN_DOWN, UNSETTLED, 0.0)
 
-    def _append(self, name: str, since: State, legs: Sequence[Leg]) -> None:
+    def _append(self, name: str, since: RunState, legs: Sequence[Leg]) -> None:
         """Add a stage made of some legs."""
         first = sum(len(leg.rows) for leg in self.legs)
         self.legs += legs
@@ -203,12 +203,12 @@ class _Course:
         return False
 
 
-def _at(omega: float) -> State:
+def _at(omega: float) -> RunState:
     """Give the beginning of a turn at a speed."""
-    return State(0.0, np.array([0.0, omega, 0.0, 0.0, 0.0, 0.0]))
+    return RunState(0.0, np.array([0.0, omega, 0.0, 0.0, 0.0, 0.0]))
 
 
-def _turn(start: State, leg: Leg) -> SteadyTurn:
+def _turn(start: RunState, leg: Leg) -> SteadyTurn:
     """Take the account of a turn: extremes of speed are where its acceleration vanishes, or at its rows."""
     speeds = np.concatenate([leg.turning, leg.rows[:, 2]])
     works = leg.end.works(start)

@@ -20,9 +20,9 @@ from plans.cam.centre.bounds import (
     touch,
 )
 from plans.cam.centre.place import SIZES, SizeTangent, Sizing, axis, on_circle, place, rocker_sizes
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.model.cam import Cam
-from plans.model.cam_motion import HARD, Sizes, fast_face, hard_face, no_distance, no_level, no_radius, no_region
+from plans.model.cam_motion import HARD, CamSizes, fast_face, hard_face, no_distance, no_level, no_radius, no_region
 from plans.model.motion import Floats
 from plans.words.words import because
 
@@ -43,14 +43,14 @@ class FallBound(NamedTuple):
         return Lines(np.zeros_like(motion.s, dtype=complex), motion.slope + motion.jerk)
 
 
-def _smooth(course: Course) -> None:
+def _smooth(course: FollowerCourse) -> None:
     """Refuse a law whose S' falls at once: the profile would have to lie on both sides of its own tangent."""
     for shock in course.shocks:
         if shock.order == HARD and shock.jump < 0:
             raise hard_face(course.cam, shock.turned)
 
 
-def flat_sizing(course: Course) -> Sizing:
+def flat_sizing(course: FollowerCourse) -> Sizing:
     """Push a ruler at 45 degrees against the curve of S over S'': R0 is from its cut with the axis, and ρ_min more."""
     cam, board = course.cam, Board(SIZES)
     if cam.given.base is None:
@@ -60,7 +60,7 @@ def flat_sizing(course: Course) -> Sizing:
     tip, end = _laid(board, start, (travel.s, travel.bend), "")
     tangent = _fallen(board, cam, start)
     centre = _least(board, cam, along, tangent.line)
-    sizes = Sizes(-complex(centre.point).imag if cam.given.base is None else cam.given.base, cam.given.offset or 0.0)
+    sizes = CamSizes(-complex(centre.point).imag if cam.given.base is None else cam.given.base, cam.given.offset or 0.0)
     if sizes.base <= 0:
         raise no_radius(cam)
     bounds = (tangent.bound,)
@@ -95,7 +95,7 @@ def _laid(board: Board, start: Mark, motion: tuple[Floats, Floats], name: str) -
     return tip, board.lay_off(f"T{low}" if name else "D", tip, bend, because("cam_bend_end"))
 
 
-def rocking_face_sizing(course: Course) -> Sizing:
+def rocking_face_sizing(course: FollowerCourse) -> Sizing:
     """Find the place of O on the arc of L where the profile is just convex enough, and the face stands lowest."""
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
     if cam.given.centre is None:
@@ -116,7 +116,9 @@ def rocking_face_sizing(course: Course) -> Sizing:
     return Sizing(cam, cam.limits, sizes, board, pivot, pivot, None, None, centre, lines, bounds)
 
 
-def _lowest(course: Course, board: Board, bound: CurvatureBound, arc: Mark) -> tuple[tuple[SizeTangent, ...], Mark]:
+def _lowest(
+    course: FollowerCourse, board: Board, bound: CurvatureBound, arc: Mark
+) -> tuple[tuple[SizeTangent, ...], Mark]:
     """Find O where the line of least curvature cuts the arc of L."""
     _smooth(course)
     _slower(course.cam)

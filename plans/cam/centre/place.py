@@ -13,7 +13,7 @@ from geometry.board import Board, Mark
 from geometry.meet import EPS, cross, dot
 from plans.cam.centre.bounds import Bound, Limit, PressureBound, RulerTouch, SlopeDiagram, limit, side_of
 from plans.model.cam import LEAST_BASE, Cam, Limits
-from plans.model.cam_motion import Sizes, no_region, vanishing
+from plans.model.cam_motion import CamSizes, no_region, vanishing
 from plans.words.words import because
 
 PARALLEL = 1e-9  # sine of the angle of two lines that touch one curve at one place: they have no meeting of their own
@@ -141,7 +141,7 @@ class Sizing:
 
     cam: Cam
     limits: Limits
-    sizes: Sizes
+    sizes: CamSizes
     board: Board
     origin: Mark | None = None
     start: Mark | None = None  # K0
@@ -220,12 +220,12 @@ def met(board: Board, name: str, lines: Sequence[SizeTangent], start: Mark, why:
     return board.meet(name, square, lines[0].line, why=because("cam_foot"))
 
 
-def rocker_sizes(cam: Cam, centre: complex, first: complex, base: float | None = None) -> Sizes:
+def rocker_sizes(cam: Cam, centre: complex, first: complex, base: float | None = None) -> CamSizes:
     """Give the sizes of a centre seen from O1, with K0 or the direction of the arm; those given as they were given."""
     given = cam.given
     initial = cam.rising * cmath.phase(first / centre)
     least = base if base is not None else abs(first - centre)
-    return Sizes(
+    return CamSizes(
         least if given.base is None else given.base,
         0.0,
         abs(centre) if given.centre is None else given.centre,

@@ -33,21 +33,21 @@ from plans.cam.centre.place import (
     touched,
     under,
 )
-from plans.cam.course import Course, positions
+from plans.cam.course import FollowerCourse, positions
 from plans.model.cam import Cam, Limits, limits_of
-from plans.model.cam_motion import Points, Sizes, no_triangle, still, too_far
+from plans.model.cam_motion import CamSizes, Points, no_triangle, still, too_far
 from plans.model.motion import Floats
 from plans.words.words import because
 
 
-def sizing(course: Course) -> Sizing:
+def sizing(course: FollowerCourse) -> Sizing:
     """Find the main sizes that a scene does not give, or draw the diagram for those that it gives.
 
     Raises CamError where there are none.
     """
     cam = course.cam
     if cam.translates:
-        return Sizing(cam, cam.limits, Sizes(0.0), Board(SIZES))  # it has none
+        return Sizing(cam, cam.limits, CamSizes(0.0), Board(SIZES))  # it has none
     if cam.given.base is None and not any(cam.moving()):
         raise still(cam)
     if cam.flat:
@@ -55,7 +55,7 @@ def sizing(course: Course) -> Sizing:
     return _rocking(course) if cam.rocks else _translating(course)
 
 
-def _translating(course: Course) -> Sizing:
+def _translating(course: FollowerCourse) -> Sizing:
     """Draw the diagram on the follower's way, push the rulers, and find O (figures 5.49, 5.50)."""
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
     limits = limits_of(cam)
@@ -137,14 +137,14 @@ def _beside(board: Board, cam: Cam, start: Mark, way: Mark, offset: float, lines
     return board.meet("O", beside, arc, side=-1, why=because("cam_given_centre"))
 
 
-def _sizes(cam: Cam, centre: complex) -> Sizes:
+def _sizes(cam: Cam, centre: complex) -> CamSizes:
     """Give the sizes of a centre; those that are given are as they were given."""
     given = cam.given
     offset = 0.0 - cam.sense * centre.real if given.offset is None else given.offset
-    return Sizes(abs(centre) if given.base is None else given.base, offset)
+    return CamSizes(abs(centre) if given.base is None else given.base, offset)
 
 
-def _rocking(course: Course) -> Sizing:
+def _rocking(course: FollowerCourse) -> Sizing:
     """Draw the diagram on the rocker's arc, push the rulers, and find O (figure 5.51)."""
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
     limits = limits_of(cam)

@@ -9,11 +9,11 @@ from functools import cached_property
 import numpy as np
 
 from plans.cam.centre.sizes import sizing
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.profile.profile import curvature, curvature_slope, slip, slip_slope
 from plans.cam.profile.touch import FaceTouch, Stretches, Tip, TurnSide, Value
 from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, FollowerLoad, Phase, interval_of
-from plans.model.cam_motion import BEND, HARD, SLOPE, CamError, Extreme, Pressing, Sizes
+from plans.model.cam_motion import BEND, HARD, SLOPE, CamError, CamSizes, Extreme, Pressing
 from plans.model.motion import Floats
 
 
@@ -163,12 +163,12 @@ def base_convex(extremes: ProfileExtremes) -> float | None:
     return extremes.stretches.sizes.base - sharpest.value + course.cam.limits.curvature
 
 
-def sizes_advised(cam: Cam) -> Sizes | None:
+def sizes_advised(cam: Cam) -> CamSizes | None:
     """Give the sizes that the limits alone would give; None where there are none, of a flat face, of a cam on a bar."""
     if cam.flat or cam.translates:
         return None
     try:
-        return sizing(Course(replace(cam, given=NO_SIZES))).sizes
+        return sizing(FollowerCourse(replace(cam, given=NO_SIZES))).sizes
     except CamError:
         return None
 

@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.profile.contact import (
     Contact,
     ProfileExtremes,
@@ -24,7 +24,7 @@ from plans.cam.profile.profile import Roller, curvature, profile, roller_of
 from plans.cam.profile.resting import ProfileEdge, crossings, loss
 from plans.cam.profile.touch import FaceTouch, Stretches, Tip, TurnSide, TurnSpan, Value
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import HARD, CamFlaw, CamFound, Extreme, Sizes
+from plans.model.cam_motion import HARD, CamFlaw, CamFound, CamSizes, Extreme
 from plans.model.motion import Floats
 
 # Sizes that were found by a limit touch it, and a roller may be as large as a radius: the same within this share of the
@@ -192,7 +192,7 @@ def _hollow(tip: Tip) -> Floats:
     return np.where(touch.lead > 0, -touch.sweep, tip.sizes.base)
 
 
-def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
+def cam_found(course: FollowerCourse, sizes: CamSizes, turned: Floats) -> CamFound:
     """Find a cam's profile at some turns, rad, its extremes over the whole turn, and its flaws."""
     extremes = ProfileExtremes(Stretches(course, sizes))
     roller, rule = roller_for(extremes)

@@ -10,10 +10,10 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from geometry.meet import Vectors
-from plans.cam.course import Course
+from plans.cam.course import FollowerCourse
 from plans.cam.profile.touch import FaceTouch, Tip, arm, guide_start
 from plans.model.cam import GROOVE, Cam
-from plans.model.cam_motion import Contour, Points, Sizes
+from plans.model.cam_motion import CamSizes, Contour, Points
 from plans.model.motion import Floats
 from plans.words.words import because
 
@@ -190,8 +190,8 @@ class OutlineSpot(NamedTuple):
 class CamOutline:
     """The outline that lies `away` m from the pitch curve, outward: minus the roller's radius for the profile."""
 
-    course: Course
-    sizes: Sizes
+    course: FollowerCourse
+    sizes: CamSizes
     away: float = 0.0
 
     @property
@@ -273,7 +273,7 @@ class Profile:
     drawing: Inversion
 
 
-def profile(course: Course, sizes: Sizes, roller: float, turned: Floats, before: bool = False) -> Profile:
+def profile(course: FollowerCourse, sizes: CamSizes, roller: float, turned: Floats, before: bool = False) -> Profile:
     """Draw the theoretical and the working profile at turns of the cam, rad, (N,), with a roller m or none."""
     tip = Tip(course, sizes, np.asarray(turned, dtype=float), before)
     drawing = inversion(tip)

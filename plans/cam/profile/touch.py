@@ -15,13 +15,13 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.meet import Vectors
-from plans.cam.course import Course, law_of
+from plans.cam.course import FollowerCourse, law_of
 from plans.model.cam import Cam, Phase
-from plans.model.cam_motion import Extreme, FollowerTravel, Points, Sizes
+from plans.model.cam_motion import CamSizes, Extreme, FollowerTravel, Points
 from plans.model.motion import Floats
 
 
-def guide_start(sizes: Sizes) -> float:
+def guide_start(sizes: CamSizes) -> float:
     """Give S0, the height of the tip above O at the start of a follower that translates, m."""
     return math.sqrt((sizes.base - sizes.offset) * (sizes.base + sizes.offset))
 
@@ -38,8 +38,8 @@ class Tip:
     `before` takes the sides before a joint, where the law has a jump.
     """
 
-    course: Course
-    sizes: Sizes
+    course: FollowerCourse
+    sizes: CamSizes
     turned: Floats  # rad
     before: bool = False
 
@@ -150,8 +150,8 @@ class TurnSpan(NamedTuple):
 class Stretches:
     """The stretches of a cam's turn; a value is looked at on all of them at once."""
 
-    course: Course
-    sizes: Sizes
+    course: FollowerCourse
+    sizes: CamSizes
 
     @cached_property
     def edges(self) -> Floats:

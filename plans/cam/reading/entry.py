@@ -15,7 +15,7 @@ from plans.model.cam import DWELL, FLAT, ROCKING, ROLLER
 from plans.scene import units
 from plans.scene.faults import Fault, Path, Wrong
 from plans.scene.scene import Scene
-from plans.scene.units import Kind
+from plans.scene.units import UnitKind
 from plans.words.words import message
 
 Exact = tuple[Fraction, ...]
@@ -74,7 +74,7 @@ class CamEntry:
         heads = {self.path(name) for name in keys}
         return any(path[: len(head)] == head for path in self.doubts for head in heads)
 
-    def quantity(self, measure: Measure | None, kind: Kind, *path: str | int) -> Decimal | None:
+    def quantity(self, measure: Measure | None, kind: UnitKind, *path: str | int) -> Decimal | None:
         """Give a quantity that is of one kind in this cam; one of another is a fault."""
         try:
             return None if measure is None else measure.of(kind)

@@ -13,8 +13,8 @@ from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
-from plans.scene.readers import Field, one
-from plans.scene.units import Kind
+from plans.scene.readers import FieldReader, one
+from plans.scene.units import UnitKind
 from plans.words.words import message, placed
 
 REST, CYCLOGRAM = "rest", "cyclogram"  # of an angle: what the others leave of the turn; what the cyclogram gives
@@ -24,7 +24,7 @@ SWING_LIMIT = Decimal(180)  # degrees: a rocker that reaches it has gone through
 PRESSURE_LEAST = Decimal(1)  # degrees: less leaves the diagram of sizes no width; limits in radians are less
 PRESSURE_LIMIT = Decimal(90)  # degrees: there a follower jams without any friction
 
-TURNING_STIFFNESS = Kind(
+TURNING_STIFFNESS = UnitKind(
     "stiffness in turning",
     "N*m/rad",
     {
@@ -46,18 +46,18 @@ class Measure(NamedTuple):
 
     written: Any
 
-    def of(self, kind: Kind) -> Decimal:
+    def of(self, kind: UnitKind) -> Decimal:
         """Give it in the unit of a kind (SI, angles in degrees); of the other kind it is Wrong."""
         return units.quantity(self.written, kind)
 
 
-def _joint(*kinds: Kind) -> Kind:
+def _joint(*kinds: UnitKind) -> UnitKind:
     """Give what takes the units of several kinds; sizes of them are not compared."""
     every: Mapping[str, Decimal] = {unit: size for kind in kinds for unit, size in kind.units.items()}
-    return Kind(" or ".join(kind.name for kind in kinds), kinds[0].si, every)
+    return UnitKind(" or ".join(kind.name for kind in kinds), kinds[0].si, every)
 
 
-def measure(*kinds: Kind, least: Decimal | None = None) -> Field:
+def measure(*kinds: UnitKind, least: Decimal | None = None) -> FieldReader:
     """Read a quantity of one of some kinds, `least` 0 where it cannot be negative."""
     joint = _joint(*kinds)
 

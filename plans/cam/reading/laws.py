@@ -12,7 +12,7 @@ from plans.cam.reading.phase_form import AccelerationShape, LawTable, PhaseTable
 from plans.model.cam import CUBICS, DWELL, LINES, RETURN, RISE, SHAPE, TABLE, Law
 from plans.scene import units
 from plans.scene.faults import Path
-from plans.scene.units import Kind
+from plans.scene.units import UnitKind
 from plans.words.words import message
 
 
@@ -123,7 +123,7 @@ def _ended(shares: Sequence[tuple[Fraction, Fraction]]) -> Plotted:
     return (Fraction(0), Fraction(0)), *shares[1:-1], (Fraction(1), Fraction(1))
 
 
-def _plotted(entry: CamEntry, number: int, law: LawTable, across: Kind, up: Kind) -> Plotted | None:
+def _plotted(entry: CamEntry, number: int, law: LawTable, across: UnitKind, up: UnitKind) -> Plotted | None:
     """Give the points of a law; those that are too few, unsorted or of another kind are at fault."""
     path = ("phases", number, "law", "points")
     found = [

@@ -23,7 +23,7 @@ from plans.scene.units import type_name
 # What a force sheet letters itself: reactions, weights, inertia forces, moments of sliding pairs, what the drive gives.
 TAKEN = re.compile(r"[RPF]_?\d+,?\d+|[GΦ]_?\d+|M_?\d\d+|[MP]_?bal")
 PER_CENT = re.compile(r"^\s*([+-]?[0-9]+(?:\.[0-9]+)?)\s*%\s*$")
-FORCE_OR_PRESSURE = units.Kind("force or pressure", "N", {**units.FORCE.units, **units.PRESSURE.units})
+FORCE_OR_PRESSURE = units.UnitKind("force or pressure", "N", {**units.FORCE.units, **units.PRESSURE.units})
 SYMBOL_SIGNS = re.compile(r"[^\W\d_][\w.′'-]*")
 
 

@@ -29,7 +29,7 @@ ROUNDING = 8.0  # a static moment is none where it is within so many eps of the 
 ORDERS = 4  # kappa magnifies roundings of a place, and once more of its velocity, its acceleration and the reactions
 
 
-class Place(NamedTuple):
+class Site(NamedTuple):
     """What the scene allows on a link: mass kg or place m (one of them, or neither of a sector), shape and material.
 
     `radius` is the distance of its centre from the link's beginning, in the direction that is found; `at` is a
@@ -46,15 +46,15 @@ class Place(NamedTuple):
     half_angle: float = math.pi / 3  # rad, of a sector
 
 
-class Task(NamedTuple):
+class BalanceTask(NamedTuple):
     """What is asked: the aim, the links that may carry counterweights, the share or what is to be least by it."""
 
     aim: str = NONE
-    places: tuple[Place, ...] = ()
+    places: tuple[Site, ...] = ()
     share: float | None = None  # of the reciprocating mass; None of an aim SHARE: the one that makes `least` least
     least: str = FORCE
 
-    def place(self, link: int) -> Place | None:
+    def place(self, link: int) -> Site | None:
         """Give what is allowed on a link; None where nothing may be put there."""
         return next((place for place in self.places if place.link == link), None)
 
@@ -65,7 +65,7 @@ class Counterweight(NamedTuple):
     `begin` is the letter of that point, `origin` its place in the link's frame; a mass of 0 stands for none needed.
     """
 
-    place: Place
+    place: Site
     begin: str
     origin: complex
     moment: complex
@@ -235,7 +235,7 @@ class Balance:
     """What balances a mechanism, by one road; `left` kg is what stays at sliders by letter: it moves along guides."""
 
     by: str
-    task: Task
+    task: BalanceTask
     counterweights: tuple[Counterweight, ...]
     left: Mapping[str, complex]
     before: State
