@@ -40,15 +40,17 @@ class NoMark(NamedTuple):
 
 def explained_by(found: Sequence[Quantity], position: int, name: str) -> Explanation | NoMark:
     """Explain any mark behind what shows some quantities; named are those that are no corners of polygons."""
-    marks = {mark.name: mark for mark in behind(*(mark for one in found for mark in one.marks))}
+    marks = {mark.name: mark for mark in behind(*(mark for finding in found for mark in finding.marks))}
     if name not in marks:
-        names = dict.fromkeys((*(one.name for one in found), *(known for known in marks if ":" not in known)))
+        names = dict.fromkeys((*(finding.name for finding in found), *(known for known in marks if ":" not in known)))
         return NoMark(tuple(names), message("mark.marks", marks=", ".join(names)), ())
-    count = max(len(one.construction) for one in found)
+    count = max(len(finding.construction) for finding in found)
     if not 0 <= position < count:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
-    return Explanation(title, in_position(behind(marks[name]), position, count), {one.plan: one.unit for one in found})
+    return Explanation(
+        title, in_position(behind(marks[name]), position, count), {finding.plan: finding.unit for finding in found}
+    )
 
 
 def in_position(marks: Iterable[Mark], position: int, count: int) -> tuple[Mark, ...]:

@@ -105,7 +105,7 @@ class Numbers(NamedTuple):
 
 def numbers_of(found: Iterable[Quantity], by: str) -> dict[str, Any]:
     """Give quantities by a road as plain data, by their names: a value, or one for each position."""
-    roads = {one.name: one.analysis if by == "analysis" else one.construction for one in found}
+    roads = {finding.name: finding.analysis if by == "analysis" else finding.construction for finding in found}
     rows = {name: pairs(values) if np.iscomplexobj(values) else plain(values) for name, values in roads.items()}
     return {name: row if len(row) > 1 else row[0] for name, row in rows.items()}
 

@@ -72,7 +72,7 @@ class Technique(ABC):
         """Give what it finds by a road as plain data, for `solve`: its quantities, where it has no more to say."""
         from plans.quantity import Numbers, numbers_of
 
-        asked = (one for one in self.quantities(study) if one.plan in study.plans)
+        asked = (finding for finding in self.quantities(study) if finding.plan in study.plans)
         return Numbers({"scene": study.scene.heading(), "by": by, name_of(self): numbers_of(asked, by)})
 
     def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:

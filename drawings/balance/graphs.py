@@ -156,7 +156,7 @@ def curve(
         return None
     numbers = told(len(last.centre.phi), shown)
     stations = np.degrees(sense * (last.centre.phi - last.centre.phi[0]))[list(numbers)] % TURN
-    ordinates, title = _seen(last.centre.moment, least)[list(numbers)], drafting.word("rocking graph", point=point)
+    ordinates, title = _visible(last.centre.moment, least)[list(numbers)], drafting.word("rocking graph", point=point)
     bare = GraphCurve(MOMENT, "N*m", np.array([0.0, TURN]), np.full(2, np.nan), stations, ordinates, title)
     bare = bare._replace(numbers=numbers, name=ROCKING)
     if not last.whole:
@@ -169,10 +169,10 @@ def curve(
 
 
 def _course(state: State, least: float) -> Floats:
-    return np.asarray(bounded(_seen(state.around.moment, least), _seen(state.centre.moment, least)))
+    return np.asarray(bounded(_visible(state.around.moment, least), _visible(state.centre.moment, least)))
 
 
-def _seen(moments: Floats, least: float) -> Floats:
+def _visible(moments: Floats, least: float) -> Floats:
     return np.where(np.abs(moments) <= least, 0.0, moments)
 
 

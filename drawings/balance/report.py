@@ -33,8 +33,8 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
     for mark, state in states.items():
         heads += [f"{CENTRE}{mark}, m", f"{FORCE}{mark}, N", f"{MOMENT}{mark}, N*m"]
         least = (NOTHING * notes.equations.reach, *notes.balance.before.forces.nothing)
-        told = state.centre.r, state.centre.force, state.centre.moment
-        columns += [np.where(np.abs(row) <= none, 0, row) for row, none in zip(told, least, strict=True)]
+        values = state.centre.r, state.centre.force, state.centre.moment
+        columns += [np.where(np.abs(row) <= none, 0, row) for row, none in zip(values, least, strict=True)]
     yield from tabled(united(heads, drafting), columns, drafting.language)
 
 
@@ -47,8 +47,8 @@ def _states(notes: BalanceNotes) -> Mapping[str, State]:
 def counterweights(notes: BalanceNotes) -> Iterator[str]:
     """Tell each counterweight: static moment, mass, place, shape and sizes, inertia about its own centre."""
     drafting, language = notes.drafting, notes.drafting.language
-    told = [drafting.word(key) for key in ("counterweight column", "on link", "from", "shape")]
-    heads = [*told[:3], "m·a, kg*m", "m, kg", "a, m", "∠, °", told[3], "R, m", "b, m", "J, kg*m2"]
+    lines = [drafting.word(key) for key in ("counterweight column", "on link", "from", "shape")]
+    heads = [*lines[:3], "m·a, kg*m", "m, kg", "a, m", "∠, °", lines[3], "R, m", "b, m", "J, kg*m2"]
     yield from header(united(heads, drafting))
     for weight in notes.balance.counterweights:
         letter = counterweight(weight.link, language).replace("{", "").replace("}", "")
@@ -121,10 +121,10 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def _counterweights(notes: BalanceNotes) -> Iterator[str]:
-    told = [*notes.counterweights(), *notes.balanced(), *notes.left()]
-    if told:
+    lines = [*notes.counterweights(), *notes.balanced(), *notes.left()]
+    if lines:
         yield chapter(notes.drafting.language, "counterweights")
-        yield from _lines(told)
+        yield from _lines(lines)
     if notes.balance.counterweights:
         yield ""
         yield from counterweights(notes)

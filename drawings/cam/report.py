@@ -47,8 +47,8 @@ def headline(study: Study) -> str:
 def _concluded(study: Study) -> Iterator[str]:
     """Say of each cam which sizes it has, and its pressure angles."""
     for notes in _all(study):
-        told = "; ".join(raised(line) for line in (*notes.sizes(), *notes.pressure()))
-        yield word(notes.drafting.language, "report.cam_concluded", name=notes.cam.name, told=told)
+        text = "; ".join(raised(line) for line in (*notes.sizes(), *notes.pressure()))
+        yield word(notes.drafting.language, "report.cam_concluded", name=notes.cam.name, told=text)
 
 
 def remarks(study: Study) -> list[Message]:
@@ -108,7 +108,7 @@ def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
         DEGREES * contour.pressure,
         MM * _radius(contour.radius),
     )
-    yield from map(list, zip(*(column(one, drafting.language) for one in columns), strict=True))
+    yield from map(list, zip(*(column(values, drafting.language) for values in columns), strict=True))
 
 
 def without_rounding(values: Floats) -> Floats:

@@ -256,12 +256,12 @@ def _level(view: ProfileView) -> float:
 def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
     """Give the least radius of curvature of the pitch curve, from the centre to the curve."""
     sharpest = view.found.sharpest
-    if sharpest is not None and _seen(view, sharpest, place, drafting.hand):
+    if sharpest is not None and _visible(view, sharpest, place, drafting.hand):
         spot, normal = view.at(sharpest.turned)
         yield _mark("ρ_min", spot - sharpest.value * normal, spot, sharpest.value, place, drafting)
 
 
-def _seen(view: ProfileView, extreme: Extreme, place: Place, hand: Hand) -> bool:
+def _visible(view: ProfileView, extreme: Extreme, place: Place, hand: Hand) -> bool:
     """Tell whether the circle of the least radius is drawn: not one of a dwell, of a hollow, or larger than the cam."""
     turns = extreme.turned, extreme.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
     still = any(phase.kind == DWELL and phase.start <= turn <= phase.end for phase in view.cam.phases for turn in turns)
@@ -279,7 +279,7 @@ def thin(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
         top = place.on(1j * _level(view))
         yield Line(place.on(0j), top + 2j * hand.symbol, hand.drafted)
     sharpest = view.found.sharpest
-    if sharpest is not None and _seen(view, sharpest, place, hand):
+    if sharpest is not None and _visible(view, sharpest, place, hand):
         yield from _circle(view, sharpest.turned, sharpest.value, place, hand)
 
 

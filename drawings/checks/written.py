@@ -54,7 +54,7 @@ def value(text: str) -> float | None:
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
     """Name the figures whose marks or axes are drawn to no written scale: of their letter there, else anywhere."""
-    scales = [_told((figure,)) for figure in leaf.groups]
+    scales = [_stated((figure,)) for figure in leaf.groups]
     everywhere = set(chain(*(pairs for stated in scales for pairs in stated.values())))
     for figure, stated in zip(leaf.groups, scales, strict=True):
         tree = [*groups((figure,))]
@@ -66,7 +66,7 @@ def marked_scales(leaf: Leaf) -> Iterator[Message]:
                 yield message("wrong.scale", text=figure.name)
 
 
-def _told(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
+def _stated(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
     """Read the scales that figures state: by their letters the symbol, mu or K, and the number."""
     stated: dict[str, set[tuple[str, str]]] = {}
     for symbol, letter, size in (found for text in texts(figures) for found in _SCALE.findall(text.plain)):

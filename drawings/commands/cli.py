@@ -33,7 +33,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Stopped as stopped:
         return stopped.exit_code
     except (DraftError, OSError) as error:
-        tell(_told(error, options))
+        tell(_worded(error, options))
         return _code(error)
     except ImportError as error:
         tell(UNREADABLE.format(error=error))
@@ -63,7 +63,7 @@ def _open_stdout() -> None:
         sys.stdout.reconfigure(errors="backslashreplace")
 
 
-def _told(error: Exception, options: argparse.Namespace) -> str:
+def _worded(error: Exception, options: argparse.Namespace) -> str:
     """Word an error in the language of the scene, which may be named in a file that is otherwise at fault."""
     from drawings.commands.talk import language_of, worded  # only an error pays for it
     from plans.words.words import ENGLISH

@@ -76,7 +76,7 @@ def explained(study: Study, position: int, name: str) -> Explanation:
     found = next((answer for letters in own_names(name) if (answer := _quantity(study, letters))), None)
     if found is None:
         raise UnknownMark(_no_mark(name, none))
-    return _told(found, name, position)
+    return _explained(found, name, position)
 
 
 def _as_asked(found: Explanation, name: str) -> Explanation:
@@ -137,7 +137,7 @@ def _quantity(study: Study, name: str) -> Quantity | None:
     return next(exact, next((quantity for letters, quantity in listed if letters.partition(" ")[0] == name), None))
 
 
-def _told(quantity: Quantity, name: str, position: int) -> Explanation:
+def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
     """Tell a quantity in a position by both roads, after the steps behind what shows it."""
     count = len(quantity.construction)
     if not 0 <= position < count and count > 1:
@@ -207,8 +207,8 @@ def _size_on(sheet: OnSheet, of: Explanation) -> Iterator[Message]:
         return
     if (scale := _scale(last, of, sheet)) is not None:
         size, read_off = abs(at(last.point, 0)), last.step.op == "join" and last.subject != FORCES
-        told = {"size": _written(size), "mm": _written(size / scale), "unit": of.units[_drawn_on(last)]}
-        yield message("explain.size", mark=last.name if read_off else dict(of.title.parts)["mark"], **told)
+        texts = {"size": _written(size), "mm": _written(size / scale), "unit": of.units[_drawn_on(last)]}
+        yield message("explain.size", mark=last.name if read_off else dict(of.title.parts)["mark"], **texts)
 
 
 def _short(part: str) -> str:

@@ -40,10 +40,10 @@ def form(path: Path, folder: Path, language: str | None = None) -> tuple[Path, .
     with output_folder(folder) as left:
         for fault in left.told(folder):
             tell(fault.worded(study.scene.sheet.language))
-        return _written(study, _laid(study), folder)
+        return _written(study, _leaves(study), folder)
 
 
-def _laid(study: Study) -> Mapping[str, Sequence[Leaf]]:
+def _leaves(study: Study) -> Mapping[str, Sequence[Leaf]]:
     from drawings.form.form import form_of
 
     study.construct()

@@ -41,12 +41,12 @@ def run(options: argparse.Namespace) -> int:
             plain | {"profiles": profiles} | {how: [key._asdict() for key in keys] for how, keys in astray.items()}
         )
     else:
-        for line in (*lines(measured, off, language), *_told(astray, language)):
+        for line in (*lines(measured, off, language), *_lines(astray, language)):
             print(line)
     return FAILED if wrong or any(astray.values()) else 0
 
 
-def _told(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[str]:
+def _lines(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[str]:
     """Say what is astray, mark by mark."""
     for how, key in ((how, key) for how, keys in astray.items() for key in keys):
         names = (

@@ -33,7 +33,7 @@ class OnSheet:
             leaves: Mapping[str, Sequence[Leaf]] = leaves_of(Study(study.scene))
         except DraftError:  # what cannot be drawn has no scale
             leaves = {}
-        self.drawn = [*_drawn(leaf for own in leaves.values() for leaf in own)]
+        self.drawn = [*_drawn(leaf for group in leaves.values() for leaf in group)]
         self.position = str(position)
 
     def scale(self, board: str, name: str, unit: str) -> float | None:
@@ -41,12 +41,12 @@ class OnSheet:
 
         Where figures of one board differ and the mark is in none by its name, it has none.
         """
-        figures = [one for one in self.drawn if one.figure == board or one.figure.startswith(f"{board}-")]
-        own = [one for one in figures if one.position == self.position] or figures
-        named = [one for one in own if one.name == name]
-        cut = [one for one in own if one.figure == f"{board}-{name.partition(':')[0]}"]
-        found = {(one.scale, one.unit) for one in named or cut or own}
-        return next(iter(found))[0] if len(found) == 1 and {unit} == {told for _, told in found} else None
+        figures = [mark for mark in self.drawn if mark.figure == board or mark.figure.startswith(f"{board}-")]
+        here = [mark for mark in figures if mark.position == self.position] or figures
+        named = [mark for mark in here if mark.name == name]
+        cut = [mark for mark in here if mark.figure == f"{board}-{name.partition(':')[0]}"]
+        found = {(mark.scale, mark.unit) for mark in named or cut or here}
+        return next(iter(found))[0] if len(found) == 1 and {unit} == {text for _, text in found} else None
 
 
 def _drawn(leaves: Iterable[Leaf]) -> Iterator[DrawnMark]:
@@ -58,8 +58,8 @@ def _drawn(leaves: Iterable[Leaf]) -> Iterator[DrawnMark]:
 
 def equations(study: Study, mark: Mark, position: int) -> list[str]:
     """Write the equations that give a mark: those of its technique, or else the sum of its polygon."""
-    told = [line for name in study.techniques for line in report_of(name).equations(study, mark, position)]
-    return [unmathed(line) for line in told] or [*_polygon(mark)]
+    lines = [line for name in study.techniques for line in report_of(name).equations(study, mark, position)]
+    return [unmathed(line) for line in lines] or [*_polygon(mark)]
 
 
 def _polygon(mark: Mark) -> Iterator[str]:
@@ -74,5 +74,5 @@ def _polygon(mark: Mark) -> Iterator[str]:
         terms = [side.name for side in mark.step.inputs]
     if len(terms) > 1:
         closed = mark.step.op in ("close", "join")
-        told = f"{' + '.join([*terms, mark.name])} = 0" if closed else f"{mark.name} = {' + '.join(terms)}"
-        yield told.replace("+ -", "− ")
+        text = f"{' + '.join([*terms, mark.name])} = 0" if closed else f"{mark.name} = {' + '.join(terms)}"
+        yield text.replace("+ -", "− ")

@@ -31,7 +31,7 @@ def headline(study: Study) -> str:
 def remarks(study: Study) -> list[Message]:
     """Warn of what no notches lead back from."""
     found = study.of(CyclogramStudy)
-    trial = not all(one.notched for one in found.cyclogram.positions)
+    trial = not all(stage.notched for stage in found.cyclogram.positions)
     return [message("sheet.cyclogram by trial")] if trial else []
 
 
@@ -39,19 +39,19 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the cyclogram and its characteristic positions."""
     drafting = drafting_of(study.scene)
     title, notes = chapter(drafting.language, CYCLOGRAM), _notes(study, drafting).all
-    told = [*map(entry, notes), "", *_positions(study, drafting)]
-    return Chapters(values=[title, *told])
+    lines = [*map(entry, notes), "", *_positions(study, drafting)]
+    return Chapters(values=[title, *lines])
 
 
 def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
     """Give a line for each characteristic position, by both roads."""
     comparison = study.of(CyclogramComparison)
     pairs = zip(comparison.construction.positions, comparison.analysis.positions, strict=True)
-    for number, (one, other) in enumerate(pairs):
-        angles = {"plan": one.turned, "analysis": other.turned}
-        told = {name: drafting.number(math.degrees(angle), DIGITS) for name, angle in angles.items()}
-        told |= {"role": drafting.word(f"role {one.role}"), "share": drafting.number(one.share, SHARE)}
-        yield word(drafting.language, "report.characteristic", position=number, **told)
+    for number, (stage, other) in enumerate(pairs):
+        angles = {"plan": stage.turned, "analysis": other.turned}
+        texts = {name: drafting.number(math.degrees(angle), DIGITS) for name, angle in angles.items()}
+        texts |= {"role": drafting.word(f"role {stage.role}"), "share": drafting.number(stage.share, SHARE)}
+        yield word(drafting.language, "report.characteristic", position=number, **texts)
 
 
 def _notes(study: Study, drafting: Drafting) -> CyclogramNotes:

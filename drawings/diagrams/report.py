@@ -47,9 +47,9 @@ def _drawn(diagrams: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
 
 def _read_off(diagrams: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
     """Tell how far the chords are out at the most, where, and why."""
-    told = [_error(row, diagrams, drafting) for row in rows_of(diagrams)[1:] if row.off is not None and not row.flat]
-    if told:
-        yield drafting.word("diagrams off", told=",  ".join(told))
+    lines = [_error(row, diagrams, drafting) for row in rows_of(diagrams)[1:] if row.off is not None and not row.flat]
+    if lines:
+        yield drafting.word("diagrams off", told=",  ".join(lines))
 
 
 def _error(row: DiagramRow, diagrams: DiagramsStudy, drafting: Drafting) -> str:
@@ -74,8 +74,8 @@ def output_table(diagrams: DiagramsStudy, drafting: Drafting) -> RuledTable:
     letters = SLIDING if diagrams.course.travel.sliding else TURNING
     units = [drafting.word(unit) for unit in diagrams.units]
     heads = ("φ, °", *(f"{letter}, {unit}" for letter, unit in zip(letters, units, strict=True)))
-    told = table(list(_rows(diagrams, found, drafting)), drafting.word("position head"), heads, drafting.hand.text)
-    return told._replace(name=NAME)
+    ruled = table(list(_rows(diagrams, found, drafting)), drafting.word("position head"), heads, drafting.hand.text)
+    return ruled._replace(name=NAME)
 
 
 def told_positions(found: Diagrams) -> tuple[int, ...]:
@@ -129,8 +129,8 @@ def _shown(column: _Column, k: int, drafting: Drafting) -> str:
     value, places = column.values[k], column.places
     if math.isnan(value):
         return ABSENT
-    told = 0.0 if abs(value) <= NOUGHT * column.could else value
-    return drafting.number(told, DIGITS) if places is None else fixed(told, drafting.language, places)
+    rounded = 0.0 if abs(value) <= NOUGHT * column.could else value
+    return drafting.number(rounded, DIGITS) if places is None else fixed(rounded, drafting.language, places)
 
 
 TOLD = (0, 1, 2, 3, 5)  # of the findings: S, v, a by the plans, v and a by chords
@@ -141,8 +141,8 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     diagrams = study.of(DiagramsStudy)
     language = study.scene.sheet.language
     if diagrams.diagrams is not None:
-        told = _values(diagrams.diagrams, study.comparison("diagrams").findings, language)
-        return Chapters(values=(*told, *see(leaves, language, "diagrams")))
+        lines = _values(diagrams.diagrams, study.comparison("diagrams").findings, language)
+        return Chapters(values=(*lines, *see(leaves, language, "diagrams")))
     if diagrams.left_out is None or not diagrams.wanted:
         return Chapters()
     return Chapters(left_out=(word(language, "report.no_diagrams", why=diagrams.left_out),))
@@ -151,12 +151,12 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 def _values(found: Diagrams, findings: Sequence[Quantity], language: str) -> Iterator[str]:
     """Tabulate the course; v by a chord stands with the position from which it goes on."""
     yield chapter(language, "diagrams")
-    told = [findings[k] for k in TOLD]
-    columns = [np.degrees(found.axis.turned), *(_column(finding, len(found.axis.numbers)) for finding in told)]
-    heads = ["φ, °", *(heading(finding, language) for finding in told)]
+    chosen = [findings[k] for k in TOLD]
+    columns = [np.degrees(found.axis.turned), *(_column(finding, len(found.axis.numbers)) for finding in chosen)]
+    heads = ["φ, °", *(heading(finding, language) for finding in chosen)]
     yield from tabled(heads, columns, language, ABSENT)
     yield ""
-    yield from _errors(found, told, language)
+    yield from _errors(found, chosen, language)
 
 
 def _column(finding: Quantity, count: int) -> Floats:
@@ -165,14 +165,14 @@ def _column(finding: Quantity, count: int) -> Floats:
     return np.pad(values, (0, count - len(values)), constant_values=np.nan)
 
 
-def _errors(found: Diagrams, told: Sequence[Quantity], language: str) -> Iterator[str]:
+def _errors(found: Diagrams, findings: Sequence[Quantity], language: str) -> Iterator[str]:
     """Tell how far the chords are out at the most, and where."""
     numbers = found.axis.numbers
     pairs: tuple[tuple[Floats, Floats], ...] = (
         (found.speeds, found.true_speeds),
         (found.growths, found.true_growths),
     )
-    for finding, (values, true), fast in zip(told[3:], pairs, (True, False), strict=True):
+    for finding, (values, true), fast in zip(findings[3:], pairs, (True, False), strict=True):
         error = chord_error(values, true)
         if error is not None:
             place = f"{numbers[error.at]}–{numbers[error.at + 1]}" if fast else str(numbers[error.at])

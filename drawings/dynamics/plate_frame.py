@@ -161,9 +161,9 @@ class PlateFrame:
         parts = [*self._graphs(), *self._energy()]
         masks = [around(part.lines[0], CLEAR) for part in parts if part.name != graphs.NAME]
         joining = fit_dashes(trim(self._joining(), masks))
-        return Parts((Group(tuple(joining), f"{self.plate.name}-transfer"),), (*parts, *self._told()))
+        return Parts((Group(tuple(joining), f"{self.plate.name}-transfer"),), (*parts, *self._stated()))
 
-    def _told(self) -> Iterator[Part]:
+    def _stated(self) -> Iterator[Part]:
         """Write under the loop what it gives, and the table under that."""
         plate, wheel = self.plate, self.plate.account.flywheel
         if not plate.loop:

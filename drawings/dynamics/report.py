@@ -326,8 +326,8 @@ def _concluded(study: Study) -> Iterator[str]:
     yield from map(entry, (*notes.works(), *notes.missing()))
     if task.delta and speeds is not None:
         key = "report.even_enough" if speeds.delta <= task.delta * (1 + EVEN) else "report.uneven"
-        told = notes.drafting.number(speeds.delta, DIGITS)
-        yield word(language, key, delta=told, asked=notes.fluctuation(task.delta))
+        text = notes.drafting.number(speeds.delta, DIGITS)
+        yield word(language, key, delta=text, asked=notes.fluctuation(task.delta))
 
 
 def _motion(notes: DynamicsNotes) -> list[str]:

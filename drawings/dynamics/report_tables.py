@@ -48,7 +48,7 @@ def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Ite
     yield from header(united(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
     numbers = np.array([_tangent(wheel, k) for _, wheel in roads for k in range(2)])
-    rows = zip(*(column(one, drafting.language, ABSENT) for one in numbers.T), strict=True)
+    rows = zip(*(column(part, drafting.language, ABSENT) for part in numbers.T), strict=True)
     for (said, k), cells in zip(((said, k) for said, _ in roads for k in range(2)), rows, strict=True):
         yield row([f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}", *cells])
     yield f"\n{word(drafting.language, 'report.slopes')}"

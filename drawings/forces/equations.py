@@ -135,12 +135,12 @@ class SheetEquations:
         terms = [
             Term(self.letter(side.name), known if side.kind == CLOSING else FULL)
             for side in self.cut.sides
-            if side.kind == CLOSING or self._seen(side.name)
+            if side.kind == CLOSING or self._visible(side.name)
         ]
         if len(terms) > 1:
             yield forces(terms)
 
-    def _seen(self, name: str) -> bool:
+    def _visible(self, name: str) -> bool:
         """Tell whether a force acts in this position."""
         side = next(side for side in self.cut.sides if side.name == name)
         return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]

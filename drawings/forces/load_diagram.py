@@ -96,7 +96,7 @@ def _placed(
     stroke = strokes[load.stroke]
     back = ~working_of(load, stroke, motion)
     sense = np.where(back & _opposing(load), -1.0, 1.0)
-    sizes = np.array([_told(load, size) for size in (sense * size_of(load, motion, strokes) + 0.0).tolist()])
+    sizes = np.array([_stated(load, size) for size in (sense * size_of(load, motion, strokes) + 0.0).tolist()])
     places = bare.length * stroke.share(motion) + 1j * sizes
     return bare._replace(places=tuple(places.tolist()), returning=tuple(np.flatnonzero(back).tolist()))
 
@@ -111,7 +111,7 @@ def course_of(load: Force | Moment, stroke: OutputStroke) -> LoadCourse:
     return LoadCourse(load.name, not stroke.sliding, *kinds, card=isinstance(load, Force) and load.card is not None)
 
 
-def _told(load: Force | Moment, size: float) -> float:
+def _stated(load: Force | Moment, size: float) -> float:
     """Give a load as its diagram tells it: one by a pressure on a piston as that pressure, MPa."""
     card = load.card if isinstance(load, Force) else None
     return size if card is None else card.pressure(size)
@@ -125,7 +125,7 @@ def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[comple
         yield from (0j, complex(length * begin))
     travel = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
     for share in sorted({begin, end, *(place for place in travel if begin < place < end)}):
-        yield complex(length * share, _told(load, sense * _size(load, share, idle) + 0.0))
+        yield complex(length * share, _stated(load, sense * _size(load, share, idle) + 0.0))
     if end < 1:
         yield from (complex(length * end), complex(length))
 

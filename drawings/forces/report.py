@@ -72,9 +72,9 @@ def balancing_table(comparison: ForceComparison, balancing: BalancingQuantity, l
     parts = {"letter": lettering.letter(language, balancing.name), "unit": lettering.word(language, balancing.unit)}
     by_plans, by_equilibrium = (word(language, key, **parts) for key in ("report.by_plans", "report.by_equilibrium"))
     columns = {by_plans: found[0].construction, by_equilibrium: found[0].analysis}
-    for one in found[1:]:  # the lever is of the construction, powers and energy are of the analysis
-        columns[heading(one, language)] = one.construction if one.name.endswith(LEVER) else one.analysis
-    rows = np.array([_sized(np.real(one), comparison.construction.nothing_over[1]) for one in columns.values()])
+    for finding in found[1:]:  # the lever is of the construction, powers and energy are of the analysis
+        columns[heading(finding, language)] = finding.construction if finding.name.endswith(LEVER) else finding.analysis
+    rows = np.array([_sized(np.real(column), comparison.construction.nothing_over[1]) for column in columns.values()])
     most = greatest(rows[0])
     if most is None:
         return
@@ -96,10 +96,10 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     language = study.scene.sheet.language
     comparison, statics = study.of(ForceComparison), study.of(Statics)
     scales = drawn_scales(leaves)
-    told = equations(statics, comparison, drafting_of_forces(statics), scales)
+    lines = equations(statics, comparison, drafting_of_forces(statics), scales)
     return Chapters(
         subject=[*_bodies(statics, language), *counted_strokes(statics, language)],
-        values=[*told, *see(leaves, language, *FIGURES), *forces(comparison, statics, language)],
+        values=[*lines, *see(leaves, language, *FIGURES), *forces(comparison, statics, language)],
         left_out=[word(language, "report.forces_drawn", positions=", ".join(map(str, scales)))],
     )
 
@@ -108,9 +108,9 @@ def headline(study: Study) -> str:
     """Give the greatest balancing moment; say of loads of one stroke alone that their output reverses within it."""
     language = study.scene.sheet.language
     statics = study.of(Statics)
-    told = _greatest(statics, study.of(ForceComparison).construction, language)
+    lines = _greatest(statics, study.of(ForceComparison).construction, language)
     massless = () if statics.machine.bodies else (lettering.word(language, "no masses"),)
-    return "\n".join([*told, *_reversals(statics, language), *massless])
+    return "\n".join([*lines, *_reversals(statics, language), *massless])
 
 
 def _concluded(study: Study) -> Iterator[str]:
@@ -118,14 +118,14 @@ def _concluded(study: Study) -> Iterator[str]:
     statics, found = study.of(Statics), study.of(ForceComparison).construction
     language, formula = statics.study.language, Formula(drafting_of_forces(statics))
     yield from (f"- {line}" for line in _greatest(statics, found, language))
-    sizes = {indices(one.giver, one.taker): greatest(one.force) for one in found.reactions.values()}
+    sizes = {indices(reaction.giver, reaction.taker): greatest(reaction.force) for reaction in found.reactions.values()}
     most = {index: size for index, size in sizes.items() if size is not None}
     if most:
         index = max(most, key=lambda index: float(f"{most[index][0]:.8e}"))  # equal ones: the first
         size, position = most[index]
         letter = f"${formula.letter(f'{statics.form.sheet.reactions}_{{{index}}}')}$"
-        told = {"letter": letter, "size": number(size, language, DIGITS), "position": position}
-        yield word(language, "report.greatest_reaction", **told)
+        texts = {"letter": letter, "size": number(size, language, DIGITS), "position": position}
+        yield word(language, "report.greatest_reaction", **texts)
     if statics.friction is not None and statics.friction.cycle is not None:
         yield word(language, "report.cycle", efficiency=number(statics.friction.cycle, language))
     if not statics.machine.bodies:
@@ -140,9 +140,9 @@ def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator
     least = balancing.share * found.nothing_over[balancing.unit != "N" or drive.pushed]
     largest = greatest(np.where(np.abs(given) <= least, 0.0, given))
     if largest is not None:
-        told = {"letter": lettering.letter(language, balancing.name), "unit": lettering.word(language, balancing.unit)}
+        texts = {"letter": lettering.letter(language, balancing.name), "unit": lettering.word(language, balancing.unit)}
         size = number(largest[0], language, DIGITS)
-        yield word(language, "report.greatest", **told, size=size, position=largest[1])
+        yield word(language, "report.greatest", **texts, size=size, position=largest[1])
 
 
 def remarks(study: Study) -> list[Message]:
@@ -174,7 +174,9 @@ def mass_table(machine: Machine, language: str) -> Iterator[str]:
     """List the masses of the links, each with its centre in the link's own frame."""
     for link, body in sorted(machine.bodies.items()):
         numbers = {"mass": body.mass, "inertia": body.inertia, "x": body.centre.real, "y": body.centre.imag}
-        yield word(language, "report.body", link=link, **{name: number(one, language) for name, one in numbers.items()})
+        yield word(
+            language, "report.body", link=link, **{name: number(size, language) for name, size in numbers.items()}
+        )
 
 
 def _bodies(statics: Statics, language: str) -> Iterator[str]:
@@ -286,12 +288,12 @@ def _sized(column: Any, nothing: Any) -> Any:
 
 def _polar(values: Any, language: str) -> list[str]:
     """Write numbers; vectors by x; y, and by their size and their angle from +x."""
-    told = column(values, language)
+    lines = column(values, language)
     if not np.iscomplexobj(values):
-        return told
+        return lines
     sizes, angles = column(np.abs(values), language), np.degrees(np.angle(values))
     angles[angles < ROUNDED - 180] = 180
-    polar = zip(told, sizes, np.abs(values), angles, strict=True)
+    polar = zip(lines, sizes, np.abs(values), angles, strict=True)
     return [f"{xy} ({size}{ANGLE}{fixed(angle, language)}°)" if most > 0 else xy for xy, size, most, angle in polar]
 
 

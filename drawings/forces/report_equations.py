@@ -277,7 +277,11 @@ def equations_of(study: Study, mark: Mark, position: int) -> Iterator[str]:
     written = CutEquations(plans.plan, 0, Formula(drafting), nothing)
     for cut in plans.plan.cuts:
         parts = (part.name for support in cut.supports for part in support.parts)
-        given = {*parts, *(one.force.name for one in cut.reactions), *(one.found.name for one in cut.equations)}
+        given = {
+            *parts,
+            *(support.force.name for support in cut.reactions),
+            *(equation.found.name for equation in cut.equations),
+        }
         if mark.name in given:
             yield from (line.strip("$") for line in written.lines(cut) if line.startswith("$$"))
             return

@@ -38,25 +38,25 @@ def blank_file(leaf: Leaf) -> bytes:
 def see_blank(source: bytes, study: Study) -> None:
     """See that a written form has no vector, no point but poles and fixed ones, no curve, no number not given."""
     try:
-        seen = see(source)
+        sheet = see(source)
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
-    told = [
-        *_marks(seen, study),
-        *_bent(seen.written),
-        *_astray(seen.written, study.scene.sheets),
-        *_numbers(seen.written, given(study.scene)),
+    lines = [
+        *_marks(sheet, study),
+        *_bent(sheet.written),
+        *_astray(sheet.written, study.scene.sheets),
+        *_numbers(sheet.written, given(study.scene)),
     ]
-    if told:
-        raise SelfCheckFailed(message("check.form", told=tuple(dict.fromkeys(told))[:MOST]))
+    if lines:
+        raise SelfCheckFailed(message("check.form", told=tuple(dict.fromkeys(lines))[:MOST]))
 
 
-def _marks(seen: SeenSheet, study: Study) -> Iterator[str]:
+def _marks(sheet: SeenSheet, study: Study) -> Iterator[str]:
     """Name the vectors, the points that the scene does not fix, and those that are not drawn where they are."""
-    yield from (f"{miss.key.plan} {miss.key.name}" for miss in check(seen.measured))
-    yield from (f"{vector.plan} {vector.name}" for vector in (*seen.measured.vectors, *seen.measured.profiles))
+    yield from (f"{miss.key.plan} {miss.key.name}" for miss in check(sheet.measured))
+    yield from (f"{vector.plan} {vector.name}" for vector in (*sheet.measured.vectors, *sheet.measured.profiles))
     fixed = study.of(LinkageStudy).mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
-    for point in seen.measured.points:
+    for point in sheet.measured.points:
         if point.name not in fixed or abs(point.stated - fixed[point.name]) > NEAR * abs(point.stated):
             yield f"{point.plan} {point.name}"
 

@@ -192,11 +192,11 @@ def _record(study: Study, kind: str, figures: Mapping[Place, Sequence[MeasuredVe
     for (plan, position), marks in figures.items():
         if figure_of(kind, plan) == PLAN:
             plans.setdefault(plan, {})[position] = marks[0].scale
-    shown = behind(*(mark for one in study.quantities(technique_of(kind)) for mark in one.marks))
-    return Record({(plan, None, "", one.name): one for plan, one in _laid(shown)}, plans)
+    shown = behind(*(mark for finding in study.quantities(technique_of(kind)) for mark in finding.marks))
+    return Record({(plan, None, "", found.name): found for plan, found in _spans(shown)}, plans)
 
 
-def _laid(marks: Iterable[Mark]) -> Iterator[tuple[str, Found]]:
+def _spans(marks: Iterable[Mark]) -> Iterator[tuple[str, Found]]:
     """Give by plans, each of which begins with its pole, the vectors that lie between corners: laid off, or joining."""
     poles: dict[str, Mark] = {}
     for mark in marks:

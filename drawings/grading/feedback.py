@@ -68,7 +68,7 @@ def _heading(graded: Graded, marking: Marking) -> Message:
 
 def with_values(said: Verdict, hints: Hints, language: str) -> str:
     """Tell what is wrong, by how much of what is allowed, and which step to look at again."""
-    text = _told(said, language)
+    text = _worded(said, language)
     if said.off is not None and said.allowed is not None:
         off, allowed = f"{said.off:.3g}", f"{said.allowed:.2g}"
         text = word(language, "grade.off", told=text, off=off, allowed=allowed, unit=said.unit)
@@ -77,10 +77,10 @@ def with_values(said: Verdict, hints: Hints, language: str) -> str:
 
 def without_values(said: Verdict, hints: Hints, language: str) -> str:
     """Tell what is wrong and which step to look at again, and nothing from which the right value can be had."""
-    return _again(said, _told(said, language), hints, language)
+    return _again(said, _worded(said, language), hints, language)
 
 
-def _told(said: Verdict, language: str) -> str:
+def _worded(said: Verdict, language: str) -> str:
     kind = word(language, f"grade.kind.{said.kind}")
     kind = word(language, "grade.of", kind=kind, of=said.of) if said.of else kind
     where = plan_told(said.plan, said.position)
@@ -120,7 +120,7 @@ def row(path: Path, graded: Graded, marking: Marking, language: str) -> list[str
     counts = [str(sum(said.kind == kind for said in graded.verdicts)) for kind in (RIGHT, FOLLOWS)]
     lost = (said for said in gathered(graded.verdicts) if said in graded.wrong or not said.name)
     reason = graded.reason
-    what = "; ".join(_told(said, language) for said in lost) if reason is None else reason.worded(language)
+    what = "; ".join(_worded(said, language) for said in lost) if reason is None else reason.worded(language)
     cells = [plain_name(path), graded.outcome, *points, *counts, str(len(graded.wrong)), what]
     return [f"'{cell}" if cell.startswith(_FORMULAS) else cell for cell in cells]
 

@@ -77,7 +77,7 @@ def grade(source: bytes, task: SheetTask, by: Allowances) -> Graded:
 
 
 def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
-    sheet, onlooker = _seen(source)
+    sheet, onlooker = _read(source)
     tables = tables_drawn(sheet, task.tables)
     found = _FoundOnSheet(plans_drawn(sheet, onlooker, task.plans), figures_drawn(sheet, task.curves), tables)
     if _is_bare(sheet, found, task):
@@ -95,7 +95,7 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     return graded._replace(outcome=UNREAD) if graded.unseen else graded
 
 
-def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
+def _read(source: bytes) -> tuple[SeenSheet, Onlooker]:
     """See what can be read of a sheet, in mm where its page does not say that its units are others."""
     onlooker = Onlooker()
     sheet = see(source, onlooker)

@@ -127,7 +127,7 @@ class Judge:
         """Judge vector by vector: a place that is wrong costs once, at the first arrow that ends there."""
         blamed = set[str]()
         for vector in self.drawn.asked.vectors:
-            said = self._one(vector)
+            said = self._verdict(vector)
             if not said.good and said.kind not in (verdict.MISSING, *verdict.UNGRADED):
                 places = self._places(vector)
                 if places & blamed:
@@ -152,9 +152,9 @@ class Judge:
         value = self.drawn.value(vector.letters)
         if value is not None and self._near(vector, times(value)):
             return self._said(verdict.FOLLOWS, vector)
-        return self._one(vector)
+        return self._verdict(vector)
 
-    def _one(self, vector: VectorAsked) -> Verdict:
+    def _verdict(self, vector: VectorAsked) -> Verdict:
         value, allowed = self.drawn.value(vector.letters), self.allowed[vector.letters]
         if not math.isfinite(allowed):
             return self._said(verdict.DEAD, vector)

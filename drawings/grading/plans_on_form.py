@@ -73,7 +73,7 @@ def _drawn(
 ) -> DrawnPlan:
     """Give the plan that arrows are."""
     scale = scale_at(place, texts, plan)
-    found = _told(plan, arrows, labels, (scale or 0.0) * turn)
+    found = _matches(plan, arrows, labels, (scale or 0.0) * turn)
     drawn = {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
     hung = {letters: match.laid for letters, match in found.items() if letters[0]}
     bare = DrawnPlan(plan, drawn, 1.0, {}, False)
@@ -106,7 +106,7 @@ class _Match(NamedTuple):
         return Arrow(end, start) if self.back else Arrow(start, end)
 
 
-def _told(
+def _matches(
     plan: PlanAsked, arrows: Sequence[Segment], labels: Mapping[str, Sequence[Label]], scale: complex
 ) -> dict[tuple[str, str], _Match]:
     """Give the arrows by their letters: all letters together as close to their arrows as they can be.

@@ -190,7 +190,7 @@ class BarFigure(ChartFigure):
 
     def _bar(self, bar: Bar) -> Iterator[Stroke]:
         """Draw a line where a stretch begins, its course, which can be measured, and its letters over that."""
-        stretch, ends, words = bar.stretch, bar.ends, self._told(bar)
+        stretch, ends, words = bar.stretch, bar.ends, self._label(bar)
         yield Line(self._on(stretch.start, bar.foot), self._on(stretch.start, bar.foot + ROW), self.hand.drafted)
         start, end = map(self.place.on, ends)
         line = fit_dashes([Line(start, end, course.style_of(stretch.span, self.hand))])
@@ -200,7 +200,7 @@ class BarFigure(ChartFigure):
         for k, text in enumerate(words):
             yield self._text(self.place.on(bar.top) + 1j * (OVER + k * STEP * self.hand.number), text)
 
-    def _told(self, bar: Bar) -> tuple[str, ...]:
+    def _label(self, bar: Bar) -> tuple[str, ...]:
         """Give the letters that have room over the line of a stretch, from below: its angle, what is done; or none."""
         stretch = bar.stretch
         room = self.place.length(stretch.end - stretch.start) - 2 * BESIDE
@@ -251,7 +251,7 @@ class BarFigure(ChartFigure):
     def _long(self, labels: Labels) -> Iterator[Stroke]:
         """Letter the bars whose letters have no room over them."""
         for bar in self._bars():
-            if not self._told(bar):
+            if not self._label(bar):
                 text, spot = course.doing(bar.stretch.span, self.drafting), self.place.on(sum(bar.ends) / 2)
                 yield labels.beside(spot, text, self.hand.number, BESIDE, math.pi / 2)
 

@@ -66,7 +66,7 @@ def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> Par
     place, hand = room.place(*spot), drafting.hand
     subject = Subject(room.name, shown.symbol, shown.shown)
     end = complex(shown.ends[shown.shown])
-    numbers, points = _told(shown, place, hand)
+    numbers, points = _lettered(shown, place, hand)
     lines = (
         heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),
         *_curve(shown, place, hand),
@@ -114,7 +114,7 @@ def _point(shown: Hodograph, k: int, lettered: bool, subject: Subject, place: Pl
     return point(subject._replace(position=k), str(k), value, place, dot) if lettered else dot
 
 
-def _told(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:
+def _lettered(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """Choose the positions that bear their numbers, and those that have their points: as many as have room."""
     spots = [place.on(complex(value)) for value in shown.ends]
     length = sum(_length([place.on(complex(shown.values[k])) for k in run]) for run in stretches(shown.values.real))

@@ -105,7 +105,7 @@ def segment_working(
 
     Those that are shorter than the `shortest`, mm, are passed over.
     """
-    lines = at_scale(lambda scale: list(_laid(_seen(sizes, scale, shortest), ScaleFactor(scale, symbol, drafting))))
+    lines = at_scale(lambda scale: list(_rows(_shown(sizes, scale, shortest), ScaleFactor(scale, symbol, drafting))))
     return Workings(SEGMENTS, name, lines, drafting)
 
 
@@ -114,17 +114,17 @@ def reading(
 ) -> Workings:
     """Write beside a polygon how large the vectors are that it gives; those that are not to be seen are passed over."""
     lines = at_scale(
-        lambda scale: list(_read(_seen(sizes, scale, shortest), unit, ScaleFactor(scale, symbol, drafting)))
+        lambda scale: list(_read(_shown(sizes, scale, shortest), unit, ScaleFactor(scale, symbol, drafting)))
     )
     return Workings(READING, name, lines, drafting)
 
 
-def _seen(sizes: Mapping[str, float], scale: Scale | None, shortest: float) -> dict[str, float]:
+def _shown(sizes: Mapping[str, float], scale: Scale | None, shortest: float) -> dict[str, float]:
     """Give the vectors that are long enough on paper; all before their scale is known."""
     return {letter: size for letter, size in sizes.items() if scale is None or size >= shortest * scale.mu}
 
 
-def _laid(sizes: Mapping[str, float], factor: ScaleFactor) -> Iterator[tuple[str, ...]]:
+def _rows(sizes: Mapping[str, float], factor: ScaleFactor) -> Iterator[tuple[str, ...]]:
     mm = factor.drafting.word("mm")
     for letter, size in sizes.items():
         yield f"[{letter}] = {factor.drawn(letter)}", factor.of_true(size), f"{factor.length(size)} {mm}"

@@ -103,7 +103,7 @@ class Cuts:
         if key not in self._numbers:
             k = self._numbers[key] = len(self._numbers)
             self._least.append(min(((wide + GAP) * (high + GAP) for wide, high in key), default=math.inf))
-            self._runs[k,] = self._own(key)
+            self._runs[k,] = self._shapes(key)
         return self._numbers[key]
 
     def run(self, units: tuple[int, ...]) -> Shapes:
@@ -112,7 +112,7 @@ class Cuts:
             self._runs[units] = self._join(units)
         return self._runs[units]
 
-    def _own(self, sizes: Sequence[Size]) -> Shapes:
+    def _shapes(self, sizes: Sequence[Size]) -> Shapes:
         wide, high = np.array(sizes, float).reshape(-1, 2).T
         return self._kept(wide, high, (0, 0), {})
 

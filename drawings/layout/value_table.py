@@ -71,11 +71,11 @@ def _pair(finding: Quantity, position: int, language: str) -> tuple[str, str] | 
     both = finding.construction[position], finding.analysis[position]
     if np.isnan(np.abs(both)).any():
         return None
-    plan, analysis = (fixed(_told(value), language, _places(finding)) for value in both)
+    plan, analysis = (fixed(_stated(value), language, _places(finding)) for value in both)
     return plan, analysis
 
 
-def _told(value: Any) -> float:
+def _stated(value: Any) -> float:
     return float(abs(value)) if np.iscomplexobj(value) else float(value)
 
 

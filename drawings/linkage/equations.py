@@ -71,10 +71,10 @@ class VectorEquations:
         arm, spin = self._arm(leg), formula.letter(f"ω_{link}")
         v, length = self._of(V, leg.point), formula.number(leg.length)
         yield inline(v, rf"{spin} {arm}", rf"{formula.number(omega)} \cdot {length}", self._size(V, leg.velocity[1]))
-        yield from self._laid(V, leg.velocity[1], v, "p", leg.images[2])
+        yield from self._drawn(V, leg.velocity[1], v, "p", leg.images[2])
         yield from self._normal(leg)
         epsilon = abs(self.sums.epsilon(link))
-        if self._seen(A, leg.acceleration[2]):
+        if self._visible(A, leg.acceleration[2]):
             product = rf"{formula.number(epsilon)} \cdot {length}"
             turning = rf"{formula.letter(f'ε_{link}')} {arm}"
             yield inline(self._part("t", leg), turning, product, self._size(A, leg.acceleration[2]))
@@ -142,7 +142,7 @@ class VectorEquations:
         product = rf"2 \cdot {formula.number(omega)} \cdot {formula.number(slip)}"
         letters = rf"2 {formula.letter(f'ω_{leg.link}')} {v}"
         yield inline(self._part("k", leg), letters, product, formula.quantity(abs(k), UNIT[A]))
-        yield from self._laid(A, k, self._part("k", leg), leg.images[0], leg.images[1])
+        yield from self._drawn(A, k, self._part("k", leg), leg.images[0], leg.images[1])
         yield from self._read(A, leg.acceleration[2], self._part("r", leg), leg.images[1], leg.images[2])
 
     def _normal(self, leg: VectorSum) -> Iterator[str]:
@@ -152,7 +152,7 @@ class VectorEquations:
         square = rf"{formula.letter(f'ω_{leg.link}')}^{{2}} {self._arm(leg)}"
         product = rf"{formula.number(omega)}^{{2}} \cdot {formula.number(leg.length)}"
         yield inline(part, square, product, formula.quantity(abs(n), UNIT[A]))
-        yield from self._laid(A, n, part, leg.images[0] or POLES[A], leg.images[1])
+        yield from self._drawn(A, n, part, leg.images[0] or POLES[A], leg.images[1])
 
     def _rate(self, symbol: str, leg: VectorSum, rate: float, part: complex, letter: str) -> str:
         """Write ω or ε of a link from a part over the arm, with its sense."""
@@ -177,7 +177,7 @@ class VectorEquations:
     def _read(self, plan: str, value: complex, letter: str, start: str, end: str) -> Iterator[str]:
         """Write a vector that is measured on a plan: its length there by the scale."""
         formula, mu = self.formula, self.plans.scales.get(plan)
-        if mu is None or not self._seen(plan, value):
+        if mu is None or not self._visible(plan, value):
             yield inline(letter, self._size(plan, value))
             return
         scale = formula.letter(f"μ_{SYMBOL[plan]}")
@@ -185,7 +185,7 @@ class VectorEquations:
         product = rf"{length} \cdot {formula.number(mu)}"
         yield inline(letter, rf"{formula.segment(start, end)} \cdot {scale}", product, self._size(plan, value))
 
-    def _laid(self, plan: str, value: complex, letter: str, start: str, end: str) -> Iterator[str]:
+    def _drawn(self, plan: str, value: complex, letter: str, start: str, end: str) -> Iterator[str]:
         """Write the length at which a known vector is laid off."""
         formula, mu = self.formula, self.plans.scales.get(plan)
         if mu is not None and value:
@@ -197,7 +197,7 @@ class VectorEquations:
     def _spin(self, leg: VectorSum) -> float:
         """Give the size of a link's angular velocity, rad/s; one that is but rounding is none."""
         omega = abs(self.sums.omega(leg.link))
-        visible = self._seen(V, leg.velocity[1]) if leg.turns else omega > NOTHING * self.plans.fastest
+        visible = self._visible(V, leg.velocity[1]) if leg.turns else omega > NOTHING * self.plans.fastest
         return omega if visible else 0.0
 
     def _part(self, name: str, leg: VectorSum) -> str:
@@ -212,7 +212,7 @@ class VectorEquations:
     def _of(self, plan: str, point: str) -> str:
         return self.formula.letter(self._letter(plan, point))
 
-    def _seen(self, plan: str, value: complex) -> bool:
+    def _visible(self, plan: str, value: complex) -> bool:
         return self._abs(plan, value) > 0
 
     def _abs(self, plan: str, value: complex) -> float:

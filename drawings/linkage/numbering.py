@@ -64,10 +64,10 @@ def same(bones: Skeletons, extreme: int) -> int | None:
     """Give the scene's own position that an extreme of the output is, if it is one."""
     travel = bones.study.travel
     assert travel is not None  # asked only where there are extremes
-    return _own(bones, travel.directions[extreme])
+    return _number(bones, travel.directions[extreme])
 
 
-def _own(bones: Skeletons, direction: complex) -> int | None:
+def _number(bones: Skeletons, direction: complex) -> int | None:
     apart = np.abs(bones.study.turn.directions - direction)
     best = int(np.argmin(apart))
     return best if apart[best] < SAME else None
@@ -129,7 +129,7 @@ def _places(
     taken: Iterable[NumberedPlace],
 ) -> Iterator[NumberedPlace]:
     """Number positions by their order, and extremes between two of them as k', those of one crank position alike."""
-    found = [] if travel is None else [_own(bones, direction) for direction in travel.directions]
+    found = [] if travel is None else [_number(bones, direction) for direction in travel.directions]
     for k, spot in enumerate(spots.tolist()):
         yield NumberedPlace(str(k), k, k in found, _returning(bones, travel, k), bones.drive_end(k), spot)
     known = {station.name: station.crank for station in taken}

@@ -55,7 +55,7 @@ def strokes(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink)
         ends = [place.on(numbered.spot) for numbered in track.places if numbered.extreme]
         if len(ends) == 2 and abs(ends[1] - ends[0]) > SEEN and track.travel is not None:
             text = _text(track.point, track.travel.extremes.stroke, language)
-            found += _told(f"H_{track.point}", clearest(_ordered(ends), text, bones, place, hand, ink), place)
+            found += _letters(f"H_{track.point}", clearest(_ordered(ends), text, bones, place, hand, ink), place)
     return found
 
 
@@ -68,10 +68,10 @@ def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, 
     point = out.point or slide.point
     ends = _ordered([place.on(complex(value)) for value in bones.extremes.points[point]])
     text = _text(point if named else "", travel.extremes.stroke, language)
-    return _told(f"H_{point}" if named else "H", clearest(ends, text, bones, place, hand, ink), place)
+    return _letters(f"H_{point}" if named else "H", clearest(ends, text, bones, place, hand, ink), place)
 
 
-def _told(name: str, dimension: list[Stroke], place: Place) -> list[Stroke]:
+def _letters(name: str, dimension: list[Stroke], place: Place) -> list[Stroke]:
     """Give a dimension as the stroke that it states, by its arrows and by its number."""
     parts = (telling(POSITIONS.plan, stroke) if isinstance(stroke, Text) else stroke for stroke in dimension)
     return [stating(Statement(Kind.LENGTH, POSITIONS.plan, name, scale=place.scale.mu), *parts)]

@@ -53,8 +53,8 @@ def data(study: LinkageStudy) -> Iterator[str]:
     yield from _places(study, letters)
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
     drive = study.mechanism.drive
-    told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
-    yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **told)
+    texts = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
+    yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **texts)
     if drive.ram is not None:
         yield say("report.cylinder", **cylinder_law(study, drive.ram))
 
@@ -77,12 +77,12 @@ def structure(study: LinkageStudy) -> Iterator[str]:
 
 def _lengths(study: LinkageStudy, letters: Formula) -> Iterator[str]:
     given = study.form.mechanism.lengths
-    told = (
+    lines = (
         inline(letters.letter(f"l_{{{name}}}"), letters.quantity(MM * float(length), "mm"))
         for name, length in given.items()
     )
     if given:
-        yield word(study.language, "report.lengths", lengths=", ".join(told))
+        yield word(study.language, "report.lengths", lengths=", ".join(lines))
 
 
 def _places(study: LinkageStudy, letters: Formula) -> Iterator[str]:
@@ -175,8 +175,8 @@ def concluded(study: Study) -> Iterator[str]:
     first = first_numbers(linkage, study.of(MotionComparison).construction)
     yield word(language, "report.output", output=shown(linkage)[1:]) + (f": {first}" if first else "")
     if linkage.groups and linkage.nodes.size:
-        seen = {group.label: interval(linkage.sweep, group, linkage.nodes) for group in linkage.groups}
-        most = {label: max(abs(one.low), abs(one.high)) for label, one in seen.items()}
+        pressures = {group.label: interval(linkage.sweep, group, linkage.nodes) for group in linkage.groups}
+        most = {label: max(abs(pressure.low), abs(pressure.high)) for label, pressure in pressures.items()}
         worst = max(most, key=lambda label: round(most[label], 9))
         yield word(language, "report.worst_pressure", angle=_degrees(most[worst], language), group=worst)
 
@@ -224,20 +224,20 @@ def _extremes(study: LinkageStudy) -> Iterator[str]:
 
 def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     """Tell the extreme positions of an output, how far it goes, and its time ratio."""
-    say, told, extremes = partial(word, study.language), partial(phrase, study.language), found.extremes
+    say, stated, extremes = partial(word, study.language), partial(phrase, study.language), found.extremes
     way = "report.by_notches" if found.notched else "report.by_velocity"
     yield say(way, angles=_angles(extremes.phi, study.language))
     stroke = Slot("H, m" if extremes.sliding else "ψ, rad", extremes.stroke, DIGITS)
-    swing = {} if extremes.sliding else {"degrees": _told("ψ", extremes.stroke, study.language)}
-    yield told("report.stroke" if extremes.sliding else "report.swing", stroke=stroke, **swing)
+    swing = {} if extremes.sliding else {"degrees": _stated("ψ", extremes.stroke, study.language)}
+    yield stated("report.stroke" if extremes.sliding else "report.swing", stroke=stroke, **swing)
     if study.scene.has(("output", "working")):
         yield stroke_line(study.mechanism, study.output, extremes.reach, extremes.angles, study.language)
     if len(found.rests) > 2:
         yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, study.language))
     else:
-        yield told(
+        yield stated(
             "report.ratio_faster" if extremes.faster else "report.ratio",
-            overlap=_told("θ", extremes.overlap, study.language),
+            overlap=_stated("θ", extremes.overlap, study.language),
             ratio=Slot("K", extremes.ratio, DIGITS),
         )
 
@@ -246,10 +246,10 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
     if study.groups and not study.nodes.size:
         yield word(study.language, "report.no_pressure")
     for group in study.groups if study.nodes.size else ():
-        seen = interval(study.sweep, group, study.nodes)
+        pressure = interval(study.sweep, group, study.nodes)
         low, high = (
-            _told(f"{end} {group.label}", angle, study.language)
-            for end, angle in (("low", seen.low), ("high", seen.high))
+            _stated(f"{end} {group.label}", angle, study.language)
+            for end, angle in (("low", pressure.low), ("high", pressure.high))
         )
         yield phrase(study.language, "report.pressure", group=group.label, low=low, high=high)
 
@@ -258,7 +258,7 @@ def _degrees(angle: float, language: str) -> str:
     return fixed(float(np.degrees(angle)), language)
 
 
-def _told(quantity: str, angle: float, language: str) -> Phrase:
+def _stated(quantity: str, angle: float, language: str) -> Phrase:
     return slotted("", quantity, _degrees(angle, language))
 
 
@@ -295,9 +295,9 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
     language, letters = study.language, Formula(drafting_of(study.scene))
     yield chapter(language, "values")
     for plan in PLANS:
-        told = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
-        if told:
-            same = [(finding,) for finding in told] if plan == POSITIONS.plan else alike(told, study.mechanism)
+        chosen = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
+        if chosen:
+            same = [(finding,) for finding in chosen] if plan == POSITIONS.plan else alike(chosen, study.mechanism)
             findings = [finding for finding, *_ in same]
             title = term(language, "plan", plan)
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
@@ -313,8 +313,8 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
 def _heading(same: Sequence[Quantity], letters: Formula) -> str:
     """Name a quantity of a point or of a link by its letter, or by all that it has, with its unit."""
     names = (finding.name.split("_", 1) for finding in same)
-    told = " = ".join(letters.letter(f"{symbol}_{{{index}}}") for symbol, index in names)
-    return f"${told}$, {letters.drafting.word(same[0].unit)}"
+    text = " = ".join(letters.letter(f"{symbol}_{{{index}}}") for symbol, index in names)
+    return f"${text}$, {letters.drafting.word(same[0].unit)}"
 
 
 def _settled(finding: Quantity) -> Complexes | Floats:

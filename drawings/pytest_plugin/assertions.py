@@ -127,7 +127,7 @@ def assert_sheet_matches(sheet: HandedSheet | FilePath, scene: Assignment | File
         spots = [WrongPlace(edit.told.worded(drawn.language), edit.at, edit.at) for edit in edits]
         head = message("accept.other", sheet=drawn.path.name, scene=_scene(drawn).originals.path.name)
         lines = [finding.told.worded(drawn.language) for finding in wrong]
-        raise AssertionError(_told(drawn, head, lines, held.paper, spots))
+        raise AssertionError(_worded(drawn, head, lines, held.paper, spots))
 
 
 def _scene(drawn: HandedSheet) -> Assignment:
@@ -149,7 +149,7 @@ def _assert_none(sheet: HandedSheet, graded: Graded, wrong: Sequence[Verdict], h
         lines = [line for said in gathered(wrong) for line in _lines(sheet, graded, said)]
         say = partial(without_values, hints={}, language=sheet.language)
         spots = [WrongPlace(say(said), *said.at) for said in wrong if said.at is not None]
-        raise AssertionError(_told(sheet, head, lines, graded.paper, spots))
+        raise AssertionError(_worded(sheet, head, lines, graded.paper, spots))
 
 
 def _lines(sheet: HandedSheet, graded: Graded, said: Verdict) -> Iterator[str]:
@@ -174,7 +174,7 @@ def _value(said: Verdict, value: complex) -> Message:
     return message("accept.vector", size=f"{read.size:.4g}", angle=f"{read.angle:.1f}", unit=said.unit)
 
 
-def _told(
+def _worded(
     sheet: HandedSheet, head: Message, lines: Sequence[str], paper: tuple[float, float], spots: Sequence[WrongPlace]
 ) -> str:
     """Tell what is wrong, line by line, and where its picture lies, if pictures are drawn."""

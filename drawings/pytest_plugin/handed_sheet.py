@@ -111,7 +111,7 @@ def chosen(plans: Sequence[DrawnPlan], name: str, position: int | None, language
     found = named(plans, name, position)
     if len(found) == 1:
         return ReadPlan(found[0], language)
-    there = tuple(_told(found or plans)) or (message("accept.nothing"),)
+    there = tuple(_faults(found or plans)) or (message("accept.nothing"),)
     parts = {"name": name, "names": there} if position is None else {"name": name, "names": there, "position": position}
     key = f"accept.{'no' if not found else 'several'}_plan{'' if position is None else '_at'}"
     raise NotDrawnError(message(key, **parts).worded(language))
@@ -131,7 +131,7 @@ def _called(plan: str, name: str) -> bool:
     return wanted in {word.casefold().replace("_", " ") for word in known}
 
 
-def _told(plans: Iterable[DrawnPlan]) -> Iterator[Message]:
+def _faults(plans: Iterable[DrawnPlan]) -> Iterator[Message]:
     """Name plans, each once with all its positions."""
     positions: dict[str, list[str]] = {}
     for plan, position in (plan.asked.place for plan in plans):

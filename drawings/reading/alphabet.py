@@ -203,7 +203,7 @@ def _signs(plain: str) -> Iterator[Sign]:
             letter += sign
             continue
         if letter:
-            yield Sign(letter, *_seen(letter), space)
+            yield Sign(letter, *_glyph(letter), space)
             space, letter = "", ""
         if sign in _SPACES:
             space += sign
@@ -212,7 +212,7 @@ def _signs(plain: str) -> Iterator[Sign]:
 
 
 @cache
-def _seen(letter: str) -> tuple[str, int]:
+def _glyph(letter: str) -> tuple[str, int]:
     """Give the first letter that looks like one, and its level; of a letter that no alphabet has, the letter."""
     letter = unicodedata.normalize("NFC", letter)
     if (notation := notations().get(letter)) is not None:

@@ -71,7 +71,7 @@ def transform(text: str) -> Affine:
         count += 1
         if call is None or count > ELEMENT_TRANSFORMS:
             raise SheetRefused("transform", text=repr(text[place : place + 30]))
-        total = total.after(_one(call[1], numbers(call[2])))
+        total = total.after(_single(call[1], numbers(call[2])))
         gap = GAP.match(text, call.end())
         place = gap.end() if gap else call.end()
     if not all(abs(size) <= REACH**2 for part in total for size in (part.real, part.imag)):
@@ -103,7 +103,7 @@ def placing(stated: Sequence[complex], found: Sequence[complex]) -> Affine:
     return Affine(p, 0j, found[0] - p * stated[0])
 
 
-def _one(name: str, values: list[float]) -> Affine:
+def _single(name: str, values: list[float]) -> Affine:
     match name, values:
         case "matrix", [a, b, c, d, e, f]:
             return matrix(a, b, c, d, e, f)
@@ -162,7 +162,7 @@ def viewport(attributes: Mapping[str, str]) -> Viewport:
         notes = (message("aside.size"),)
     if box is None:
         box = (0.0, 0.0, width / PIXEL, height / PIXEL)
-    placed = _laid(box, width, height, attributes.get("preserveAspectRatio", "xMidYMid"))
+    placed = _placed(box, width, height, attributes.get("preserveAspectRatio", "xMidYMid"))
     return Viewport(width, height, Affine(t=1j * height).after(MIRROR).after(placed), notes)
 
 
@@ -191,7 +191,7 @@ def _box(text: str | None) -> tuple[float, float, float, float] | None:
     return x, y, width, height
 
 
-def _laid(box: tuple[float, float, float, float], width: float, height: float, fit: str) -> Affine:
+def _placed(box: tuple[float, float, float, float], width: float, height: float, fit: str) -> Affine:
     """Lay the box on the paper, y still downward."""
     x, y, across, down = box
     sx, sy = width / across, height / down

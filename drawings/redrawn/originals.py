@@ -61,8 +61,8 @@ class Originals:
         self.path = scene
         self.study = Study(read_scene(scene))
         self._drawn: dict[str, bytes] = {}
-        self._seen: dict[str, SeenSheet] = {}
-        self._due: dict[tuple[str, str], Mapping[Key, Expected]] = {}
+        self._sheets: dict[str, SeenSheet] = {}
+        self._expected: dict[tuple[str, str], Mapping[Key, Expected]] = {}
 
     @property
     def language(self) -> str:
@@ -92,17 +92,17 @@ class Originals:
 
     def seen(self, sheet: Original) -> SeenSheet:
         """Give what is seen of a sheet as it must be."""
-        if sheet.name not in self._seen:
-            self._seen[sheet.name] = see(self.drawn(sheet))
-        return self._seen[sheet.name]
+        if sheet.name not in self._sheets:
+            self._sheets[sheet.name] = see(self.drawn(sheet))
+        return self._sheets[sheet.name]
 
     def due(self, sheet: Original) -> Mapping[Key, Expected]:
         """Give what must stand on a sheet and those of its kind that are of the same subject, by the analysis."""
         of = sheet.kind, subject(sheet.leaf)
-        if of not in self._due:
+        if of not in self._expected:
             leaves = [original.leaf for original in self.sheets if (original.kind, subject(original.leaf)) == of]
-            self._due[of] = {row.key: row for row in sheet_kind(sheet.kind).due(self.study, leaves)}
-        return self._due[of]
+            self._expected[of] = {row.key: row for row in sheet_kind(sheet.kind).due(self.study, leaves)}
+        return self._expected[of]
 
     def wrongs(self, sheet: Original, drawn: SeenSheet) -> list[Wrong]:
         """List what the self-check of a sheet finds wrong with what is seen of a written one.

@@ -14,32 +14,32 @@ if TYPE_CHECKING:
 
 def drawn(leaves: Mapping[str, Sequence[Leaf]], language: str) -> Iterator[str]:
     """List the figures of every sheet."""
-    for kind, leaf in ((kind, leaf) for kind, own in leaves.items() for leaf in own):
+    for kind, leaf in ((kind, leaf) for kind, group in leaves.items() for leaf in group):
         figures = ", ".join(_headings(leaf, ("",), language))
         yield word(language, "report.sheet", number=_number(leaf), kind=kind, figures=figures)
 
 
 def see(leaves: Mapping[str, Sequence[Leaf]], language: str, *starts: str) -> Iterator[str]:
     """Refer to the figures whose names begin so, sheet by sheet; to none where there are none."""
-    told = [
+    lines = [
         word(language, "report.on_sheet", number=_number(leaf), figures=", ".join(figures))
-        for own in leaves.values()
-        for leaf in own
+        for group in leaves.values()
+        for leaf in group
         if (figures := _headings(leaf, starts, language))
     ]
-    if told:
-        yield f"\n{word(language, 'report.see', sheets='; '.join(told))}"
+    if lines:
+        yield f"\n{word(language, 'report.see', sheets='; '.join(lines))}"
 
 
 def _number(leaf: Leaf) -> int:
     """Give the number of a sheet in its document; of one that is bound to none, among those of its kind."""
-    own = leaf.metadata
-    return int(own["document"]["sheet"] if "document" in own else own["number"])
+    metadata = leaf.metadata
+    return int(metadata["document"]["sheet"] if "document" in metadata else metadata["number"])
 
 
 def _headings(leaf: Leaf, starts: Sequence[str], language: str) -> list[str]:
     """Give the headings of the figures and tables of a sheet whose names begin so, in that order, each once."""
     figures = SheetFigures(leaf)
     names = (name for start in starts for name in figures.named if name not in STILL and name.startswith(start))
-    called = (one for one in map(figures.called, names) if one.key == "exhibit.headed")
-    return [*dict.fromkeys(one.worded(language) for one in called)]
+    called = (heading for heading in map(figures.called, names) if heading.key == "exhibit.headed")
+    return [*dict.fromkeys(heading.worded(language) for heading in called)]

@@ -47,18 +47,18 @@ class Formula:
     def vector(self, markup: str, known: int = 0) -> str:
         """Write a vector with its bar, and as many lines under it as tell what is known of it."""
         bare = self.letter(markup)
-        told = rf"\overline{{{bare}}}" if bare.startswith(r"\text") else rf"\bar {bare}"
+        text = rf"\overline{{{bare}}}" if bare.startswith(r"\text") else rf"\bar {bare}"
         for _ in range(known):
-            told = rf"\underline{{{told}}}"
-        return told
+            text = rf"\underline{{{text}}}"
+        return text
 
     def segment(self, *images: str) -> str:
         r"""Write a distance between images on a plan by their letters: p and a3 as pa_{3}."""
-        told = ""
+        text = ""
         for image in images:
-            apart = " " if re.search(r"\\[a-z]+$", told) else ""
-            told += apart + self.letter(_lowered(image))
-        return told
+            apart = " " if re.search(r"\\[a-z]+$", text) else ""
+            text += apart + self.letter(_lowered(image))
+        return text
 
     def line(self, points: str) -> str:
         """Write a point, or a line by its two points: CB, B1C as B_{1}C."""
@@ -70,8 +70,8 @@ class Formula:
 
     def factor(self, value: float) -> str:
         """Write a number that stands in a product: a negative one in brackets."""
-        told = self.number(value)
-        return f"({told})" if told.startswith("-") else told
+        text = self.number(value)
+        return f"({text})" if text.startswith("-") else text
 
     def quantity(self, value: float, unit: str) -> str:
         """Write a number with its unit."""
@@ -96,10 +96,10 @@ def letter(markup: str, language: str) -> str:
     head, up, low = found["head"], found["up"], found["low"]
     if head not in SIGNS and not (head.isascii() and len(head) == 1):
         return _text(markup.replace("_", "").replace("{", "").replace("}", ""))
-    told = SIGNS.get(head, head)
-    told += f"_{{{_index(low)}}}" if low else ""
+    text = SIGNS.get(head, head)
+    text += f"_{{{_index(low)}}}" if low else ""
     up = r"{\ast}" if star else f"{{{_index(up)}}}" if up else ""
-    return told + found["primes"] + primes + (f"^{up}" if up else "")
+    return text + found["primes"] + primes + (f"^{up}" if up else "")
 
 
 def inline(*equals: str) -> str:
@@ -119,7 +119,7 @@ def total(terms: Sequence[str]) -> str:
     'a - b + c'
     """
     first, *rest = terms
-    return first + "".join(f" - {one[1:]}" if one.startswith("-") else f" + {one}" for one in rest)
+    return first + "".join(f" - {term[1:]}" if term.startswith("-") else f" + {term}" for term in rest)
 
 
 def _text(text: str) -> str:
@@ -129,13 +129,13 @@ def _text(text: str) -> str:
 def _index(index: str) -> str:
     """Write an index: letters of points as they are, words upright."""
     bare = re.fullmatch(r"\{(.*)\}('*)", index)
-    told = bare[1] + bare[2] if bare else index
-    if told in SIGNS:
-        return SIGNS[told]
-    told = told.replace("−", "-")
-    if not told.isascii() or (told.upper() != told and len(told) > 1):
-        return _text(told)
-    return re.sub(r"([A-Z])(\d+)", r"\1_{\2}", told)
+    text = bare[1] + bare[2] if bare else index
+    if text in SIGNS:
+        return SIGNS[text]
+    text = text.replace("−", "-")
+    if not text.isascii() or (text.upper() != text and len(text) > 1):
+        return _text(text)
+    return re.sub(r"([A-Z])(\d+)", r"\1_{\2}", text)
 
 
 def _lowered(image: str) -> str:

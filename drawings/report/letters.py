@@ -44,7 +44,7 @@ def _written(found: re.Match[str], language: str) -> str:
         return rf"$\lvert {letter(found['size'], language)}\rvert_{{\text{{max}}}}$"
     if found["raised"]:
         return f"${letter(found['raised'], language)}$"
-    return f"${found['before']}{''.join(letter(one, language) for one in re.findall(_ONE, found['letters']))}$"
+    return f"${found['before']}{''.join(letter(part, language) for part in re.findall(_ONE, found['letters']))}$"
 
 
 GREEK = {sign: letter for letter, sign in SIGNS.items()}
@@ -58,8 +58,8 @@ def unmathed(formula: str) -> str:
     'v_B = v_A + a_BA^τ · 2, ω_1 = 0'
     """
     signs = {**GREEK, r"\cdot": "·"}
-    told = re.sub(r"\\[a-z]+", lambda found: signs.get(found[0], found[0]), formula, flags=re.IGNORECASE)
-    return " ".join(_COMMAND.sub(lambda found: " " if "quad" in found[0] else "", told).split())
+    text = re.sub(r"\\[a-z]+", lambda found: signs.get(found[0], found[0]), formula, flags=re.IGNORECASE)
+    return " ".join(_COMMAND.sub(lambda found: " " if "quad" in found[0] else "", text).split())
 
 
 def plain(note: str) -> str:
@@ -78,8 +78,8 @@ def raised(note: str) -> str:
 
 def listed(title: str, notes: Iterable[str]) -> list[str]:
     """Write a chapter as a list; one without notes is left out."""
-    told = [*map(entry, notes)]
-    return [title, *told] if told else []
+    entries = [*map(entry, notes)]
+    return [title, *entries] if entries else []
 
 
 def entry(note: str) -> Phrase:

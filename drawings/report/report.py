@@ -39,15 +39,15 @@ def agreed(findings: Sequence[Quantity], drafting: Drafting, by_hand: bool = Tru
 
 def share(findings: Sequence[Quantity]) -> str:
     """Write the least power of ten of the largest values that no difference is beyond."""
-    shares = [_apart(one) for one in findings if one.largest > 0]
+    shares = [_apart(finding) for finding in findings if finding.largest > 0]
     power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
     return f"10^{{−{-power}}}" if power else "1"
 
 
-def _apart(one: Quantity) -> float:
+def _apart(finding: Quantity) -> float:
     """Give the worst difference as a share of the largest value, or of its own where a jam makes that larger."""
-    sizes = np.fmax(np.abs(one.construction), one.largest)
-    return float(np.nanmax(one.difference / sizes, initial=0.0))
+    sizes = np.fmax(np.abs(finding.construction), finding.largest)
+    return float(np.nanmax(finding.difference / sizes, initial=0.0))
 
 
 def gap_lines(gaps: Sequence[Gap]) -> list[Message]:
@@ -105,17 +105,17 @@ def written(lines: Iterable[str]) -> str:
 
 def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
     """Give the lines of the report; phrases among them say which quantities their numbers are."""
-    told = [report_of(name).chapters(study, leaves) for name in study.techniques]
+    chapters = [report_of(name).chapters(study, leaves) for name in study.techniques]
     language = study.scene.sheet.language
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
     idle = (said.worded(language) for name in _idle(study) for said in techniques()[name].idle(study.scene))
-    left_out = [*(line for one in told for line in one.left_out), *idle]
+    left_out = [*(line for chapter in chapters for line in chapter.left_out), *idle]
     body = [
         *([chapter(language, "sheets"), *drawn(leaves, language), ""] if any(leaves.values()) else []),
-        *(line for one in told for line in one.subject),
-        *(line for one in told for line in one.values),
+        *(line for chapter in chapters for line in chapter.subject),
+        *(line for chapter in chapters for line in chapter.values),
         *_comparison(study.comparisons, language),
-        *(line for one in told for line in one.conditions),
+        *(line for chapter in chapters for line in chapter.conditions),
         *_conclusion(study, language),
         *((chapter(language, "left_out"), *left_out) if left_out else ()),
     ]
@@ -126,9 +126,9 @@ def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
 def _conclusion(study: Study, language: str) -> Iterator[str]:
     """Say what follows from the numbers: of each technique, how far both roads agree, and what is not whole."""
     yield chapter(language, "conclusion")
-    for told in map(report_of, study.techniques):
-        own = told.conclusion(study) if told.conclusion is not None else told.headline(study).splitlines()
-        yield from (line if line.startswith("- ") else entry(line[:1].upper() + line[1:]) for line in own)
+    for report in map(report_of, study.techniques):
+        lines = report.conclusion(study) if report.conclusion is not None else report.headline(study).splitlines()
+        yield from (line if line.startswith("- ") else entry(line[:1].upper() + line[1:]) for line in lines)
     findings = together(study.comparisons)
     if findings:
         yield word(language, "report.agreed", count=len(findings), share=share(findings))
@@ -137,8 +137,8 @@ def _conclusion(study: Study, language: str) -> Iterator[str]:
 
 def _idle(study: Study) -> Iterator[str]:
     """Give the techniques that rest on what is studied, and are neither asked for nor read by those that are."""
-    told = {*study.techniques, *(one for name in study.techniques for one in techniques()[name].borrows)}
-    rest = (name for name in TECHNIQUES if name not in told)
+    taken = {*study.techniques, *(term for name in study.techniques for term in techniques()[name].borrows)}
+    rest = (name for name in TECHNIQUES if name not in taken)
     return (name for name in rest if not set(techniques()[name].needs).isdisjoint(study.techniques))
 
 
@@ -154,14 +154,14 @@ def remarks(study: Study) -> list[Message]:
 
 def summary(comparisons: Iterable[Comparison], language: str) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
-    told = list(comparisons)
-    wide = plan_width((finding.plan for finding in together(told)), language)
+    listed = list(comparisons)
+    wide = plan_width((finding.plan for finding in together(listed)), language)
     heads = [word(language, f"table.{head}") for head in ("plan", "difference", "percent", "allowed", "in")]
     lines = [f"{heads[0]:<{wide}} {heads[1]:>18} {heads[2]:>18} {heads[3]:>15}   {heads[4]}"]
-    for comparison in told:
+    for comparison in listed:
         for plan in dict.fromkeys(finding.plan for finding in comparison.findings):
             lines.append(f"{term(language, 'plan', plan):<{wide}} {_worst(comparison.of(plan), language)}")
-    return "\n".join([*lines, *left_out(told, language)])
+    return "\n".join([*lines, *left_out(listed, language)])
 
 
 def plan_width(plans: Iterable[str], language: str) -> int:

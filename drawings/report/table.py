@@ -58,12 +58,12 @@ def column(values: Any, language: str, gap: str = "") -> list[str]:
     >>> column([12.3456, 0.00012, math.nan], "en"), column([1 - 0.5j], "ru"), column([0.0, 2e6], "en")
     (['12.3456', '0.0001', 'gap'], ['1,00000; −0,50000'], ['0', '2000000'])
     """
-    told = np.asarray(values)
-    sizes = np.abs([told.real, told.imag])
+    numbers = np.asarray(values)
+    sizes = np.abs([numbers.real, numbers.imag])
     largest = float(np.max(sizes[np.isfinite(sizes)], initial=0.0))
     places = MOST - 1 - math.floor(math.log10(largest)) if largest else 0
     gap = gap or word(language, "table.gap")
-    return [gap if math.isnan(abs(value)) else _cell(value, places, language) for value in told.tolist()]
+    return [gap if math.isnan(abs(value)) else _cell(value, places, language) for value in numbers.tolist()]
 
 
 def _cell(value: complex, places: int, language: str) -> str:
@@ -143,17 +143,22 @@ def _quantities(technique: str, study: Study, _: Mapping[str, Sequence[Leaf]]) -
     """Tell the quantities of a technique by both roads."""
     language = study.scene.sheet.language
     heads = [word(language, key) for key in ("table.quantity", "sheet.by plan", "sheet.by analysis")]
-    found = (one for one in study.quantities(technique) if one.plan != EQUILIBRIUM)
+    found = (finding for finding in study.quantities(technique) if finding.plan != EQUILIBRIUM)
     rows = (
-        row([heading(one, language), *(_size(one, road, language) for road in (one.construction, one.analysis))])
-        for one in found
+        row(
+            [
+                heading(finding, language),
+                *(_size(finding, road, language) for road in (finding.construction, finding.analysis)),
+            ]
+        )
+        for finding in found
     )
     return Chapters(values=[chapter(language, technique), *header(heads), *rows])
 
 
-def _size(one: Quantity, road: Complexes | Floats, language: str) -> str:
+def _size(finding: Quantity, road: Complexes | Floats, language: str) -> str:
     """Write how large a quantity is by a road, at the least and at the most over all positions; rounding is 0."""
-    sizes = zip(abs(road).tolist(), one.allowed.tolist(), strict=True)
+    sizes = zip(abs(road).tolist(), finding.allowed.tolist(), strict=True)
     return span([size * (size > allowed) for size, allowed in sizes if math.isfinite(size)] or [0.0], language)
 
 

@@ -97,7 +97,7 @@ class Pairing:
                 left.discard(i)
                 right.discard(j)
                 self._done([ours[i]], [theirs[j]])
-                yield self._told(ours[i], theirs[j])
+                yield self._stated(ours[i], theirs[j])
 
     def _done(self, done: Sequence[Item], others: Sequence[Item]) -> None:
         mine, theirs = set(map(id, done)), set(map(id, others))
@@ -120,7 +120,7 @@ class Pairing:
         shifted = shift_of([ours], [theirs], self.rounding) is not None and abs(_turned(a, b) - 1) < 1e-3
         return off if known or shifted or off <= NEAR else FAR
 
-    def _told(self, ours: Item, theirs: Item) -> Edit:
+    def _stated(self, ours: Item, theirs: Item) -> Edit:
         """Tell of one stroke that is another."""
         a, b = ours.stroke, theirs.stroke
         if isinstance(a, Text) and isinstance(b, Text):
@@ -259,7 +259,7 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
         *copies,
         *others,
     )
-    return Collation(edits, *_shares(ours, found.missing), (*_paper(right, there), *whole, *_told(right, there)))
+    return Collation(edits, *_shares(ours, found.missing), (*_paper(right, there), *whole, *_stated(right, there)))
 
 
 def _shares(ours: Sequence[Item], missing: Sequence[Item]) -> tuple[int, int]:
@@ -311,7 +311,7 @@ def _paper(right: Leaf, there: Leaf) -> Iterator[Message]:
         yield message("edit.paper", width=width, height=height, must_width=must_width, must_height=must_height)
 
 
-def _told(right: Leaf, there: Leaf) -> Iterator[Message]:
+def _stated(right: Leaf, there: Leaf) -> Iterator[Message]:
     """Tell what a file says of itself otherwise than it must, beside who drew it and from what."""
     if (right.title, right.description) != (there.title, there.description):
         yield message("edit.title")

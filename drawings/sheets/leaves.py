@@ -221,9 +221,9 @@ class _Leaves:
     @property
     def sheets(self) -> Sequence[Composition]:
         """The composed sheets, the cells of their tables written that waited for the scales of the figures."""
-        return [self._told(composition) for composition in self.composed]
+        return [self._counted(composition) for composition in self.composed]
 
-    def _told(self, composed: Composition) -> Composition:
+    def _counted(self, composed: Composition) -> Composition:
         """Write the cells of the tables of a sheet."""
         if self._later is None:
             return composed
@@ -276,7 +276,7 @@ class _Leaves:
         inked = self._inked(composed, number, count)
         if inked.bare <= most_bare(self.page, 1 < number == count):
             return inked
-        others = (self._inked(self._told(other), number, count) for other in composed.others())
+        others = (self._inked(self._counted(other), number, count) for other in composed.others())
         return min((inked, *others), key=lambda candidate: candidate.bare)
 
     def _inked(self, composed: Composition, number: int, count: int) -> _Inked:

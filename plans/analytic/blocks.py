@@ -64,7 +64,7 @@ class Guess:
                 if number not in self.known and rule(number):
                     return
 
-    def _seen(self, number: int) -> list[str]:
+    def _placed(self, number: int) -> list[str]:
         return [point for point in self.mechanism.links[number].points if point in self.places]
 
     def _slides(self, number: int) -> list[tuple[Slide, int]]:
@@ -85,7 +85,7 @@ class Guess:
 
     def _by_points(self, number: int) -> bool:
         """Two points seen: their join gives the turn."""
-        placed, points = self._seen(number), self.mechanism.links[number].points
+        placed, points = self._placed(number), self.mechanism.links[number].points
         for point in placed[1:]:
             if self.places[point] != self.places[placed[0]] and points[point] != points[placed[0]]:
                 join = (self.places[point] - self.places[placed[0]]) / (points[point] - points[placed[0]])
@@ -95,15 +95,15 @@ class Guess:
     def _by_guide(self, number: int) -> bool:
         """One point seen, and a slide on a link already placed: the guide gives the turn."""
         for slide, other in self._slides(number):
-            if other in self.known and self._seen(number):
+            if other in self.known and self._placed(number):
                 turn = self.known[other][1] + cmath.phase(slide.way(other).direction / slide.way(number).direction)
-                return self._put(number, self._seen(number)[0], turn)
+                return self._put(number, self._placed(number)[0], turn)
         return False
 
     def _by_slot(self, number: int) -> bool:
         """One point seen, and one of the link it slides on: the slot runs from the pivot through the block."""
         for slide, other in self._slides(number):
-            mine, theirs = self._seen(number), self._seen(other)
+            mine, theirs = self._placed(number), self._placed(other)
             if number == slide.owner and mine and theirs and self.places[mine[0]] != self.places[theirs[0]]:
                 join = (self.places[theirs[0]] - self.places[mine[0]]) / slide.on_owner.direction
                 return self._put(number, mine[0], cmath.phase(join))
@@ -112,7 +112,7 @@ class Guess:
     def _by_default(self, number: int) -> bool:
         """Nothing better is known: lay the link along x, from its point seen or amid all that is placed."""
         points: Mapping[str, complex] = self.mechanism.links[number].points
-        placed = self._seen(number)
+        placed = self._placed(number)
         first = placed[0] if placed else next(iter(points))
         self.places.setdefault(first, complex(np.mean(list(self.places.values()))))
         return self._put(number, first, 0.0)

@@ -37,13 +37,13 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = behind(mark)
-    kept = steps if study.whole else list(_own(bank, mark, steps))
+    kept = steps if study.whole else list(_marks(bank, mark, steps))
     left = len(steps) - len(kept)
     notes = (message("explain.ordinates", count=left),) if left else ()
     return Explanation(message("explain.name", mark=name), tuple(kept), UNITS, notes, zeros=frozenset(_zeros(bank)))
 
 
-def _own(bank: BankStudy, mark: Mark, steps: Sequence[Mark]) -> Iterator[Mark]:
+def _marks(bank: BankStudy, mark: Mark, steps: Sequence[Mark]) -> Iterator[Mark]:
     """Leave out what is behind the harmonics of one mechanism, unless one of them is asked for."""
     single = bank.single
     if mark.subject == HARMONICS and mark.number <= max(vector.number for vector in single.vectors.values()):

@@ -195,7 +195,7 @@ class ComparedCam:
             yield self._row(LAWS, name, self._units[order], ours[order], theirs[order], self.slack.travel(order))
         for order, (name, extreme) in enumerate(self.ours.peaks.items(), 1):
             size, true = abs(extreme.value), abs(self.theirs.peaks[name].value)
-            yield self._one(LAWS, f"{name}_max", self._units[order], size, true, self.slack.travel(order))
+            yield self._quantity(LAWS, f"{name}_max", self._units[order], size, true, self.slack.travel(order))
 
     def diagrams(self) -> Iterator[Quantity]:
         """Compare the chords with the same chords by the ordinates of the analysis."""
@@ -227,17 +227,17 @@ class ComparedCam:
         """Compare the main sizes and the roller."""
         ours, theirs = self.ours, self.theirs
         if not ours.cam.translates:
-            yield self._one(SIZES, "R_0", "m", ours.sizes.base, theirs.sizes.base, self.slack.centre)
+            yield self._quantity(SIZES, "R_0", "m", ours.sizes.base, theirs.sizes.base, self.slack.centre)
         if ours.cam.rocks and not ours.cam.translates:
-            yield self._one(SIZES, "L", "m", ours.sizes.centre, theirs.sizes.centre, self.slack.centre)
+            yield self._quantity(SIZES, "L", "m", ours.sizes.centre, theirs.sizes.centre, self.slack.centre)
             turned = self.slack.centre / ours.sizes.centre
-            yield self._one(SIZES, "ψ_0", "rad", ours.sizes.initial, theirs.sizes.initial, turned + TERM)
-            yield self._one(SIZES, "O1", "m", ours.sizes.pivot, theirs.sizes.pivot, self.slack.centre)
+            yield self._quantity(SIZES, "ψ_0", "rad", ours.sizes.initial, theirs.sizes.initial, turned + TERM)
+            yield self._quantity(SIZES, "O1", "m", ours.sizes.pivot, theirs.sizes.pivot, self.slack.centre)
         elif not ours.cam.flat and not ours.cam.translates:
-            yield self._one(SIZES, "e", "m", ours.sizes.offset, theirs.sizes.offset, self.slack.centre)
+            yield self._quantity(SIZES, "e", "m", ours.sizes.offset, theirs.sizes.offset, self.slack.centre)
         if ours.roller:
             radius = ours.sharpest.value**2 * self.bent(ours.sharpest) if ours.sharpest else 0.0
-            yield self._one(SIZES, "r_r", "m", ours.roller, theirs.roller, radius + self.slack.centre)
+            yield self._quantity(SIZES, "r_r", "m", ours.roller, theirs.roller, radius + self.slack.centre)
 
     def profile(self) -> Iterator[Quantity]:
         """Compare the profile at the numbered positions."""
@@ -265,17 +265,19 @@ class ComparedCam:
         ours, theirs = self.ours, self.theirs
         for kind, extreme in ours.pressure.items():
             angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
-            yield self._one(PROFILE, f"α_{kind}", "rad", abs(extreme.value), abs(theirs.pressure[kind].value), angle)
+            yield self._quantity(
+                PROFILE, f"α_{kind}", "rad", abs(extreme.value), abs(theirs.pressure[kind].value), angle
+            )
         for name, found, true in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
-            yield self._one(PROFILE, name, "1/m", _bent(found), _bent(true), self.bent(found))
+            yield self._quantity(PROFILE, name, "1/m", _bent(found), _bent(true), self.bent(found))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):
-            yield self._one(PROFILE, f"face_{side}", "m", ours.face[k], theirs.face[k], self.slack.lever)
+            yield self._quantity(PROFILE, f"face_{side}", "m", ours.face[k], theirs.face[k], self.slack.lever)
 
     @property
     def _units(self) -> Sequence[str]:
         return dimensions(self.ours.cam)
 
-    def _one(self, plan: str, name: str, unit: str, ours: complex, theirs: complex, allowed: float) -> Quantity:
+    def _quantity(self, plan: str, name: str, unit: str, ours: complex, theirs: complex, allowed: float) -> Quantity:
         return self._row(plan, name, unit, np.array([ours]), np.array([theirs]), allowed)
 
     def _row(

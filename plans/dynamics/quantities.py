@@ -303,7 +303,7 @@ def _exact(
     found = flywheel(turn, task) if task.delta else None
     before = without_flywheel(turn, task)
     after = with_flywheel(turn, task, found) if found else None
-    speeds = [_told(motion, cycle.turned) for motion in (after, before)]
+    speeds = [_known(motion, cycle.turned) for motion in (after, before)]
     true = replace(theirs, cycle=exact_cycle(turn, cycle.turned), flywheel=found, speeds=speeds[0], before=speeds[1])
     if study.motor is not None:
         true = replace(true, run=_run(study, turn))
@@ -318,5 +318,5 @@ def _run(study: DynamicsStudy, turn: Exact) -> MachineRun:
     return run(reduced_link(turn, study.constant), study.motor, study.run_task)
 
 
-def _told(found: Swing | Stall | None, turned: Floats) -> Speeds | None:
+def _known(found: Swing | Stall | None, turned: Floats) -> Speeds | None:
     return found.speeds(turned) if isinstance(found, Swing) else None

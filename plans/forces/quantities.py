@@ -135,9 +135,9 @@ class ForceFindings:
         road, solved = self.motion.road, self.motion.analysis
         ours, theirs, off = self.ours.balancing, self.theirs.balancing, self.off(plan.balancing)
         largest = self._largest_moment
-        if ours.force is not None and self._told.name != DRIVING:
+        if ours.force is not None and self._stated.name != DRIVING:
             yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
-        yield self._whole(self._told_by("", (ours.moment, self._due), off, largest))
+        yield self._whole(self._told_by("", (ours.moment, self._expected), off, largest))
         if hung_on is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
             resting = np.asarray(road.rates(self.ours.phi).omega) == 0  # a lever without arms balances nothing
@@ -154,7 +154,7 @@ class ForceFindings:
         return quantity._replace(difference=np.maximum(quantity.difference, np.abs(ours - theirs)))
 
     @property
-    def _due(self) -> Floats:
+    def _expected(self) -> Floats:
         """The moment N*m that the analysis gives the crank, (N,); none at all where a cylinder turns it.
 
         Either road is given the cylinder's force by one formula: what holds it is that nothing is left to balance.
@@ -163,7 +163,7 @@ class ForceFindings:
         return moment if self.statics.study.mechanism.drive.ram is None else np.asarray(0.0 * moment)
 
     @property
-    def _told(self) -> BalancingQuantity:
+    def _stated(self) -> BalancingQuantity:
         """What the balances are told in: a cylinder leaves the crank no moment but rounding."""
         drive = self.statics.study.mechanism.drive
         return balancing_quantity(drive) if drive.pushed else BalancingQuantity(BALANCED, "N*m")
@@ -181,7 +181,7 @@ class ForceFindings:
 
     def _told_by(self, how: str, pair: tuple[Any, ...], off: Floats, largest: float) -> Quantity:
         """Put what the drive gives beside what another balance gives, by their moments; of a slide their forces."""
-        name, unit, share = self._told
+        name, unit, share = self._stated
         both = share * pair[0], share * pair[1]
         return self.finding((f"{name} {how}".strip(), unit), both, share * off, share * largest)
 
@@ -192,7 +192,7 @@ class ForceFindings:
         stored = energy_balance(self.motion.road, machine, self.motion.analysis, loads)
         judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
         quantity = self._told_by(ENERGY, (ours.moment, judged), off, largest)
-        more = self._told.share * np.where(np.isfinite(stored.allowed), stored.allowed, 0.0)
+        more = self._stated.share * np.where(np.isfinite(stored.allowed), stored.allowed, 0.0)
         return quantity._replace(allowed=quantity.allowed + more)
 
     @property

@@ -139,7 +139,7 @@ def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> Motio
     extremes = ours or theirs
     if extremes is None:
         return comparison
-    values = [np.full(4, np.nan) if road is None else _told(road) for road in (ours, theirs)]
+    values = [np.full(4, np.nan) if road is None else _stated(road) for road in (ours, theirs)]
     size = max(abs(reach) for reach in extremes.reach) if extremes.sliding else np.pi
     largest = np.array([2 * np.pi, 2 * np.pi, max(size, extremes.stroke), 2 * np.pi])
     # An extreme's crank angle is where a velocity is zero: its rounding is the velocity's over the acceleration's.
@@ -154,7 +154,7 @@ def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> Motio
     return replace(comparison, findings=comparison.findings + added)
 
 
-def _told(found: Extremes) -> Floats:
+def _stated(found: Extremes) -> Floats:
     return np.array([*found.phi, found.stroke, found.overlap])
 
 

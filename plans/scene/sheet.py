@@ -56,7 +56,7 @@ class ScaleTable(Table):
 
     bare: ClassVar[str] = "bare_scale"
     keys: ClassVar[Mapping[str, Key]] = {
-        name: _scale(*told) for technique in techniques().values() for name, told in technique.scales.items()
+        name: _scale(*named) for technique in techniques().values() for name, named in technique.scales.items()
     }
 
     @property

@@ -183,9 +183,9 @@ class _Own:
         asked = {key: value for key, value in values.items() if key[2] not in self.beside}
         most: dict[tuple[str, str], float] = {}
         for key, value in asked.items() if self.sought[1] in COURSES else ():
-            most[self._told(key)] = max(abs(value), most.get(self._told(key), 0.0))
+            most[self._worded(key)] = max(abs(value), most.get(self._worded(key), 0.0))
         scales = {part.sheet.name: dict(self._scales(part.sheet)) for part in self.parts}
-        cells = {key: self._cell(key, value, most.get(self._told(key), abs(value))) for key, value in asked.items()}
+        cells = {key: self._cell(key, value, most.get(self._worded(key), abs(value))) for key, value in asked.items()}
         for key, cell in cells.items():
             cells[key] = cell._replace(coarse=scales[cell.sheet].get(folded(cell.unit), 0.0))
         sheets = tuple(dict.fromkeys(part.sheet.name for part in self.parts))
@@ -195,7 +195,7 @@ class _Own:
 
     def _cell(self, key: Key, value: float, largest: float) -> CellAsked:
         label, position, head = key
-        quantity, unit = self._told(key)
+        quantity, unit = self._worded(key)
         read = tuple(map(folded, _bare(self.labels[label].plain).split(" = "))) if head == self.plan else ()
         hand = self._value((label, position, self.beside[0]))
         name, place = self._called(key, quantity)
@@ -232,7 +232,7 @@ class _Own:
         row = self.labels[label].plain
         return (quantity if self.sought[1] in POSITIONS else f"{quantity} ({row})"), row
 
-    def _told(self, key: Key) -> tuple[str, str]:
+    def _worded(self, key: Key) -> tuple[str, str]:
         """Give the quantity of a cell and its unit."""
         label, head = self.labels[key[0]], self.heads[key[2]]
         named = head if self.across else label

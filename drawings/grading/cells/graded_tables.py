@@ -53,7 +53,7 @@ class BesideTables(NamedTuple):
         for plan in self._of(cell.position) if cell.read else ():
             for vector in plan.asked.vectors:
                 value = plan.value(vector.letters)
-                if value is not None and _seen(vector.name, language) in cell.read:
+                if value is not None and _read(vector.name, language) in cell.read:
                     yield abs(value), plan.scale
 
     def _ordinates(self, cell: CellAsked, near: float, language: str) -> Iterator[tuple[float, float]]:
@@ -77,7 +77,7 @@ class BesideTables(NamedTuple):
         return [plan for plan in self.plans if plan.asked.position == position]
 
 
-def _seen(name: str, language: str) -> str:
+def _read(name: str, language: str) -> str:
     """Give the name of a vector as a table has it and as it is seen."""
     symbol, _, index = name.partition("_")
     return folded(Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain)
@@ -131,14 +131,14 @@ class CellJudge:
         for key in sorted(self.seen, key=lambda key: (-self.seen[key].box.high, self.seen[key].box.left)):
             if key not in self.asked.cells:
                 continue
-            said, cell = self._one(key), self.asked.cells[key]
+            said, cell = self._verdict(key), self.asked.cells[key]
             if said.kind in ONCE:
                 again = said.kind, said.of, cell.unit
                 said = said._replace(kind=verdict.FOLLOWS) if again in met else said
                 met.add(again)
             yield said
 
-    def _one(self, key: Key) -> Verdict:
+    def _verdict(self, key: Key) -> Verdict:
         cell, drawn = self.asked.cells[key], self.seen[key]
         if not cell.told:
             return self._said(key, verdict.DEAD)

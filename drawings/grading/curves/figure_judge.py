@@ -189,9 +189,9 @@ class _Answer:
         apart = (item for item in self.asked.items if item.place in self.drawn.apart)
         yield from (self._said(verdict.APART, item) for item in apart)
         within = self._fits(self.mistake.values) if self.mistake is not None else np.zeros_like(self.near)
-        yield from (self._one(item, within) for item in self.asked.items)
+        yield from (self._verdict(item, within) for item in self.asked.items)
 
-    def _one(self, item: ValueAsked, within: Truths) -> Verdict:
+    def _verdict(self, item: ValueAsked, within: Truths) -> Verdict:
         k, value = item.place, self.drawn.values[item.place]
         if np.isnan(value):
             return self._said(verdict.UNREAD if self.drawn.lines else verdict.MISSING, item)

@@ -137,17 +137,17 @@ class FigureAsked:
         """The places that are asked for."""
         return np.array([item.place for item in self.items], dtype=np.intp)
 
-    def off(self, drawn: Complexes, due: Complexes) -> Floats:
+    def off(self, drawn: Complexes, true: Complexes) -> Floats:
         """Give how far drawn values are from what they should be, true units; of a bearing across it."""
-        apart = drawn - due
+        apart = drawn - true
         if self.kind == ORDINATES:
             return np.asarray(np.abs((apart / self.way).real))
         if self.kind == LENGTHS:
-            return np.asarray(np.abs(np.abs(drawn) - np.abs(due)))
+            return np.asarray(np.abs(np.abs(drawn) - np.abs(true)))
         if self.kind == BEARINGS:
-            long = np.maximum(np.abs(due), np.finfo(float).tiny)
-            ahead = (drawn * due.conj()).real > 0
-            return np.asarray(np.where(ahead, np.abs((drawn * due.conj()).imag) / long, np.abs(drawn) + np.abs(due)))
+            long = np.maximum(np.abs(true), np.finfo(float).tiny)
+            ahead = (drawn * true.conj()).real > 0
+            return np.asarray(np.where(ahead, np.abs((drawn * true.conj()).imag) / long, np.abs(drawn) + np.abs(true)))
         return np.abs(apart)
 
     def allowed(self, slip: float, deviations: float) -> Floats:
@@ -276,5 +276,5 @@ def figures_asked(originals: Originals) -> tuple[FigureAsked, ...]:
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
     if row := CURVES.get(technique_of(sheet.kind)):
-        seen = originals.seen(sheet)
-        yield from named(row)(originals.study, SceneSheet(sheet.name, seen.leaf, seen.measured, originals.due(sheet)))
+        read = originals.seen(sheet)
+        yield from named(row)(originals.study, SceneSheet(sheet.name, read.leaf, read.measured, originals.due(sheet)))

@@ -187,7 +187,7 @@ def _moments(expected: Balanced) -> Iterator[Found]:
         for link in masses
     }
     vectors = list(expected.moments())
-    sides, corners = _laid(MOMENTS, vectors)
+    sides, corners = _spans(MOMENTS, vectors)
     for moment, side, found in zip(vectors, sides, corners, strict=True):
         wrong = (Slip(verdict.PRODUCT, moment.value * times, of) for of, times in slips[moment.name])
         yield Found(moment.name, side, found, slips=tuple(wrong))
@@ -199,7 +199,7 @@ def _moments(expected: Balanced) -> Iterator[Found]:
 def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
     """Give the vectors of main points to the common mass centre, the points of the links, and the counterweights."""
     vectors = list(expected.chain(state))
-    sides, corners = _laid(SCHEME + state, vectors)
+    sides, corners = _spans(SCHEME + state, vectors)
     board = Board(SCHEME + state)
     datum = board.given("O", 0j)
     for vector, side, found in zip(vectors, sides, corners, strict=True):
@@ -214,7 +214,7 @@ def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
         yield Found(name, Span(datum, board.given(name, place)), slips=(other,))
 
 
-def _laid(plan: str, vectors: Sequence[ChainVector]) -> tuple[list[Span], list[Span]]:
+def _spans(plan: str, vectors: Sequence[ChainVector]) -> tuple[list[Span], list[Span]]:
     """Lay vectors end to end as a student does; give each from nothing, and between its corners."""
     board = Board(plan)
     pole = board.given("0", 0j)

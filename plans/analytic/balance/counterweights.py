@@ -42,7 +42,7 @@ class Formal:
         self.columns = {link: k for k, link in enumerate((FRAME, *leaders))}
         self.size = len(self.columns) + len(mechanism.slides)
         self.origins = {FRAME: self._none()}
-        self.loops = list(self._laid())
+        self.loops = list(self._rows())
 
     def _none(self) -> Complexes:
         return np.zeros(self.size, dtype=np.complex128)
@@ -62,7 +62,7 @@ class Formal:
         link = self.mechanism.link_of(point)
         return self.place(link, self.mechanism.links[link].points[point])
 
-    def _laid(self) -> Iterator[Complexes]:
+    def _rows(self) -> Iterator[Complexes]:
         """Lay the links out joint by joint from the frame; what closes a loop gives its row."""
         waiting = list(_joints(self.mechanism))
         while waiting:
@@ -330,9 +330,9 @@ class Summed:
             found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
         sizes = ROUNDING * EPS * np.sum([mass * np.abs(row) for mass, row in borne], axis=0)
         off = [uncertain(weight, known.slack.get(weight.link, 0.0)) * np.abs(row) for weight, row in added]
-        return self._told(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
+        return self._found(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
 
-    def _told(self, known: FoundWeights, found: Complexes, slack: Floats) -> FoundWeights:
+    def _found(self, known: FoundWeights, found: Complexes, slack: Floats) -> FoundWeights:
         """Tell what is found; what rounding alone has left is nothing."""
         count, values = len(self.links), np.where(np.abs(found) <= slack + self.blurred, 0, found).tolist()
         moments = dict(zip(self.links, values, strict=False))

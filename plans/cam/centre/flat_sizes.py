@@ -57,7 +57,7 @@ def flat_sizing(course: FollowerCourse) -> Sizing:
         _smooth(course)
     start, _, along = axis(board)
     travel = course.at(positions(cam))
-    tip, end = _laid(board, start, (travel.s, travel.bend), "")
+    tip, end = _line(board, start, (travel.s, travel.bend), "")
     tangent = _fallen(board, cam, start)
     centre = _least(board, cam, along, tangent.line)
     sizes = CamSizes(-complex(centre.point).imag if cam.given.base is None else cam.given.base, cam.given.offset or 0.0)
@@ -72,7 +72,7 @@ def _fallen(board: Board, cam: Cam, start: Mark) -> SizeTangent:
     bound: Bound = FallBound(stretches(cam, {phase.kind for phase in cam.phases}))
     found = limit(bound, 0j).touch
     at = found.instant
-    point = _laid(board, start, (at.s[0], at.bend[0]), "1")[1]
+    point = _line(board, start, (at.s[0], at.bend[0]), "1")[1]
     direction = board.given("t_1", DOWN, because("cam_convex"))
     line = board.parallel("τ_1", point, direction, because("cam_ruler"))
     return SizeTangent(bound, found, point, direction, line, cam.given.base is None)
@@ -87,7 +87,7 @@ def _least(board: Board, cam: Cam, along: Mark, line: Mark) -> Mark:
     return least if base is None else board.given("O", -1j * base, because("cam_given_centre"))
 
 
-def _laid(board: Board, start: Mark, motion: tuple[Floats, Floats], name: str) -> tuple[Mark, Mark]:
+def _line(board: Board, start: Mark, motion: tuple[Floats, Floats], name: str) -> tuple[Mark, Mark]:
     low = f"_{name}" if name else ""
     s = board.given(f"S{low}", 1j * motion[0], because("cam_travel"))
     tip = board.lay_off(f"K{low}", start, s, because("cam_laid"))
