@@ -183,7 +183,7 @@ MILLIMETRES, TURN, DIGITS = 1000.0, 360.0, 5
 CHANGE = 0.05000001  # per cent: changes are told to a tenth
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's balanced mechanism."""
     balance, comparison = study.of(BalanceStudy), study.of(BalanceComparison)
     for leaf in leaves[:1]:

@@ -9,7 +9,7 @@ from typing import Final
 
 from drawings.balance import scheme
 from drawings.balance.costs import Nothing, costs, counterweights, nothing
-from drawings.balance.due import due
+from drawings.balance.due import expected
 from drawings.balance.graphs import ShakingHodograph, ShareGraph, curve, hodograph, reaction_letter
 from drawings.balance.report import notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
@@ -228,4 +228,4 @@ class _BalancingSheet:
 SCALES: Final = {"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"}
 FORM: Final = dict.fromkeys(SCALES, PLAN) | dict.fromkeys(("rocking", "moment", "share"), GRAPH)
 TABLES = ("costs", "counterweights")
-SHEETS: Final = {"balancing": SheetKind(leaves, due, SCALES, of_forces, figures=FORM, tables=TABLES)}
+SHEETS: Final = {"balancing": SheetKind(leaves, expected, SCALES, of_forces, figures=FORM, tables=TABLES)}

@@ -256,7 +256,7 @@ STATIONS, TURN, DIGITS = 12, 360.0, 5
 FAR = 1e-9  # of a place: both roads take it from one length and one angle
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's bank."""
     task, comparison = study.of(BankStudy).task, study.comparison("bank")
     sheet = _BankSheet(task, comparison, crank_of(study), drafting=drafting_of(study.scene))

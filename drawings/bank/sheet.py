@@ -12,7 +12,7 @@ import numpy as np
 from drawings.bank import compensators, shaft, star
 from drawings.bank.compensators import COUPLED, MASS, CompensatorLayout
 from drawings.bank.diagrams import ACTING, LEFT, ROCKING, STATIONS, TurnCurve, TurnGraph, polygon_room, polygons
-from drawings.bank.due import due
+from drawings.bank.due import expected
 from drawings.bank.report import ORDER_HEADS, BankNotes, crank_of, direction, order_rows, straight
 from drawings.bank.star import BankView
 from drawings.kinds import hodograph, polygon
@@ -209,4 +209,4 @@ SCALES: Final = {"star": "scheme", "shaft": "scheme", "order_forces-": "force", 
 PLANS = (*SCALES, "force_hodograph", "moment_hodograph")
 FORM: Final = dict.fromkeys(PLANS, PLAN) | dict.fromkeys(("force_graph", "moment_graph"), GRAPH)
 TABLES = ("orders", "compensators", "results")
-SHEETS: Final = {"bank": SheetKind(leaves, due, SCALES, figures=FORM, tables=TABLES)}
+SHEETS: Final = {"bank": SheetKind(leaves, expected, SCALES, figures=FORM, tables=TABLES)}

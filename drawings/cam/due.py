@@ -37,7 +37,7 @@ DIGITS = 5
 NEAREST = 1e-9  # of the largest value: chords that are exact but for the roundings of their steps
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam, or of the shaft of several."""
     name = subject(leaves[0])
     if name == EVERY:

@@ -201,7 +201,7 @@ def dwells(values: CamValues) -> list[tuple[Phase, float]]:
     return [*zip(resting, np.abs(made_curve(values.found, at)).tolist(), strict=True)]
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam."""
     values = numbers_of(study, leaves[0].metadata["cam"]).values
     cam, drafting, turns = values.cam, drafting_of(study.scene), stations(values.cam)

@@ -10,8 +10,8 @@ from typing import Any, Final, NamedTuple
 from drawings.cam import law_diagrams, law_frame, manufacturing, pressure_graph, size_diagram, size_view
 from drawings.cam import profile as profile_figure
 from drawings.cam.coordinates import enclosures
-from drawings.cam.due import due
-from drawings.cam.due_notes import due as workshop_due
+from drawings.cam.due import expected
+from drawings.cam.due_notes import expected as workshop_due
 from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
 from drawings.cam.notes import CamNotes
 from drawings.cam.pressure_graph import PressureView
@@ -223,7 +223,7 @@ SCALES, WORKSHOP = {"sizes": "cam", "profile": "cam"}, {manufacturing.PLAN: "cam
 FORM: Final = {"law-": GRAPH, "pressure": GRAPH, **dict.fromkeys(SCALES, PLAN)}
 COORDINATES = ("radii", "coordinates")
 SHEETS: Final = {
-    "cam": SheetKind(leaves, due, SCALES, of_cams, figures=FORM, tables=("sizes", "results")),
+    "cam": SheetKind(leaves, expected, SCALES, of_cams, figures=FORM, tables=("sizes", "results")),
     "profile": SheetKind(
         workshop_leaves, workshop_due, WORKSHOP, of_cams, enclosures=enclosures,
         figures=dict.fromkeys(WORKSHOP, PLAN), tables=COORDINATES,

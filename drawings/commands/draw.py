@@ -178,7 +178,7 @@ def _held(
     for path, sheet in held.items():
         groups.setdefault((sheets[path][0], subject(sheet.leaf)), {})[path] = sheet
     for (kind, _), group in groups.items():
-        expected = {row.key: row for row in sheet_kind(kind).due(study, [sheet.leaf for sheet in group.values()])}
+        expected = {row.key: row for row in sheet_kind(kind).expected(study, [sheet.leaf for sheet in group.values()])}
         wrong |= zip(group, verify.wrongs([*group.values()], expected, study.scene.sheet), strict=True)
         rows |= expected
     for path, sheet in held.items():

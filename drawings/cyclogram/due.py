@@ -30,7 +30,7 @@ ANGLES, LENGTHS, WHOLE = 1e-5, 1e-3, 360.0  # degrees and mm that both roads may
 INFINITE = "∞"
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's cyclogram."""
     found: Cyclogram = study.of(CyclogramComparison).analysis
     rows = machine_rows(found, study.of(CyclogramStudy).cams)

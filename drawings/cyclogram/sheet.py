@@ -8,7 +8,7 @@ from functools import partial
 from typing import Final
 
 from drawings.cyclogram import characteristic_plan
-from drawings.cyclogram.due import due
+from drawings.cyclogram.due import expected
 from drawings.cyclogram.notes import CyclogramNotes
 from drawings.kinds import bar_chart, circular_chart
 from drawings.kinds.bar_chart import Chart
@@ -105,4 +105,4 @@ def _table(comparison: CyclogramComparison, drafting: Drafting) -> Caption:
 
 FORM: Final = {"characteristic": FRAME, "bars": GRAPH, "circle": PLAN}
 SCALES: Final = {"characteristic": "length"}
-SHEETS: Final = {"cyclogram": SheetKind(leaves, due, SCALES, of_linkage, figures=FORM, tables=(NAME,))}
+SHEETS: Final = {"cyclogram": SheetKind(leaves, expected, SCALES, of_linkage, figures=FORM, tables=(NAME,))}

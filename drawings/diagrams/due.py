@@ -43,7 +43,7 @@ class ExpectedRow(NamedTuple):
     allowed: float  # what both roads may differ by
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give the graphs of the output, and its table, where a scene asks for them and they can be drawn."""
     comparison = study.comparison("diagrams") if study.of(DiagramsStudy).wanted else None
     if not isinstance(comparison, DiagramsComparison):

@@ -42,7 +42,7 @@ TIMES = (("2δ", 2.0), ("δ/2", 0.5))  # fluctuations beside the one that is ask
 METHODS = (("by Mertsalov", "mertsalov"), ("by Gutyar", "gutyar"), ("without δ²", "book"))
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's machine."""
     statics, comparison, drafting = study.of(Statics), study.of(DynamicsComparison), drafting_of(study.scene)
     strokes = statics.over(study.of(MotionComparison).road.extremes)

@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from drawings.dynamics import flywheel_sketch, plate, tachogram
-from drawings.dynamics.due import due
+from drawings.dynamics.due import expected
 from drawings.dynamics.graphs import DrawnStrips, strips
 from drawings.dynamics.plate import Plate, bare_speeds
 from drawings.dynamics.plate_frame import PlateFrame, working
@@ -328,4 +328,4 @@ SCALES: Final = {"flywheel_sketch": "wheel", "load_diagram-": "way"}
 GRAPHS = ("moments", "works", "surplus", "speeds", "inertia", "loop", "before", "tachogram", "load_diagram-")
 FORM: Final = dict.fromkeys(GRAPHS, GRAPH)
 TABLES = ("positions", "reduction", "results")
-SHEETS: Final = {"dynamics": SheetKind(leaves, due, SCALES, of_linkage, figures=FORM, tables=TABLES)}
+SHEETS: Final = {"dynamics": SheetKind(leaves, expected, SCALES, of_linkage, figures=FORM, tables=TABLES)}

@@ -143,7 +143,7 @@ LEAST = 0.5  # mm: a shorter arm, or distance along a guide, is a point on paper
 TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the force sheets of a scene."""
     comparison, statics = study.of(ForceComparison), study.of(Statics)
     shown = tuple(dict.fromkeys(int(leaf.metadata["position"]) for leaf in leaves))

@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 
 from drawings.forces import lever, load_diagram, loading_scheme, polygon
-from drawings.forces.due import due
+from drawings.forces.due import expected
 from drawings.forces.equations import LeverEquation, SheetEquations, forces_of_masses
 from drawings.forces.letters import LAID, force_letter, letter_of
 from drawings.forces.lever import of_arm
@@ -293,4 +293,4 @@ FORM: Final = {
     "balancing": GRAPH,
     "load_diagram-": GRAPH,
 }
-SHEETS: Final = {"forces": SheetKind(leaves, due, SCALES, of_forces, of_arm, figures=FORM, tables=("values",))}
+SHEETS: Final = {"forces": SheetKind(leaves, expected, SCALES, of_forces, of_arm, figures=FORM, tables=("values",))}

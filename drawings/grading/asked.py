@@ -175,7 +175,7 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
     for mark in originals.seen(sheet).measured.marks:
         figures.setdefault((mark.plan, mark.position), []).append(mark)
     record = _record(originals.study, sheet.kind, figures) if row is None else named(row)(originals.study, sheet.leaf)
-    expected = originals.due(sheet)
+    expected = originals.expected(sheet)
     for (plan, position), marks in figures.items():
         if position in record.plans.get(plan, ()):
             vectors = tuple(_asked(mark, record, expected, titles) for mark in marks)

@@ -36,12 +36,12 @@ VALUES = "values"  # the table of values
 TURNED = 1e-3  # rad: the resolution of the paper over an arrow
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's linkage."""
     linkage = _ExpectedMotion(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene), leaves)
     yield from chain(linkage.positions(), linkage.plans(), linkage.values(), linkage.notes())
     if any("diagrams" in leaf.metadata for leaf in leaves):
-        yield from diagrams.due(study, leaves)
+        yield from diagrams.expected(study, leaves)
 
 
 def measures(study: LinkageStudy, comparison: MotionComparison, drafting: Drafting) -> Iterator[Expected]:

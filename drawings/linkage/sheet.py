@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from drawings.linkage import kinematics, positions
-from drawings.linkage.due import due
+from drawings.linkage.due import expected
 from drawings.linkage.positions import of_linkage
 from drawings.sheets.kind import FRAME, GRAPH, PLAN, SheetKind
 
@@ -17,7 +17,7 @@ FORM: Final = {**SHOWN, "velocities-": PLAN, "accelerations-": PLAN} | {
 }
 SHEETS: Final = {
     "kinematics": SheetKind(
-        kinematics.leaves, due, {**POSITIONS, **MOTION}, of_linkage, figures=FORM, tables=("values", "output")
+        kinematics.leaves, expected, {**POSITIONS, **MOTION}, of_linkage, figures=FORM, tables=("values", "output")
     ),
-    "positions": SheetKind(positions.leaves, due, POSITIONS, of_linkage, figures=SHOWN),
+    "positions": SheetKind(positions.leaves, expected, POSITIONS, of_linkage, figures=SHOWN),
 }

@@ -96,12 +96,12 @@ class Originals:
             self._sheets[sheet.name] = see(self.drawn(sheet))
         return self._sheets[sheet.name]
 
-    def due(self, sheet: Original) -> Mapping[Key, Expected]:
+    def expected(self, sheet: Original) -> Mapping[Key, Expected]:
         """Give what must stand on a sheet and those of its kind that are of the same subject, by the analysis."""
         of = sheet.kind, subject(sheet.leaf)
         if of not in self._expected:
             leaves = [original.leaf for original in self.sheets if (original.kind, subject(original.leaf)) == of]
-            self._expected[of] = {row.key: row for row in sheet_kind(sheet.kind).due(self.study, leaves)}
+            self._expected[of] = {row.key: row for row in sheet_kind(sheet.kind).expected(self.study, leaves)}
         return self._expected[of]
 
     def wrongs(self, sheet: Original, drawn: SeenSheet) -> list[Wrong]:
@@ -110,7 +110,7 @@ class Originals:
         What is there as it must be is taken with all its digits, as it was laid out before it was rounded.
         """
         only = stated_keys(sheet.leaf)
-        return [*verify.measured_wrongs(drawn.measured, self._left(sheet, drawn), self.due(sheet), only)]
+        return [*verify.measured_wrongs(drawn.measured, self._left(sheet, drawn), self.expected(sheet), only)]
 
     def _left(self, sheet: Original, drawn: SeenSheet) -> Leaf:
         """Give what is left of a sheet as it was laid out on a written one: the strokes that are still there."""

@@ -31,7 +31,7 @@ FAR = 1e-9  # of a place: both roads take it from one radius and one angle
 Known = tuple[float, float]  # a value, and how far rounding can have moved it
 
 
-def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's rotor."""
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
     table = _ExpectedRotor(study.of(RotorStudy).rotor, comparison, drafting)

@@ -17,7 +17,7 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Group, Leaf
 from drawings.report.report import agreed
 from drawings.rotor import across, along
-from drawings.rotor.due import due
+from drawings.rotor.due import expected
 from drawings.rotor.polygon import RotorView, rotor_view
 from drawings.rotor.polygon import polygon as rotor_polygon
 from drawings.rotor.report import RotorNotes
@@ -155,4 +155,4 @@ def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[
 
 SCALES: Final = {"across": "rotor", "along": "rotor", "unbalances": "unbalance", "couples": "couple"}
 FORM: Final = dict.fromkeys(SCALES, PLAN)
-SHEETS: Final = {"rotor": SheetKind(leaves, due, SCALES, figures=FORM, tables=(MASSES, RESULTS))}
+SHEETS: Final = {"rotor": SheetKind(leaves, expected, SCALES, figures=FORM, tables=(MASSES, RESULTS))}

@@ -29,7 +29,7 @@ class SheetKind(NamedTuple):
     """
 
     leaves: Callable[[Study], Sequence[Leaf]]  # lays out the leaves, one or several
-    due: Callable[[Study, Sequence[Leaf]], Iterable[Expected]]  # what must stand on them, by the analysis
+    expected: Callable[[Study, Sequence[Leaf]], Iterable[Expected]]  # what must stand on them, by the analysis
     scales: Mapping[str, str] = NOTHING  # how names of figures begin, and their keys of [sheet.scale]
     admit: Callable[[Scene], None] = lambda scene: None  # refuses what the sheet cannot show, before any work
     # What a letter that the sheet alone gives is on the record of a position; nothing where it is none.

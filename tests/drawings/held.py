@@ -27,7 +27,7 @@ def faults_on(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[str]:
 def wrongs(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[Wrong]:
     """List what is wrong with the bound leaves of one kind."""
     sheet, written = study.scene.sheet, [seen(leaf) for leaf in leaves]
-    due = {row.key: row for row in sheet_kind(kind).due(study, leaves)}
+    due = {row.key: row for row in sheet_kind(kind).expected(study, leaves)}
     scales = (verify.scale_wrongs(one, sheet_kind(kind).scales, sheet) for one in written)
     return [*chain(*verify.wrongs(written, due, sheet), *scales)]
 

@@ -132,7 +132,7 @@ def close(row: Expected) -> bool:
 def test_what_is_altered_is_told(path: Path) -> None:
     study, tried = Study(read_scene(path)), []
     for kind, leaves in leaves_of(study).items():
-        due = {row.key: row for row in sheet_kind(kind).due(study, leaves)}
+        due = {row.key: row for row in sheet_kind(kind).expected(study, leaves)}
         for leaf in leaves:
             own = [*chosen(leaf, due)]
             others = {id(group): other for _, group, other in own}

@@ -115,13 +115,13 @@ def test_a_tolerance_is_a_share_of_the_largest() -> None:
 def test_a_vector_is_held_to_what_is_due(monkeypatch: pytest.MonkeyPatch) -> None:
     own = task("slider-crank")
     plan = own.plan("velocities", 2)
-    real, key = Originals.due, (Kind.VECTOR, "velocities", "p b", 2)
+    real, key = Originals.expected, (Kind.VECTOR, "velocities", "p b", 2)
 
     def due(originals: Originals, sheet: Original) -> Mapping[Key, Expected]:
         rows = real(originals, sheet)
         return {**rows, key: rows[key]._replace(value=2 * rows[key].vector)} if key in rows else rows
 
-    monkeypatch.setattr(Originals, "due", due)
+    monkeypatch.setattr(Originals, "expected", due)
     asked = next(one for one in plans_asked(own.originals) if one.place == plan.place)
     told = [(one.name, one.true / two.true) for one, two in zip(asked.vectors, plan.vectors, strict=True)]
     assert [(name, round(abs(times), 6)) for name, times in told if abs(times - 1) > 1e-6] == [("v_B", 2.0)]

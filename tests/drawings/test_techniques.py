@@ -74,7 +74,7 @@ def test_its_marks_are_explained_and_others_are_refused_with_examples(shown: Sho
 
 
 def test_its_sheet_its_report_its_form_and_its_bench_are_there(shown: Shown) -> None:
-    assert shown.leaves and any(sheet_kind(shown.sheet).due(shown.study, shown.leaves))
+    assert shown.leaves and any(sheet_kind(shown.sheet).expected(shown.study, shown.leaves))
     leaves: Mapping[str, Sequence[Leaf]] = {shown.sheet: shown.leaves}
     assert any(report_of(shown.technique).chapters(shown.study, leaves))
     assert sheet_kind(shown.sheet).figures and sheet_kind(shown.sheet).tables

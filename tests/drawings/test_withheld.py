@@ -19,7 +19,7 @@ from drawings.files.manifest import read_manifest
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Fill, Group, Leaf, LineStyle, Text
 from drawings.redrawn import originals
-from drawings.rotor.due import due as due_of_rotor
+from drawings.rotor.due import expected as due_of_rotor
 from drawings.rotor.sheet import SHEETS
 from plans.rotor import quantities
 from tests.drawings.bank_scenes import scene
@@ -56,7 +56,7 @@ def wrong_due(kind: Kind) -> Callable[..., Iterator[Any]]:
 def test_one_wrong_sheet_is_withheld_and_the_other_is_written(
     kind: Kind, both: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(SHEETS, "rotor", SHEETS["rotor"]._replace(due=wrong_due(kind)))
+    monkeypatch.setitem(SHEETS, "rotor", SHEETS["rotor"]._replace(expected=wrong_due(kind)))
     out = both.parent / "out"
     code, said, err = run("draw", both, "-o", out)
     assert code == 5
@@ -68,7 +68,7 @@ def test_one_wrong_sheet_is_withheld_and_the_other_is_written(
 
 
 def test_where_no_sheet_is_right_nothing_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(SHEETS, "rotor", SHEETS["rotor"]._replace(due=wrong_due(Kind.VECTOR)))
+    monkeypatch.setitem(SHEETS, "rotor", SHEETS["rotor"]._replace(expected=wrong_due(Kind.VECTOR)))
     with pytest.raises(SelfCheckFailed) as told:
         draw(GALLERY / "fan.toml", tmp_path)
     assert told.value.exit_code == 5

@@ -124,7 +124,7 @@ class _Cell(NamedTuple):
     """A cell of our own: how it is written, what is due in it, the sheet that it stands on."""
 
     plain: str
-    due: Expected
+    expected: Expected
     sheet: Original
 
 
@@ -146,7 +146,7 @@ def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
 
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _TablePart]]:
-    leaf, expected = plain(sheet.leaf, sheet.leaf.lettering), originals.due(sheet)
+    leaf, expected = plain(sheet.leaf, sheet.leaf.lettering), originals.expected(sheet)
     bands = (
         (table_of(sheet.kind, group.name), next(texts((group,)), None)) for group in groups(leaf.groups) if group.name
     )
@@ -241,7 +241,7 @@ class _Own:
 
     def _value(self, key: Key) -> float | None:
         """Give the number that is due in a cell; of a text, and of what rounding decides, none."""
-        row = self.cells[key].due if key in self.cells else None
+        row = self.cells[key].expected if key in self.cells else None
         if row is None or not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
             return None
         return abs(row.value) if isinstance(row.value, complex) else float(row.value)

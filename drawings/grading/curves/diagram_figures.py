@@ -228,7 +228,7 @@ def figures_of_cyclogram(study: Study, sheet: SceneSheet) -> Iterator[FigureAske
 def bars(sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the bars of a cyclogram's rows."""
     marks = {vector.name: vector for vector in sheet.measured.vectors if vector.plan == BARS}
-    true = {row.name: row.vector for row in sheet.due.values() if row.figure == BARS and row.name in marks}
+    true = {row.name: row.vector for row in sheet.expected.values() if row.figure == BARS and row.name in marks}
     places = {(name, None): k for k, name in enumerate(true)}
     paper, mistakes = sheet.ruled(BARS, np.array([marks[name].start for name in true])), tuple(_exchanged(true))
     yield from sheet.figure(

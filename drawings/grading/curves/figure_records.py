@@ -169,7 +169,7 @@ class SceneSheet(NamedTuple):
     name: str
     leaf: Leaf
     measured: Measured
-    due: Mapping[Key, Expected]
+    expected: Mapping[Key, Expected]
 
     def marks(self, plan: str) -> dict[Place, MeasuredVector | MeasuredPoint]:
         """Give the marks of a plan by their names and positions."""
@@ -190,7 +190,7 @@ class SceneSheet(NamedTuple):
             places = {place: k for k, place in enumerate(shown)}
         values = np.zeros(len(shown), dtype=np.complex128) if true is None else true.copy()
         for place, mark in shown.items():
-            row = self.due.get((MARKS[type(mark)], plan, *place))
+            row = self.expected.get((MARKS[type(mark)], plan, *place))
             if row is not None and (true is None or how.get("kind") not in SIZED) and math.isfinite(row.allowed):
                 values[places[place]] = row.vector
         first = next(iter(shown.values()))
@@ -277,4 +277,6 @@ def figures_asked(originals: Originals) -> tuple[FigureAsked, ...]:
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
     if row := CURVES.get(technique_of(sheet.kind)):
         read = originals.seen(sheet)
-        yield from named(row)(originals.study, SceneSheet(sheet.name, read.leaf, read.measured, originals.due(sheet)))
+        yield from named(row)(
+            originals.study, SceneSheet(sheet.name, read.leaf, read.measured, originals.expected(sheet))
+        )
