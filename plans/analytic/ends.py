@@ -159,13 +159,13 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
     """Say why a march ended, and where its singular position lies."""
     last = way[-1]
     block = blocks[_failing(blocks, way)]
+    if block.linear:
+        return Halt(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL_GUIDES, sense)
     loss = _loss(constraints, block, last)
     if loss.share <= np.sqrt(loss.faint):
         singular = _crossing(block, blocks, way)
         loose = _place(block, blocks) if _loose(block, last, loss) else None
         return Halt(last.phi, singular, CHANGE_POINT, sense, loose=loose)
-    if block.linear:
-        return Halt(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL_GUIDES, sense)
     fold = _fold(constraints, last, sense)
     if fold is None:
         return Halt(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)

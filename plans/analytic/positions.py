@@ -201,7 +201,9 @@ def _at_parallel(found: Positions, shape: Closure, turn: Marched, end: Halt, pla
         poses, reached = close(shape.constraints, guess, found.phi[[k]])
         if left >= UNBORNE and reached[0] and _same(shape, turn.near(end.reached), poses[0]):
             found.poses[k], found.regular[k] = wrapped(poses)[0], True
-        elif abs(left) < UNBORNE or not far(poses)[0] < INFINITE:  # the march knows their angle not to its last digits
+        elif abs(left) < UNBORNE or not (
+            reached[0] and far(poses)[0] < INFINITE
+        ):  # the march knows their angle not to its last digits
             found.miss(k, "positions", PARALLEL_GUIDES, end)
 
 
