@@ -102,7 +102,8 @@ class _TableOfRun:
         goal = goal_of(self.motor, self.task, resisting)
         if goal is None or start.epsilon <= 0:
             self.rows.append(start)
-            return self._fails(RUN_UP, TOO_WEAK, resisting)
+            at_start = self.motor.moment(0.0) - start.epsilon * self.link.inertia(0.0)  # of loads and weights
+            return self._fails(RUN_UP, TOO_WEAK, max(resisting, at_start))
         part = by_acceleration(acting, start, self.step, Ends(TURNS_MOST * TURN, self._left, goal))
         self._append(RUN_UP, acting, [part])
         return self._ended(RUN_UP, part, goal)

@@ -102,6 +102,17 @@ def test_weights_of_a_run_work_by_how_far_they_fall_and_use_nothing(by: str, off
     assert run["steady"]["works"]["useful"] == pytest.approx(360, rel=off)
 
 
+@pytest.mark.parametrize("by", ["construction", "analysis"])
+def test_a_motor_that_cannot_lift_the_weights_at_the_start_is_told_their_moment(by: str) -> None:
+    motor = f"{ASKED}\nmotor = {{ starting = 3, synchronous = 14 }}\nrun = {{ turns = 1 }}"
+    told = numbers(Study(parse_scene(text("[loads]\ngravity = 9.81\n", asked=motor)), ["run"]), by).plain()
+    failure = told["dynamics"]["run"]["failure"]
+    assert (failure["reason"], failure["limit"]) == (
+        "too_weak",
+        pytest.approx(9.81 * (3 * 0.04 + 4 * 0.0625), rel=1e-6),
+    )
+
+
 def test_machine_that_drives() -> None:
     """I4: a force along the motion gives more than it takes: the moment that keeps the motion steady is a brake's."""
     pushed = PLANING.replace("value = 2000", "value = -2000")

@@ -45,6 +45,7 @@ from plans.model.run import (
     Stage,
     SteadyTurn,
     bears,
+    beyond,
     goal_of,
     stiffness_of,
 )
@@ -128,9 +129,10 @@ class _GrowingRun:
         return self.legs[-1].end if self.legs else AT_REST
 
     def _runs_up(self) -> bool:
-        goal = goal_of(self.motor, self.task, self.mean if self.task.loaded else 0.0)
-        if goal is None or self.equation.between(0.0, None).epsilon(0.0, 0.0) <= 0:
-            return self._fails(RUN_UP, TOO_WEAK, self.mean)
+        resisting = self.mean if self.task.loaded else 0.0
+        goal, start = goal_of(self.motor, self.task, resisting), self.equation.moments(beyond(0.0), 0.0)
+        if goal is None or sum(start) <= 0:
+            return self._fails(RUN_UP, TOO_WEAK, max(resisting, -sum(start[1:])))
         leg = self.solver.leg(self.equation, AT_REST, LegEnds(TURNS_MOST * TURN, goal))
         self._append(RUN_UP, AT_REST, [leg])
         if leg.reason == STOP:
