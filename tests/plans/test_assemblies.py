@@ -23,6 +23,7 @@ from plans.study import Study
 from tests import parts
 from tests.plans import linkages
 from tests.plans.digits import printed
+from tests.plans.dynamics_scenes import text
 from tests.plans.scenes import scene
 from tests.plans.studies import driven, shown, study_of
 
@@ -179,14 +180,14 @@ def test_a_block_is_as_sharp_as_the_notch_of_its_group(make: Callable[[], Mechan
 )
 def test_a_pin_in_a_slot_of_the_crank_and_on_a_guide_is_where_they_cross(start: int, tilt: int, left: float) -> None:
     """Nowhere where the crank goes along the guide, which no start is possible at, and not beyond."""
-    text = scene(
+    told = scene(
         frame="O = [0, 0]",
         links="OA B B",
         lengths="OA = 0.1",
         slides=['link = 2; along = "OA"', f"link = 3; along = {{ through = [{left}, 0.3], angle = {tilt} }}"],
         drive=f"link = 1; speed = 5; start = {start}; positions = 12",
     )
-    study = LinkageStudy(parse_scene(text))
+    study = LinkageStudy(parse_scene(told))
     roads, parallel = (
         [solve(study.mechanism, study.turn.phi)],
         {k for k in range(12) if not (start + 30 * k - tilt) % 180},
@@ -210,7 +211,7 @@ def test_a_pin_in_a_slot_of_the_crank_and_on_a_guide_is_where_they_cross(start: 
 def test_a_hinge_of_three_links_is_where_the_sketch_has_it_however_they_are_numbered(numbers: tuple[int, ...]) -> None:
     """A slider-crank with a triangle on its rod: four assemblies. Sketched within 3 mm, by either road it is so."""
     crank, rod, stone, first, second = numbers
-    text = scene(
+    told = scene(
         frame="O = [-0.059, -0.084]; A = [-0.14, -0.038]; B = [-0.16, -0.027]",
         links=f'{crank} = "OC"; {rod} = "CD"; {stone} = ["D"]; {first} = "EC"; {second} = "DE"',
         lengths="CO = 0.0078; DC = 0.061; CE = 0.031; DE = 0.052",
@@ -220,10 +221,20 @@ def test_a_hinge_of_three_links_is_where_the_sketch_has_it_however_they_are_numb
         loads="gravity = 9.81",
         drive=f"link = {crank}; speed = 1.1; positions = 4; start = 140",
     )
-    study = Study.of_all(parse_scene(text))
+    study = Study.of_all(parse_scene(told))
     for by in ("construction", "analysis"):
-        told = study.numbers("linkage", by).plain()["points"]
-        C, D, E = (complex(*told[name]["r"][0]) for name in "CDE")
+        points = study.numbers("linkage", by).plain()["points"]
+        C, D, E = (complex(*points[name]["r"][0]) for name in "CDE")
         assert abs(D + 0.12 + 0.051j) < 3e-3 > abs(E + 0.068 + 0.046j)
         assert (abs(C - D), abs(C - E), abs(D - E)) == pytest.approx((0.061, 0.031, 0.052), abs=1e-12)
     assert study.comparison("forces").agrees
+
+
+@pytest.mark.parametrize("by", ["construction", "analysis"])
+def test_numbers_of_two_assemblies_are_refused(monkeypatch: pytest.MonkeyPatch, by: str) -> None:
+    def other(study: LinkageStudy) -> Analysis:
+        return Analysis(replace(study.mechanism, sketch={"B": -0.3 + 0j}))
+
+    monkeypatch.setattr("plans.linkage.quantities.road_of", other)
+    with pytest.raises(SketchError, match=r"mechanism in two ways \(they differ in B\); show more points"):
+        Study(parse_scene(text()), ["positions"]).numbers("linkage", by)
