@@ -83,7 +83,7 @@ class Balanced:
         return self.balance.before.whole
 
     @cached_property
-    def told(self) -> frozenset[int]:
+    def stated(self) -> frozenset[int]:
         """The positions that the graphs must tell."""
         count = len(self.balance.before.centre.phi)
         every = 1 if count <= ROOMY else math.ceil(count / FEW)
@@ -227,7 +227,7 @@ class _BalanceSheet(Balanced):
             if machine.shaking > self.none.force:
                 known = ((k, complex(value)) for k, value in enumerate(machine.centre.force) if cmath.isfinite(value))
                 for k, value in known:
-                    lacks = k not in self.told or _spread(machine) < largest
+                    lacks = k not in self.stated or _spread(machine) < largest
                     yield Expected(Kind.POINT, SHAKING, f"{state} {k}", value, slack, k, lacks)
                 value = complex(machine.centre.force[self.shown])
                 if cmath.isfinite(value):

@@ -32,10 +32,10 @@ from plans.model.motion import Complexes, Floats
 ROOMY = 3 * MANY  # positions that all have room
 
 
-def told(count: int, shown: int) -> tuple[int, ...]:
+def numbered(count: int, shown: int) -> tuple[int, ...]:
     """Choose the positions that are told.
 
-    >>> told(12, 2) == tuple(range(12)), told(72, 1)[:4]
+    >>> numbered(12, 2) == tuple(range(12)), numbered(72, 1)[:4]
     (True, (0, 1, 6, 12))
     """
     every = 1 if count <= ROOMY else math.ceil(count / MANY)
@@ -60,7 +60,7 @@ class MainVector(NamedTuple):
         known = self.values[~np.isnan(self.values.real)]
         return max((float(np.ptp(row)) for row in (known.real, known.imag)), default=0.0) if known.size else 0.0
 
-    def told(self, place: Place) -> bool:
+    def lettered(self, place: Place) -> bool:
         """Whether its positions bear numbers: their ends lie apart."""
         return place.length(self.spread) >= NUMBERED
 
@@ -101,7 +101,7 @@ class ShakingHodograph(NamedTuple):
             lines += _ends(vector, subject, place, hand)
             if place.length(abs(end)) > LEAST:  # not of a gap either
                 named.append(letter_beside(vector_letter(vector.state), end, place, hand))
-            if vector.told(place):
+            if vector.lettered(place):
                 numbers += outward(vector.ends, np.flatnonzero(~np.isnan(vector.ends.real)).tolist(), place, hand)
         lines.append(pole_of(subject, place))
         return Part(SHAKING, tuple(lines), (pole_letter(place, hand), *named, *numbers))
@@ -117,7 +117,7 @@ def hodograph(states: Mapping[str, State], shown: int, nothing: float, whole: bo
 def _ends_of(state: State, shown: int) -> Complexes:
     """Give the main vectors at the positions that are told."""
     force = state.centre.force
-    kept = np.isin(np.arange(len(force)), told(len(force), shown))
+    kept = np.isin(np.arange(len(force)), numbered(len(force), shown))
     return np.where(kept, force, np.nan + 0j)
 
 
@@ -138,7 +138,7 @@ def _ends(vector: MainVector, subject: Subject, place: Place, hand: Hand) -> Ite
         if not math.isnan(value.real):
             dot = Circle(place.on(value), END * hand.symbol, INK)
             data = subject._replace(position=k).data("point", f"{vector.state} {k}", value, place.scale)
-            yield Group((dot,), "", data, str(k)) if vector.told(place) else dot
+            yield Group((dot,), "", data, str(k)) if vector.lettered(place) else dot
 
 
 ROCKING = "rocking"
@@ -154,7 +154,7 @@ def curve(
     first, last = next(iter(states.values())), list(states.values())[-1]
     if max(first.rocking, last.rocking) <= least or len(last.centre.phi) < 2:
         return None
-    numbers = told(len(last.centre.phi), shown)
+    numbers = numbered(len(last.centre.phi), shown)
     stations = np.degrees(sense * (last.centre.phi - last.centre.phi[0]))[list(numbers)] % TURN
     ordinates, title = _visible(last.centre.moment, least)[list(numbers)], drafting.word("rocking graph", point=point)
     bare = GraphCurve(MOMENT, "N*m", np.array([0.0, TURN]), np.full(2, np.nan), stations, ordinates, title)

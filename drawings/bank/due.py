@@ -139,13 +139,13 @@ class Bank:
         return not (asked or single.vanishes or most >= least)
 
     @property
-    def seen(self) -> Mapping[int, Harmonic]:
+    def drawn_orders(self) -> Mapping[int, Harmonic]:
         """The orders of one mechanism that are to be drawn."""
         return {order: harmonic for order, harmonic in self.analysis.single.items() if not self.slight(order)}
 
     def polygons(self) -> Iterator[OrderPolygon]:
         """Give the polygons of several vectors: with the crank, and against it where that is no mirror image."""
-        for order, single in self.seen.items():
+        for order, single in self.drawn_orders.items():
             for kind in (FORCE, MOMENT):
                 for signed in (order, -order):
                     alone = signed < 0 and self.alone(order)

@@ -105,13 +105,13 @@ def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
 
 def tall(shown: BankView) -> tuple[float, float]:
     """Give how far cranks, and guides that go past them, reach over the shaft and under it, m."""
-    down = any(seen(shown, shown.crank_at(member)) < 0 or _under(shown, member) for member in shown.members)
+    down = any(outlook(shown, shown.crank_at(member)) < 0 or _under(shown, member) for member in shown.members)
     return shown.crank, shown.crank if down else 0.0
 
 
 def _under(shown: BankView, member: Member) -> bool:
     """Tell whether the axis of a guide goes down from the shaft."""
-    return seen(shown, shown.guide_at(member)) < -NEAR
+    return outlook(shown, shown.guide_at(member)) < -NEAR
 
 
 def _datum(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -121,7 +121,7 @@ def _datum(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
     yield Line(down - past, up + past, fit(hand.extreme, abs(up - down) + 2 * abs(past)))
 
 
-def seen(shown: BankView, way: complex) -> float:
+def outlook(shown: BankView, way: complex) -> float:
     """Give how much of a direction is seen across: its share along the reference guide."""
     return (way * shown.turn.conjugate()).real
 
@@ -129,7 +129,7 @@ def seen(shown: BankView, way: complex) -> float:
 def _throw(shown: BankView, member: Member, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw a crank between its webs, to scale, or its pin alone where it points to the eye."""
     middle, half = place.on(complex(float(member.place))), WEB * hand.symbol
-    high = 1j * place.length(shown.crank) * seen(shown, shown.crank_at(member))
+    high = 1j * place.length(shown.crank) * outlook(shown, shown.crank_at(member))
     if abs(high) <= NEAR:
         yield Circle(middle, PIN * hand.symbol, hand.body)
         return

@@ -91,7 +91,7 @@ def errors(drawn: Drawn, read: Callable[[hold.Seen, Mapping[Any, Expected]], Pai
     for kind, leaf, sheet in drawn.sheets:
         alike = [page for other, page, _ in drawn.sheets if other == kind and subject(page) == subject(leaf)]
         expected = {row.key: row for row in sheet_kind(kind).expected(drawn.study, alike)}
-        readings = [*read(hold.seen(sheet.measured, leaf), expected)]
+        readings = [*read(hold.readings(sheet.measured, leaf), expected)]
         most: dict[str, float] = {}
         for _, whole, _, size in readings:
             most[whole] = max(most.get(whole, 0.0), size)

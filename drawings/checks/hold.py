@@ -31,7 +31,7 @@ LOOKED, STRIDE = 360, 16  # places of a path that are looked at; of its lines th
 MARKS = {"vector": Kind.VECTOR, "point": Kind.POINT, "profile": Kind.CURVE}
 
 
-def seen(measured: Measured, leaf: Leaf) -> Seen:
+def readings(measured: Measured, leaf: Leaf) -> Seen:
     """Read all that a sheet states: its marks as they were measured, all else off the ink that states it."""
     found: dict[Key, list[Read]] = {}
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
@@ -76,10 +76,10 @@ def faults(read: Seen, rows: Mapping[Key, Expected], only: Collection[Key] = ())
     for key, found in read.items():
         row = rows.get(key)
         if row is None:
-            yield told("stranger_on", key)
+            yield wrong("stranger_on", key)
         else:
-            yield from (told("differs_on", key) for reading in found if not holds(reading, row))
-    yield from (told("missing_on", key) for key in only if key not in read and key in rows and not rows[key].may_lack)
+            yield from (wrong("differs_on", key) for reading in found if not holds(reading, row))
+    yield from (wrong("missing_on", key) for key in only if key not in read and key in rows and not rows[key].may_lack)
 
 
 def phrase_faults(lines: Iterable[str], expected: Mapping[Key, Expected]) -> Iterator[Wrong]:
@@ -91,10 +91,10 @@ def phrase_faults(lines: Iterable[str], expected: Mapping[Key, Expected]) -> Ite
         for name, text in read_back(template_of(line), line, markup=False) or [(line, "")]:
             row = expected.get((Kind.PHRASE, NOTES, name, None))
             if name == line or (row is not None and not holds(Read(text), row)):
-                yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
+                yield wrong("differs_on", (Kind.PHRASE, NOTES, name, None))
 
 
-def told(how: str, key: Key) -> Wrong:
+def wrong(how: str, key: Key) -> Wrong:
     """Say what is wrong with a statement."""
     _, figure, name, position = key
     return on(how, figure, name=name if position is None else f"{name} ({position})")

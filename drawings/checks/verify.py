@@ -62,7 +62,7 @@ def wrongs(sheets: Sequence[WrittenSheet], expected: Mapping[Key, Expected], she
     for row in lost:
         bearing = [k for k, keys in enumerate(stated) if any(key[1] == row.figure for key in keys)]
         for k in bearing or [0]:
-            faults[k].append(hold.told("missing_on", row.key))
+            faults[k].append(hold.wrong("missing_on", row.key))
     return faults
 
 
@@ -80,7 +80,7 @@ def measured_wrongs(
 ) -> Iterator[Wrong]:
     """List what a measured sheet states otherwise than the analysis; of `only` some none may lack."""
     yield from (on("on", miss.key.plan, name=miss.key.name) for miss in check(measured))
-    yield from hold.faults(hold.seen(measured, leaf), expected, frozenset(only))
+    yield from hold.faults(hold.readings(measured, leaf), expected, frozenset(only))
     yield from unlettered(leaf, {key: row.letter for key, row in expected.items()})
     yield from marked_scales(leaf)
 

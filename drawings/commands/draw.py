@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
     for path in _earlier(sheets, options.output):
         _say(study.scene, placed(path, message("file.earlier")))
     if options.trace:
-        tell(trace.told(study))
+        tell(trace.stated(study))
     warnings = (*remarks(study), *sheets.told)
     for line in (*warnings, *sheets.withheld):
         _say(study.scene, line)
@@ -89,7 +89,7 @@ def drawn(path: Path, folder: Path, trace: TracedMark) -> SheetSet:
         noted(study)
         admit(study.scene)
     with output_folder(folder) as left:
-        for fault in chain(left.told(folder), _strangers(study.scene, folder)):
+        for fault in chain(left.faults(folder), _strangers(study.scene, folder)):
             _say(study.scene, fault)
         return _of_study(study, folder, trace)
 

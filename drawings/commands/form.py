@@ -38,7 +38,7 @@ def form(path: Path, folder: Path, language: str | None = None) -> tuple[Path, .
     noted(study)
     admit(study.scene)
     with output_folder(folder) as left:
-        for fault in left.told(folder):
+        for fault in left.faults(folder):
             tell(fault.worded(study.scene.sheet.language))
         return _written(study, _leaves(study), folder)
 

@@ -68,7 +68,7 @@ def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[M
     from drawings.redrawn.originals import Originals  # only a scene that is given has its sheets laid out
 
     originals = Originals(options.scene)
-    must = [originals.seen(sheet).measured for sheet in originals.of(options.sheet.name, measured.metadata)]
+    must = [originals.read_back(sheet).measured for sheet in originals.of(options.sheet.name, measured.metadata)]
     drawn = {mark.key for mark in _all(measured)}
     right = max(must, key=lambda redrawn: len(drawn & {mark.key for mark in _all(redrawn)}))
     stated = {mark.key: mark.stated for mark in right.marks}

@@ -30,5 +30,5 @@ def run(options: argparse.Namespace) -> int:
             data |= numbers.plain()
         print_json(data)
     if options.trace:
-        tell(trace.told(study))
+        tell(trace.stated(study))
     return GAPS if any(numbers.flawed for numbers in found) else 0

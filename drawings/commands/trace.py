@@ -41,7 +41,7 @@ class TracedMark:
         finally:
             self.stages[name] = self.stages.get(name, 0.0) + time.perf_counter() - began
 
-    def told(self, study: Study) -> str:
+    def stated(self, study: Study) -> str:
         """Tell the stages, the plans made and not made, the libraries imported and left out."""
         say = partial(word, study.scene.sheet.language)
         plans = [plan for row in study.rows for plan in row.plans]

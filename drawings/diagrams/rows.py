@@ -15,7 +15,7 @@ from drawings.kinds.axes import OVER, UNDER, Letter, Part, Parts, Plot
 from drawings.kinds.graph import Graph
 from drawings.kinds.row_frame import Proportions, RowFrame, RowPlate
 from drawings.kinds.smooth import smooth
-from drawings.kinds.working import SCALES, Workings, told
+from drawings.kinds.working import SCALES, Workings, amount
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.extent import every, spaced
 from drawings.lettering.lettering import text_width
@@ -367,25 +367,25 @@ def _lines(plate: DiagramsPlate, spot: Spot | None) -> Iterator[tuple[str, ...]]
 def _time(plate: DiagramsPlate, mu: float) -> tuple[str, ...]:
     """Write the scale of time by that of the crank angle, rad/mm."""
     drafting, letter = plate.drafting, f"ω_{{{plate.diagrams.linkage.mechanism.drive.link}}}"
-    omega, (s, mm) = told(plate.omega, drafting), map(drafting.word, ("s", "mm"))
+    omega, (s, mm) = amount(plate.omega, drafting), map(drafting.word, ("s", "mm"))
     if drafting.notation == "K":
         return (
             f"K_t = K_φ·{letter}",
-            f"{told(1 / mu, drafting)}·{omega}",
-            f"{told(plate.omega / mu, drafting)} {mm}/{s}",
+            f"{amount(1 / mu, drafting)}·{omega}",
+            f"{amount(plate.omega / mu, drafting)} {mm}/{s}",
         )
-    return f"μ_t = μ_φ/{letter}", f"{told(mu, drafting)}/{omega}", f"{told(mu / plate.omega, drafting)} {s}/{mm}"
+    return f"μ_t = μ_φ/{letter}", f"{amount(mu, drafting)}/{omega}", f"{amount(mu / plate.omega, drafting)} {s}/{mm}"
 
 
 def _pole(above: DiagramRow, row: DiagramRow, plate: DiagramsPlate, frame: DiagramsFrame | None) -> tuple[str, ...]:
     """Write a pole distance by the scales of its row, of the row above it, and of time."""
     drafting, (high, low) = plate.drafting, (f"{{{number.letter}}}" for number in (above, row))
     first, second, time, distance = _working_numbers(above, row, frame)
-    result = f"{plate.pole_letters(row)[1]} = ", f"{told(distance, drafting)} {drafting.word('mm')}"
+    result = f"{plate.pole_letters(row)[1]} = ", f"{amount(distance, drafting)} {drafting.word('mm')}"
     if drafting.notation == "K":
-        lower, over, other = (told(1 / number, drafting) for number in (second, time, first))
+        lower, over, other = (amount(1 / number, drafting) for number in (second, time, first))
         return f"{result[0]}K_{low}·K_t/K_{high}", f"{lower}·{over}/{other}", result[1]
-    over, lower, other = (told(number, drafting) for number in (first, second, time))
+    over, lower, other = (amount(number, drafting) for number in (first, second, time))
     return f"{result[0]}μ_{high}/(μ_{low}·μ_t)", f"{over}/({lower}·{other})", result[1]
 
 

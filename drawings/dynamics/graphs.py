@@ -77,7 +77,7 @@ class DrawnStrips(NamedTuple):
         """The numbers of the edges as positions, NaN between two of them."""
         return np.array([float(name) if name.isdigit() else np.nan for name in self.names])
 
-    def told(self, every: int) -> tuple[int, ...]:
+    def numbered(self, every: int) -> tuple[int, ...]:
         """Choose both ends, the jumps, and every so many positions."""
         last = len(self.turned) - 1
         return tuple(sorted({0, last, *self.jumps, *np.flatnonzero(self.steps % every == 0).tolist()}))
@@ -94,7 +94,7 @@ class DrawnStrips(NamedTuple):
     @property
     def candidates(self) -> tuple[int, ...]:
         """The edges that may be numbered."""
-        return self.told(self.every(float(np.nanmax(self.steps)) / NUMBERED) if self.crowded else 1)
+        return self.numbered(self.every(float(np.nanmax(self.steps)) / NUMBERED) if self.crowded else 1)
 
     def marked(self, numbered: Collection[int]) -> Collection[int]:
         """Give the edges that have a point, if some are numbered."""
@@ -104,7 +104,7 @@ class DrawnStrips(NamedTuple):
         """Choose the edges that can be numbered along an axis of some length mm, both ends and jumps first."""
         places = self.turned * (length / TURN)
         every = self.every(apart / length * float(np.nanmax(self.steps)))
-        return tuple(sorted(spaced(places.tolist(), apart, (0, len(places) - 1, *self.jumps, *self.told(every)))))
+        return tuple(sorted(spaced(places.tolist(), apart, (0, len(places) - 1, *self.jumps, *self.numbered(every)))))
 
 
 def strips(cycle: Cycle, divisions: int) -> DrawnStrips:

@@ -165,7 +165,7 @@ class Plate:
         return sum(row.high for row in self.rows)
 
 
-def told(table: RuledTable, shown: Plate, extent: float) -> SetTable | None:
+def set_table(table: RuledTable, shown: Plate, extent: float) -> SetTable | None:
     """Set a table to stand under the loop of a plate drawn so large, mm; None where it is too wide or too high."""
     length = extent / max(shown.wide, shown.high)
     ways = [SetTable(table, setting) for setting in table.settings()]

@@ -14,7 +14,7 @@ from drawings.dynamics.loop import NAME, TAIL, height, loop_part, write
 from drawings.dynamics.plate import TITLE, WIDE, Plate
 from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption, wide
 from drawings.kinds.row_frame import coarser, level, stacked
-from drawings.kinds.working import TANGENTS, Workings, told
+from drawings.kinds.working import TANGENTS, Workings, amount
 from drawings.layout.picture import Spot
 from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.scale import Scale, fitting
@@ -260,12 +260,12 @@ def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
     drafting, (across, up) = shown.drafting, _scales(shown, spot)
     k = drafting.notation == "K"
     over, under = ("K_{T}", "K_{J}") if k else ("μ_{J}", "μ_{T}")
-    factors = [told(factor, drafting) for factor in ((1 / up, 1 / across) if k else (across, up))]
+    factors = [amount(factor, drafting) for factor in ((1 / up, 1 / across) if k else (across, up))]
     for end, slope in zip(("max", "min"), reversed(shown.account.flywheel.slopes), strict=True):
         yield (
             f"tg ψ_{{{end}}} = ω_{{{end}}}^2·{over}/(2·{under})",
-            f"{told(2 * slope, drafting)}·{factors[0]}/(2·{factors[1]})",
-            told(slope * across / up, drafting),
+            f"{amount(2 * slope, drafting)}·{factors[0]}/(2·{factors[1]})",
+            amount(slope * across / up, drafting),
         )
 
 

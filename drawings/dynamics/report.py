@@ -340,7 +340,7 @@ def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     pairs = {"report.by_table": comparison.construction.run, "report.by_solver": comparison.exact.run}
     runs = {name: run for name, run in pairs.items() if run is not None}
     if runs:
-        yield from listed(chapter(language, "run"), tables.told(runs, notes.drafting))
+        yield from listed(chapter(language, "run"), tables.run_lines(runs, notes.drafting))
         yield ""
         yield from tables.stages(runs, notes.drafting)
 

@@ -103,7 +103,7 @@ def _cells(run: MachineRun, stage: Stage, drafting: Drafting) -> Iterator[str]:
     yield ABSENT if abs(stage.closing) <= noise else tiny(stage.closing, drafting.language)
 
 
-def told(runs: Mapping[str, MachineRun], drafting: Drafting) -> Iterator[str]:
+def run_lines(runs: Mapping[str, MachineRun], drafting: Drafting) -> Iterator[str]:
     """Say how the run ends, how even its steady turn is, and by what method and at what cost it was found."""
     say = partial(word, drafting.language)
     for key, run in runs.items():

@@ -64,7 +64,7 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     cycle = account.cycle
     assert cycle is not None  # else nothing is told of a turn
     named = strips(cycle, task.divisions)
-    chosen = named.told(named.every(task.divisions / most))
+    chosen = named.numbered(named.every(task.divisions / most))
     columns = _columns(cycle, account.speeds)
     lines = [row for k in chosen for row in _edge(named, columns, k, drafting)]
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
@@ -263,7 +263,7 @@ class _DynamicsSheet:
         """Graphs and loop in line, the results under the loop if they have room there."""
         bare = self._plate(plate.WHOLE, plate.OVER_TURN, loop=True)
         largest = self._largest(bare)
-        return bare if largest is None else replace(bare, told=plate.told(self._results(), bare, largest))
+        return bare if largest is None else replace(bare, told=plate.set_table(self._results(), bare, largest))
 
     @cached_property
     def _least(self) -> float | None:

@@ -29,7 +29,7 @@ APART = 1.6  # sizes of a text from one line to the next
 
 def measure(run: MachineRun, drafting: Drafting) -> Picture:
     """Measure the room of a tachogram: its scale is that of time."""
-    hand, lines = drafting.hand, told(run, drafting)
+    hand, lines = drafting.hand, run_lines(run, drafting)
     room = FORM.room(NAME, float(run.t[-1]), ("t", "s"), drafting.word("tachogram"), hand)
     margins = room.margins._replace(above=room.margins.above + APART * len(lines) * hand.text)
     wide = max(room.heading, *(text_width(Text(0j, line, hand.text)) for line in lines))
@@ -58,7 +58,7 @@ def ends(run: MachineRun) -> tuple[int, ...]:
     return tuple(stage.last for stage in run.stages)
 
 
-def told(run: MachineRun, drafting: Drafting) -> tuple[str, ...]:
+def run_lines(run: MachineRun, drafting: Drafting) -> tuple[str, ...]:
     """Tell the instants at which the stages end, s, and the steady speed that is reached, rad/s."""
     times = (
         joined("", (f"t_{k} = ", drafting.slot(Slot(f"t_{k}", float(run.t[row])))))
@@ -77,7 +77,7 @@ def _written(run: MachineRun, spot: Spot, drafting: Drafting) -> Group:
     at = complex(box.centre.real, box.top - 1.6 * hand.title - hand.text)
     texts = (
         telling(NAME, Text(at - 1j * APART * k * hand.text, line, hand.text, "middle", True))
-        for k, line in enumerate(told(run, drafting), 1)
+        for k, line in enumerate(run_lines(run, drafting), 1)
     )
     return Group((Group(tuple(texts)),), NUMBERS)
 

@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping
 from itertools import islice
 from pathlib import Path
 
-from drawings.files.file_error import FileError, told
+from drawings.files.file_error import FileError, stating_path
 from drawings.files.standing import locked
 from drawings.paper.limits import ORPHAN_AGE, SWEEP_ENTRIES
 from plans.words.words import message
@@ -29,15 +29,15 @@ _PATIENCE = (0.1, 0.2, 0.4, 0.8, 1.0) if os.name == "nt" else ()
 def write(path: Path, content: bytes) -> None:
     """Write a file whole or not at all; a symlink of that name is replaced, what it points to is not touched."""
     with locked(path.parent), staged({path: content}) as temporaries:
-        with told(path, "file.named"):
+        with stating_path(path, "file.named"):
             rename(temporaries[path], path)
-        with told(path, "file.unforced"):
+        with stating_path(path, "file.unforced"):
             force_folder(path.parent)
 
 
 def write_new(path: Path, content: bytes) -> bool:
     """Write a file whole under a name that nothing has yet; tell whether the name was free."""
-    with locked(path.parent), staged({path: content}) as temporaries, told(path, "file.written"):
+    with locked(path.parent), staged({path: content}) as temporaries, stating_path(path, "file.written"):
         return _take(temporaries[path], path)
 
 
@@ -71,7 +71,7 @@ def staged(contents: Mapping[Path, bytes]) -> Iterator[dict[Path, Path]]:
     temporaries = {path: temporary_name(path.parent) for path in contents}
     try:
         for path, content in contents.items():
-            with told(path, "file.written"):
+            with stating_path(path, "file.written"):
                 check_replaceable(path)
                 create(temporaries[path], content)
         yield temporaries
@@ -98,7 +98,7 @@ def prepare(folder: Path) -> int:
 
 def make_folder(folder: Path) -> None:
     """Make a folder and those above it, where there are none."""
-    with told(folder, "file.output"):
+    with stating_path(folder, "file.output"):
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except FileExistsError:
@@ -107,7 +107,7 @@ def make_folder(folder: Path) -> None:
 
 def orphans(folder: Path, alone: bool) -> list[Path]:
     """List the temporary files that interrupted runs left; where others may be at work, those of over an hour ago."""
-    with told(folder, "file.read"), os.scandir(folder) as entries:
+    with stating_path(folder, "file.read"), os.scandir(folder) as entries:
         found = list(islice(entries, SWEEP_ENTRIES + 1))
     if len(found) > SWEEP_ENTRIES:
         return []

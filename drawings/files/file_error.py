@@ -57,7 +57,7 @@ class FileError(DraftError, OSError):
 
 
 @contextlib.contextmanager
-def told(path: Path, what: str) -> Iterator[None]:
+def stating_path(path: Path, what: str) -> Iterator[None]:
     """Tell of a file what the system refused to do with it, by the key of that."""
     try:
         yield

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.files.atomic_files import check_replaceable, create, discard, force_folder, make_folder, orphans, rename
 from drawings.files.atomic_files import temporary_name as new_name
-from drawings.files.file_error import told
+from drawings.files.file_error import stating_path
 from drawings.files.manifest import Manifest, digest_of, existing_digest, existing_manifest, read_manifest
 from drawings.files.standing import BUSY, locked, unstopped
 from plans.scene.scene import Scene
@@ -32,7 +32,7 @@ class Left(NamedTuple):
     torn: tuple[Path, ...] = ()
     swept: int = 0
 
-    def told(self, folder: Path) -> Iterator[Message]:
+    def faults(self, folder: Path) -> Iterator[Message]:
         """Say what was left, and what became of it."""
         for path in self.finished:
             yield placed(path, message("file.finished"))
@@ -70,7 +70,7 @@ def publish(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path]) 
     kept: dict[Path, Path | None] = {}
     with unstopped():
         try:
-            with told(path, "file.written"):
+            with stating_path(path, "file.written"):
                 check_replaceable(path)
                 create(journal, manifest.content())
                 force_folder(folder)
@@ -120,14 +120,14 @@ def _exchange(
     """Set aside and give what is no longer of the set; put files in place of those of their names, which are kept."""
     surplus = _surplus(folder, manifest)
     for path in surplus:
-        with told(path, "file.removed"):
+        with stating_path(path, "file.removed"):
             kept[path] = _set_aside(path, stays=False)
     for path, temporary in temporaries.items():
-        with told(path, "file.named"):
+        with stating_path(path, "file.named"):
             kept[path] = _set_aside(path, stays=True)
             rename(temporary, path)
     path = folder / manifest.name
-    with told(path, "file.named"):
+    with stating_path(path, "file.named"):
         rename(journal, path)  # in one step: the old one is not set aside, for it could be taken for a new one
     return surplus
 
@@ -135,17 +135,17 @@ def _exchange(
 def _finish(path: Path, kept: Mapping[Path, Path | None]) -> None:
     for former in filter(None, kept.values()):
         discard(former)
-    with told(path, "file.unforced"):
+    with stating_path(path, "file.unforced"):
         force_folder(path.parent)
 
 
 def _surplus(folder: Path, manifest: Manifest) -> list[Path]:
     """List the files that only the last set has, and that are still as they were written."""
-    with told(folder / manifest.name, "file.read"):
+    with stating_path(folder / manifest.name, "file.read"):
         last = existing_manifest(folder / manifest.name)
     found = []
     for name in sorted(set(last.files) - set(manifest.files)) if last is not None else ():
-        with told(folder / name, "file.read"):
+        with stating_path(folder / name, "file.read"):
             if last is not None and existing_digest(folder / name) == last.files[name]:
                 found.append(folder / name)
     return found

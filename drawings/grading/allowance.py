@@ -31,7 +31,7 @@ class Allowance(NamedTuple):
     share: float | None = None
 
     @property
-    def told(self) -> Message:
+    def stated(self) -> Message:
         """How it is written.
 
         >>> str(Allowance(0.2).told), Allowance(0.2).told.worded("ru"), str(Allowance(share=0.02).told), str(EXACT.told)

@@ -172,7 +172,7 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
     if row is None and technique in CURVES:
         return
     figures, titles = dict[Place, list[MeasuredVector | MeasuredPoint]](), _titles(sheet)
-    for mark in originals.seen(sheet).measured.marks:
+    for mark in originals.read_back(sheet).measured.marks:
         figures.setdefault((mark.plan, mark.position), []).append(mark)
     record = _record(originals.study, sheet.kind, figures) if row is None else named(row)(originals.study, sheet.leaf)
     expected = originals.expected(sheet)

@@ -53,7 +53,7 @@ class Ring(NamedTuple):
     radius: float
     named: Period | None
 
-    def told(self, span: Period) -> Period:
+    def stated(self, span: Period) -> Period:
         """Give the part of a span that bears its angle: what the name of the ring leaves."""
         return span if self.named is None or self.named.start != span.start else span._replace(start=self.named.end)
 
@@ -123,7 +123,7 @@ class CircleFigure(ChartFigure):
             low, high = sorted((sense * span.start, sense * span.end))
             style = self.hand.result if course.moves(span) else self.hand.drafted
             yield Arc(self.place.on(0j), self.place.length(inner + BAND * RING), low, high, style)
-            text, shown = course.label(span, self.drafting), ring.told(span)
+            text, shown = course.label(span, self.drafting), ring.stated(span)
             if self._fits(shown, text, ring.radius):
                 yield self._along(text, shown, ring.radius)
         if ring.named is not None:
@@ -158,7 +158,7 @@ class CircleFigure(ChartFigure):
         for ring in self._rings:
             for span in ring.row.spans:
                 text = course.label(span, self.drafting)
-                if not self._fits(ring.told(span), text, ring.radius):
+                if not self._fits(ring.stated(span), text, ring.radius):
                     yield self._beside(labels, text, ring.radius, (span.start + span.end) / 2)
 
     def _speed(self, labels: Labels) -> Stroke:

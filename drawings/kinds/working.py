@@ -83,7 +83,7 @@ class Workings(NamedTuple):
         )
 
 
-def told(value: float, drafting: Drafting) -> str:
+def amount(value: float, drafting: Drafting) -> str:
     """Write a number; NaN, which is not known yet, as the widest."""
     return WIDEST if math.isnan(value) else drafting.number(value, DIGITS)
 

@@ -27,7 +27,7 @@ def rows(lines: Sequence[Sequence[Quantity]], positions: tuple[int, ...], langua
     return [row_by_hand(same[0], label(same, language), positions, language) for same in lines]
 
 
-def told(comparison: Comparison, parts: Sequence[Quantity] = (), given: Collection[str] = ()) -> list[Quantity]:
+def listed(comparison: Comparison, parts: Sequence[Quantity] = (), given: Collection[str] = ()) -> list[Quantity]:
     """List what a table tells: of each plan the points, the parts, the links.
 
     Left out are the names in `given`, which the scene states, and what stays zero: links that do not turn.

@@ -180,7 +180,7 @@ class _ExpectedMotion:
         hand = MotionByHand(self.study, self.comparison, self.masses)
         scales = {name: mu for leaf in self.leaves for name, mu in leaf.metadata["scales"].items()}
         errors = hand.on_sheet(positions, scales)
-        findings = value_table.told(self.comparison, self._vectors.parts, hand.given)
+        findings = value_table.listed(self.comparison, self._vectors.parts, hand.given)
         for same in alike(findings, self.study.mechanism, self.masses):
             row, first = value_table.label(same, self.drafting.language), same[0]
             lost = not is_something(first)

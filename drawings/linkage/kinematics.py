@@ -195,7 +195,7 @@ class _KinematicsSheet:
         if not self.positions:
             return ()
         by_hand, masses = self.by_hand, self.bones.masses
-        findings = value_table.told(self.comparison, by_hand.parts, by_hand.given)
+        findings = value_table.listed(self.comparison, by_hand.parts, by_hand.given)
         same = alike(findings, self.study.mechanism, masses)
         lines = value_table.rows(same, self.positions, self.drafting.language)
         return (value_table.table(lines, self.positions, self.drafting),) if lines else ()

@@ -110,7 +110,7 @@ class VectorDiagram(NamedTuple):
         return [0j, *ends, *(end for line in (*self.rays, *self.sides) for end in line)]
 
     @property
-    def seen(self) -> set[str]:
+    def visible(self) -> set[str]:
         """The letters at the ends of vectors that have a length, but for the pole: those at rest need no room there."""
         size = max((abs(end) for end in self.points), default=0.0)
         long = (arrow for arrow in self.arrows if abs(arrow.ends[1] - arrow.ends[0]) > SAME * size)
@@ -185,7 +185,7 @@ def measure(shown: VectorDiagram, drafting: Drafting) -> Picture:
     """Measure the room that a plan needs: its points, letters around them, its heading above."""
     kind, hand = shown.plan.board.subject, drafting.hand
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
-    least = hand.letter * max(PLAN_LETTERS, len(shown.seen))
+    least = hand.letter * max(PLAN_LETTERS, len(shown.visible))
     scale = VECTOR[kind].symbol, VECTOR[kind].unit
     return picture(shown.name, shown.points, scale, around(MARGINS, hand), title, least)
 

@@ -102,7 +102,7 @@ def assert_close_to_analysis(
     by = tolerated(tolerance)
     graded = _scene(drawn).graded(drawn.path, by)
     wrong = [said for said in (*graded.wrong, *graded.unseen) if said.kind not in verdict.OF_DRAWING]
-    _assert_none(drawn, graded, wrong, message("accept.off", sheet=drawn.path.name, tolerance=by.told))
+    _assert_none(drawn, graded, wrong, message("accept.off", sheet=drawn.path.name, tolerance=by.stated))
 
 
 def assert_well_drawn(sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None) -> None:

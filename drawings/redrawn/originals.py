@@ -90,7 +90,7 @@ class Originals:
             self._drawn[sheet.name] = svg(sheet.leaf)
         return self._drawn[sheet.name]
 
-    def seen(self, sheet: Original) -> SeenSheet:
+    def read_back(self, sheet: Original) -> SeenSheet:
         """Give what is seen of a sheet as it must be."""
         if sheet.name not in self._sheets:
             self._sheets[sheet.name] = see(self.drawn(sheet))
@@ -114,7 +114,7 @@ class Originals:
 
     def _left(self, sheet: Original, drawn: SeenSheet) -> Leaf:
         """Give what is left of a sheet as it was laid out on a written one: the strokes that are still there."""
-        redrawn = self.seen(sheet)
+        redrawn = self.read_back(sheet)
         leaf = plain(sheet.leaf, redrawn.leaf.lettering)
         exact = dict(zip(map(id, flat(redrawn.written.groups)), flat(leaf.groups), strict=True))
         there = {

@@ -82,7 +82,7 @@ def _against(path: Path, sheet: SeenSheet, originals: Originals, findings: tuple
     """Hold a sheet against the original that it is nearest to."""
     data = sheet.leaf.metadata
     try:
-        collations = [(_collated(originals.seen(ours), sheet), ours) for ours in originals.of(path.name, data)]
+        collations = [(_collated(originals.read_back(ours), sheet), ours) for ours in originals.of(path.name, data)]
     except SheetRefused as refused:  # stretched or mirrored
         return Checked((*findings, _refused(refused)))
     collation, original = max(collations, key=lambda pair: pair[0].same / max(pair[0].most, 1))

@@ -143,11 +143,11 @@ def transfer(constraints: Constraints, poses: Floats, order: int) -> tuple[Float
     jacobian = constraints.jacobian(at)
     unit = np.zeros(jacobian.shape[:2])
     unit[:, -1] = 1.0  # the drive is the last equation
-    first = constraints.drive.told(as_poses(_refine(jacobian, unit)), 1.0)
+    first = constraints.drive.stated(as_poses(_refine(jacobian, unit)), 1.0)
     if order == 1:
         return (first,)
     second = as_poses(_refine(jacobian, -constraints.convective(at, first)))
-    return first, constraints.drive.told(second, 0.0)
+    return first, constraints.drive.stated(second, 0.0)
 
 
 def _refine(jacobian: Floats, right: Floats) -> Floats:

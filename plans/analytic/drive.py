@@ -54,7 +54,7 @@ class TurningDrive(NamedTuple):
         """Give the part of its second derivative that is quadratic in the rates."""
         return np.zeros(len(at.turns))
 
-    def told(self, poses: Floats, size: float) -> Floats:
+    def stated(self, poses: Floats, size: float) -> Floats:
         """Put into derivatives of the poses, (N, links, 3), what the drive gives itself: `size`, with no rounding."""
         poses[:, self.place, TURN] = size
         return poses
@@ -100,7 +100,7 @@ class SlidingDrive(NamedTuple):
         """Give the part of its second derivative that is quadratic in the rates; `lines` are those of all slides."""
         return np.asarray((at.ways[:, 1, self.slide].conj() * lines[:, self.slide]).real / self.unit)
 
-    def told(self, poses: Floats, size: float) -> Floats:
+    def stated(self, poses: Floats, size: float) -> Floats:
         """Leave the derivatives of the poses as they are: no entry of a pose is the drive's coordinate itself."""
         return poses
 

@@ -82,7 +82,7 @@ def guided(mechanism: Mechanism) -> bool:
     return any(slide.owner == FRAME for slide in mechanism.slides)
 
 
-def told(links: Sequence[int]) -> Message:
+def stated(links: Sequence[int]) -> Message:
     """Say which links would do; of a mechanism that is not known yet, which of any."""
     written = tuple(f"on = {link}" for link in links)
     return message("advice.carriers", links=written) if links else message("advice.any_carriers")
@@ -190,7 +190,7 @@ def _check_letter(survey: LinkageSurvey) -> None:
 
 def _would_do(survey: LinkageSurvey, aim: str = PARTIAL) -> Message:
     """Name the links that would do."""
-    return told(carriers(survey.mechanism, aim) if survey.mechanism else [])
+    return stated(carriers(survey.mechanism, aim) if survey.mechanism else [])
 
 
 def check_moving(survey: LinkageSurvey, path: Path) -> None:

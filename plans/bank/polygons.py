@@ -116,7 +116,7 @@ class CompensatorMasses:
         return Harmonic(self.asked.order, ahead, back, 0.0).at(phi)
 
     @property
-    def told(self) -> Compensator:
+    def stated(self) -> Compensator:
         """What is to be put on the shafts."""
         asked, harmonic = self.asked, self.harmonic
         ahead, back, couple = (_value(mark) for mark in (self.ahead, self.back, self.couple))

@@ -180,7 +180,7 @@ class BankStudy:
             single={order: self.single.harmonic(order) for order in orders},
             forces={order: drawing.force(order) for order in orders},
             moments={order: drawing.moment(order) for order in orders},
-            compensators=tuple(weight.told for weight in self.weights),
+            compensators=tuple(weight.stated for weight in self.weights),
             phi=found.phi,
             force=found.force,
             left=left_over(found.force, self.weights, found.phi, self.task.speed),

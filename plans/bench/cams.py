@@ -65,7 +65,7 @@ def _departures(found: LawDiagrams) -> Errors | None:
 
 
 def _deviation(size: float, found: ProfilePath) -> Errors:
-    return Errors.one(found.deviation / size)
+    return Errors.alone(found.deviation / size)
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ class Judged:
 
     def _errors(self, judge: Callable[[Any], float], found: Any) -> Errors:
         share = judge(found) / float(np.abs(self.between).max())
-        return Errors.one(share)
+        return Errors.alone(share)
 
     def _chords(self, points: Points) -> float:
         start, way = points[:-1], np.diff(points)

@@ -66,7 +66,7 @@ class KnownDiagram(NamedTuple):
 
         def judge(values: Floats) -> Errors:
             share = departure(values, self.whole(edges)).share
-            return Errors.one(share)
+            return Errors.alone(share)
 
         means = self.ordinate(middles(edges))
         return Timing(lambda: integral(Board("bench"), "A", edges, means).values, count, {self.name: judge}, self.note)
@@ -122,7 +122,7 @@ def dynamics(study: Study, order: Demand) -> Iterator[Timing]:
 
 def _off(true: float, largest: float, value: float) -> Errors:
     share = abs(value - true) / (abs(largest) or 1.0)
-    return Errors.one(share)
+    return Errors.alone(share)
 
 
 def _mean(turn: Exact, count: int) -> float:
@@ -162,7 +162,7 @@ def _by_chords(study: Study, letter: str, _: Any) -> Errors:
     found = {quantity.name: quantity for quantity in quantities(study, "diagrams")}
     chords, exact = (found[f"{letter} {which}"] for which in ("chords", "middles"))
     share = float(np.nanmax(np.abs(chords.construction - exact.analysis))) / (exact.largest or 1.0)
-    return Errors.one(share)
+    return Errors.alone(share)
 
 
 def bank(study: Study, _: Demand) -> Iterator[Timing]:

@@ -96,7 +96,7 @@ class Errors(NamedTuple):
     name: str = ""  # the quantity that is worst
 
     @classmethod
-    def one(cls, share: float) -> Errors:
+    def alone(cls, share: float) -> Errors:
         """Judge what has one error alone."""
         return cls(share, share)
 

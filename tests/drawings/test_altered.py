@@ -137,7 +137,7 @@ def test_what_is_altered_is_told(path: Path) -> None:
             own = [*chosen(leaf, due)]
             others = {id(group): other for _, group, other in own}
             spoilt = changed(leaf, lambda one, others=others: others.get(id(one), one))
-            told = {*hold.faults(hold.seen(measure(svg(lettered(spoilt))), spoilt), due)}
-            assert {hold.told("differs_on", key) for key, _, _ in own} <= told
+            told = {*hold.faults(hold.readings(measure(svg(lettered(spoilt))), spoilt), due)}
+            assert {hold.wrong("differs_on", key) for key, _, _ in own} <= told
             tried += own
     assert tried

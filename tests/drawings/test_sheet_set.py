@@ -212,7 +212,7 @@ def test_a_set_that_was_killed_among_its_names_is_finished_by_the_next_run(tmp_p
         assert left.finished == (tmp_path / "shaper-manifest.json",)
         assert there(tmp_path) == NEW
         assert fits(tmp_path)
-        (said, *_) = map(str, left.told(tmp_path))
+        (said, *_) = map(str, left.faults(tmp_path))
         assert "a run was stopped before all files of this set had their names; they have them now" in said
 
 

@@ -120,7 +120,7 @@ def told(*lines: str) -> dict[tuple[Kind, str], list[Any]]:
     """Read what lines of one phrase say, by quantity."""
     strokes = (Text(complex(10, 90 - 5 * k), line) for k, line in enumerate(lines))
     own = stating(Statement(Kind.PHRASE, NOTES, SAID.template), *strokes)
-    found = hold.seen(measure(svg(lettered(Leaf(100.0, 100.0, (Group((), "frame"),))))), leaf(own))
+    found = hold.readings(measure(svg(lettered(Leaf(100.0, 100.0, (Group((), "frame"),))))), leaf(own))
     return {(key[0], key[2]): [one.value for one in values] for key, values in found.items()}
 
 
@@ -141,7 +141,7 @@ def faults(*groups: Stroke, due: Sequence[Expected] = ()) -> list[str]:
     """Hold what a leaf states against a table; what is in it must stand."""
     blank = measure(svg(lettered(Leaf(100.0, 100.0, (Group((), "frame"),)))))
     rows: dict[Key, Expected] = {row.key: row for row in due}
-    return [str(one) for one in hold.faults(hold.seen(blank, leaf(*groups)), rows, rows)]
+    return [str(one) for one in hold.faults(hold.readings(blank, leaf(*groups)), rows, rows)]
 
 
 def hand(error: float, most: float) -> Expected:

@@ -60,7 +60,7 @@ def test_what_is_one_by_its_cause_has_one_row() -> None:
     """The shaper's stone turns with its slotted link; its ram never turns."""
     shaper = LinkageStudy(read_scene(GALLERY / "shaper.toml"))
     assert shaper.mechanism.turning_with == {0: 0, 1: 1, 2: 2, 3: 2, 4: 4, 5: 0}
-    told = value_table.told(compare(shaper), given=("ω_1", "ε_1"))
+    told = value_table.listed(compare(shaper), given=("ω_1", "ε_1"))
     names = [tuple(one.name for one in same) for same in alike(told, shaper.mechanism)]
     speeds = [("v_A",), ("v_B",), ("v_D",), ("ω_2", "ω_3"), ("ω_4",)]
     assert names == [*speeds, ("a_A",), ("a_B",), ("a_D",), ("ε_2", "ε_3"), ("ε_4",)]

@@ -78,9 +78,9 @@ def test_a_road_that_refuses_says_why_and_a_long_one_runs_once(ticking: Callable
     def refuse() -> None:
         raise DraftError("no room on the sheet")
 
-    ways = [Timing(refuse, 3, {"one": Errors.one, "two": Errors.one})]
-    ways += [Timing(lambda: ticking(0.1) or 5.0, 3, {"three": Errors.one})]
-    ways += [Timing(lambda: ticking(trial.LONG + 1) or 5.0, 3, {"four": Errors.one})]
+    ways = [Timing(refuse, 3, {"one": Errors.alone, "two": Errors.alone})]
+    ways += [Timing(lambda: ticking(0.1) or 5.0, 3, {"three": Errors.alone})]
+    ways += [Timing(lambda: ticking(trial.LONG + 1) or 5.0, 3, {"four": Errors.alone})]
     one, two, three, four = timed(ways, 2)
     assert [row.note for row in (one, two)] == ["left out: no room on the sheet"] * 2
     assert one.times is None and one.errors is None
@@ -89,7 +89,9 @@ def test_a_road_that_refuses_says_why_and_a_long_one_runs_once(ticking: Callable
 
 
 def test_orders_are_told_where_errors_fall_above_rounding() -> None:
-    rows = [Timed("a", n, Errors.one(n**-2.0)) for n in (10, 100)] + [Timed("b", n, Errors.one(1e-15)) for n in (1, 2)]
+    rows = [Timed("a", n, Errors.alone(n**-2.0)) for n in (10, 100)] + [
+        Timed("b", n, Errors.alone(1e-15)) for n in (1, 2)
+    ]
     assert [*orders(rows)] == ["  a: order 2.00 from 10 to 100"]
 
 

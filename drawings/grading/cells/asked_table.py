@@ -253,7 +253,7 @@ class _Own:
     def _scales(self, sheet: Original) -> Iterator[tuple[str, float]]:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
         if sheet.kind in READ_OFF:
-            for mark in sorted(self.originals.seen(sheet).measured.marks, key=lambda mark: mark.scale):
+            for mark in sorted(self.originals.read_back(sheet).measured.marks, key=lambda mark: mark.scale):
                 yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
 
 

@@ -276,7 +276,7 @@ def figures_asked(originals: Originals) -> tuple[FigureAsked, ...]:
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
     if row := CURVES.get(technique_of(sheet.kind)):
-        read = originals.seen(sheet)
+        read = originals.read_back(sheet)
         yield from named(row)(
             originals.study, SceneSheet(sheet.name, read.leaf, read.measured, originals.expected(sheet))
         )
