@@ -1,1 +1,1 @@
-"""The textbook's graphical methods, one technique a file; no drawing here."""
+"""The textbook's graphical methods, one technique a folder; no drawing here."""

@@ -20,7 +20,7 @@ from drawings.kinds.hodograph import Hodograph
 from drawings.kinds.polygon import Polygon
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.layout.value_table import BY_HAND, row_by_hand
+from drawings.layout.value_table import COLUMNS, value_row
 from drawings.layout.value_table import DIGITS as FIGURES
 from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
@@ -66,7 +66,7 @@ def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledT
 
     Without `by_hand` there is no polygon in which a hand might err.
     """
-    heads = tuple(drafting.word(head) for head in (BY_HAND if by_hand else BY_HAND[:-1]))
+    heads = tuple(drafting.word(head) for head in (COLUMNS if by_hand else COLUMNS[:-1]))
     lines = [_result(quantity, drafting) for quantity in compared(comparison)]
     lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     if not lines:
@@ -78,7 +78,7 @@ def _result(quantity: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding: values to their own digits, as orders differ by powers."""
     known = float(quantity.allowed[0]) * 10 ** (FIGURES - 1)
     sized = quantity._replace(largest=max(float(abs(quantity.analysis[0])), known))  # rounding has no digits
-    return row_by_hand(sized, f"{lowered_bank(quantity.name)}, {drafting.word(quantity.unit)}", (0,), drafting.language)
+    return value_row(sized, f"{lowered_bank(quantity.name)}, {drafting.word(quantity.unit)}", (0,), drafting.language)
 
 
 def compared(comparison: Comparison) -> list[Quantity]:

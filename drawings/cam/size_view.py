@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.layout.value_table import BY_HAND, row_by_hand
+from drawings.layout.value_table import COLUMNS, value_row
 from drawings.page.scale import Drafting
 from geometry.board import Line as Ruler
 from geometry.board import Mark
@@ -204,7 +204,7 @@ def sizes(ours: Sequence[Result], exact: Sequence[Result], by_hand: bool, drafti
 
     Without `by_hand` nothing is read off a construction in which a hand might err.
     """
-    heads = tuple(drafting.word(key) for key in (BY_HAND if by_hand else BY_HAND[:-1]))
+    heads = tuple(drafting.word(key) for key in (COLUMNS if by_hand else COLUMNS[:-1]))
     lines = [_line(result, true, drafting) for result, true in zip(ours, exact, strict=True)]
     lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=NAME)
@@ -221,7 +221,7 @@ def _line(result: Result, exact: Result, drafting: Drafting) -> TableRow:
     name = title(result, drafting)
     largest = abs(exact.value) or 1.0
     finding = Quantity.of((NAME, result.letter, result.unit), (result.value, exact.value), 0.0, largest)
-    line = row_by_hand(finding, name, (0,), drafting.language)
+    line = value_row(finding, name, (0,), drafting.language)
     if result.given:
         return TableRow(name, (line.cells[0], drafting.word("cam given"), NOTHING))
     return line._replace(cells=(*line.cells[:-1], NOTHING)) if result.where else line

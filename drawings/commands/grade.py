@@ -73,14 +73,14 @@ def _print(
 ) -> None:
     if options.json:
         sheets = [plain(path, sheet, marking, language) for path, sheet in graded]
-        print_json({"tolerance": str(options.tolerance.told), "sheets": sheets})
+        print_json({"tolerance": str(options.tolerance.stated), "sheets": sheets})
     elif options.csv:
         table = csv.writer(sys.stdout, lineterminator="\n")
         table.writerows([HEAD, *(row(path, sheet, marking, language) for path, sheet in graded)])
     else:
         for path, sheet in graded:
             print("\n".join(lines(path, sheet, marking, hints, language)))
-        print(word(language, "grade.tolerance", tolerance=options.tolerance.told))
+        print(word(language, "grade.tolerance", tolerance=options.tolerance.stated))
 
 
 def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], hints: Hints, language: str) -> None:

@@ -24,7 +24,7 @@ from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import RuledTable, TableRow
-from drawings.layout.value_table import row_by_hand
+from drawings.layout.value_table import value_row
 from drawings.lettering.words import word
 from drawings.linkage import vector_plan
 from drawings.linkage.positions import force_positions, of_linkage
@@ -75,7 +75,7 @@ def rows(comparison: ForceComparison, position: int, language: str, reactions: s
     """Give the rows of one position; what is zero over the whole turn has none."""
     nothing = dict(zip(("N", "N*m"), comparison.construction.nothing_over, strict=True))
     return [
-        row_by_hand(finding, label(finding, language, reactions), (position,), language)
+        value_row(finding, label(finding, language, reactions), (position,), language)
         for finding in comparison.of("forces")
         if np.any(np.abs(comparison.construction.counted(finding.construction)) > nothing[finding.unit])
     ]

@@ -34,8 +34,8 @@ class Allowance(NamedTuple):
     def stated(self) -> Message:
         """How it is written.
 
-        >>> str(Allowance(0.2).told), Allowance(0.2).told.worded("ru"), str(Allowance(share=0.02).told), str(EXACT.told)
-        ('0.2 mm', '0,2 мм', '2 %', 'exact')
+        >>> Allowance(0.2).stated.worded("ru"), str(Allowance(share=0.02).stated), str(EXACT.stated)
+        ('0,2 мм', '2 %', 'exact')
         """
         if self == EXACT:
             return message("grade.allowance.exact")

@@ -17,14 +17,15 @@ from drawings.paper.walk import tied
 from plans.model.motion import ORDERS
 from plans.quantity import Comparison, Quantity
 
-BY_HAND = ("by plan", "by analysis", "by hand")
+# Of every table of values: one more needs cells below, a word, and to be expected (due.py of a technique).
+COLUMNS = ("by plan", "by analysis", "by hand")
 NOTHING, WIDE = "—", "8"
 DIGITS = 5  # of the largest value of a row; the others keep its decimals
 
 
 def rows(lines: Sequence[Sequence[Quantity]], positions: tuple[int, ...], language: str) -> list[TableRow]:
     """Give a row for each velocity, acceleration, part or rate by positions; what is one by its cause has one row."""
-    return [row_by_hand(same[0], label(same, language), positions, language) for same in lines]
+    return [value_row(same[0], label(same, language), positions, language) for same in lines]
 
 
 def listed(comparison: Comparison, parts: Sequence[Quantity] = (), given: Collection[str] = ()) -> list[Quantity]:
@@ -54,9 +55,9 @@ def _new(parts: Sequence[Quantity], points: Sequence[Quantity]) -> list[Quantity
     ]
 
 
-def row_by_hand(finding: Quantity, name: str, positions: tuple[int, ...], language: str) -> TableRow:
+def value_row(finding: Quantity, name: str, positions: tuple[int, ...], language: str) -> TableRow:
     """Give the row of a finding under a name: by plan, by analysis, what a hand may be out."""
-    return TableRow(name, tuple(cell for k in positions for cell in _cells_by_hand(finding, k, language)))
+    return TableRow(name, tuple(cell for k in positions for cell in _cells(finding, k, language)))
 
 
 def label(same: Sequence[Quantity], language: str) -> str:
@@ -83,7 +84,7 @@ def _places(finding: Quantity) -> int:
     return max(DIGITS - 1 - math.floor(tied(math.log10(finding.largest))), 0)
 
 
-def _cells_by_hand(finding: Quantity, position: int, language: str) -> tuple[Cell, Cell, Cell]:
+def _cells(finding: Quantity, position: int, language: str) -> tuple[Cell, Cell, Cell]:
     pair, places = _pair(finding, position, language), _places(finding)
     if pair is None:
         return NOTHING, NOTHING, NOTHING
@@ -113,5 +114,5 @@ def _two_digits(value: float, most: int, language: str) -> str:
 
 def table(lines: Sequence[TableRow], positions: tuple[int, ...], drafting: Drafting) -> RuledTable:
     """Measure a table of values."""
-    heads = tuple(drafting.word(key) for key in BY_HAND)
+    heads = tuple(drafting.word(key) for key in COLUMNS)
     return measure(lines, drafting.word("quantity"), heads, drafting.hand.text, positions)

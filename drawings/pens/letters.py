@@ -32,7 +32,7 @@ def curves(letter: str) -> tuple[LetterStroke, ...]:
     """Give a letter's strokes before they are divided into chords.
 
     >>> curves("Г")
-    (Curve(start=(0.5+0.5j), pieces=(((0.5+9.5j),), ((4.5+9.5j),)), closed=False),)
+    (LetterStroke(start=(0.5+0.5j), pieces=(((0.5+9.5j),), ((4.5+9.5j),)), closed=False),)
     """
     notation = notations().get(letter)
     if notation is None:

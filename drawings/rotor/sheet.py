@@ -10,7 +10,7 @@ from drawings.kinds import polygon
 from drawings.kinds.polygon import Polygon
 from drawings.layout.contents import Panel
 from drawings.layout.table import Later, RuledTable, TableRow, table
-from drawings.layout.value_table import BY_HAND, row_by_hand
+from drawings.layout.value_table import COLUMNS, value_row
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.page import Field
 from drawings.page.scale import Drafting, drafting_of
@@ -69,7 +69,7 @@ def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> TableRow:
 
 def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, and what a hand may be out."""
-    return _table(RESULTS, [_line(found, drafting) for found in compared(comparison)], "quantity", BY_HAND, drafting)
+    return _table(RESULTS, [_line(found, drafting) for found in compared(comparison)], "quantity", COLUMNS, drafting)
 
 
 def compared(comparison: Comparison) -> list[Quantity]:
@@ -79,7 +79,7 @@ def compared(comparison: Comparison) -> list[Quantity]:
 
 def _line(finding: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding; what vanishes is 0 by both roads."""
-    line = row_by_hand(finding, _name(finding, drafting), (0,), drafting.language)
+    line = value_row(finding, _name(finding, drafting), (0,), drafting.language)
     if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
         return line._replace(cells=("0", "0", line.cells[-1]))
     return line

@@ -1,6 +1,7 @@
 """Zhukovsky's lever: the velocity plan turned by a quarter, with the forces at the images of their points (M5.8).
 
 No reaction enters: the turned plan is a rigid lever hinged at its pole; the forces on it balance (рычаг Жуковского).
+Drawn by drawings/forces/lever.py; held by `balancing` of quantities.py, its ink by drawings/forces/due_lever.py.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""A plan: its letters, vectors, and images of links, which give any point by similarity (план, теорема подобия)."""
+"""A plan: its letters, vectors, and images of links, which give any point by similarity (план, теорема подобия).
+
+In true units: dyads.py and slotted_dyads.py lay it out; its scale is taken on paper (drawings/page/scale.py).
+"""
 
 from __future__ import annotations
 

@@ -168,7 +168,7 @@ def within(turned: float) -> float:
 def pieces(span: Period, begin: float = 0.0) -> Iterator[Period]:
     """Cut a span where a turn from `begin` starts anew; its parts are counted from there, 0 to a whole turn.
 
-    >>> [(round(one.start, 3), round(one.end, 3)) for one in pieces(Span(6.0, 7.0, "rise"))]
+    >>> [(round(one.start, 3), round(one.end, 3)) for one in pieces(Period(6.0, 7.0, "rise"))]
     [(6.0, 6.283), (0.0, 0.717)]
     """
     start = within(span.start - begin)

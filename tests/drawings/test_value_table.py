@@ -11,7 +11,7 @@ from drawings.balance.costs import change
 from drawings.layout import value_table
 from drawings.layout.equation import DIRECTION, EquationBlock, Term, forces, moments
 from drawings.layout.table import Later, table
-from drawings.layout.value_table import by_hand, row_by_hand
+from drawings.layout.value_table import by_hand, value_row
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import letter
@@ -33,8 +33,8 @@ def test_a_zero_vector_is_written_with_the_decimals_of_its_row() -> None:
     """At its dead centre the slider stands: v_B is 0 there by both roads, to the last decimal."""
     comparison = compare(LinkageStudy(parse_scene(DEAD_CENTRE)))
     found = {finding.name: finding for finding in comparison.of("velocities")}
-    assert row_by_hand(found["v_B"], "v", (0,), "en").cells[:2] == ("0.00000", "0.00000")
-    assert row_by_hand(found["v_B"], "v", (1,), "en").cells[:2] == ("0.60000", "0.60000")
+    assert value_row(found["v_B"], "v", (0,), "en").cells[:2] == ("0.00000", "0.00000")
+    assert value_row(found["v_B"], "v", (1,), "en").cells[:2] == ("0.60000", "0.60000")
 
 
 def test_what_a_hand_may_be_out_is_told_to_two_digits_and_in_the_decimals_of_its_row() -> None:
@@ -48,7 +48,7 @@ def test_what_a_hand_may_be_out_is_told_to_two_digits_and_in_the_decimals_of_its
 def test_a_cell_that_is_written_later_keeps_the_width_that_was_measured() -> None:
     comparison = compare(LinkageStudy(parse_scene(DEAD_CENTRE)))
     finding = next(one for one in comparison.of("velocities") if one.name == "v_B")
-    measured = table([row_by_hand(finding, "v", (0, 1), "en")], "quantity", ("a", "b", "c"), 2.5, (0, 1))
+    measured = table([value_row(finding, "v", (0, 1), "en")], "quantity", ("a", "b", "c"), 2.5, (0, 1))
     for text in ("±0.00001", "±0.088", f"±{finding.largest:.5f}"):
         filled = measured.filled(lambda _, text=text: text)  # type: ignore[misc]
         assert filled.cell == measured.cell
