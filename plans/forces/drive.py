@@ -136,7 +136,7 @@ def pushing(gear: Transmission, drive: Drive, moment: Floats) -> Complexes:
     The pitch tangent in the sense of the moment that is asked of it, turned by the pressure angle towards the wheel's
     centre; with the rotation in book figure 6.17 (M5.7), where it drives.
     """
-    sense = np.where(moment == 0, -1.0 if drive.omega < 0 else 1.0, np.sign(moment))
+    sense = np.where(np.abs(moment) > 0, np.sign(moment), -1.0 if drive.omega < 0 else 1.0)  # a gap has its line too
     return np.asarray(sense * 1j * np.exp(1j * (gear.at + sense * gear.pressure)))
 
 
