@@ -125,5 +125,5 @@ def _method(run: MachineRun, by: str, drafting: Drafting) -> str:
     if how.step is not None:
         return word(drafting.language, "report.run_table", by=by, step=write(how.step), rows=len(run.t))
     tolerance = tiny(how.tolerance or 0.0, drafting.language)
-    cost = {"evaluations": how.evaluations, "jacobians": how.jacobians, "stiffness": write(how.stiffness)}
-    return word(drafting.language, "report.run_solver", by=by, name=how.name, tolerance=tolerance, **cost)
+    stiffness = write(how.stiffness)
+    return word(drafting.language, "report.run_solver", by=by, name=how.name, tolerance=tolerance, stiffness=stiffness)

@@ -93,7 +93,7 @@ class _TableOfRun:
     @property
     def _method(self) -> Method:
         decays = stiffness_of(self.link, self.motor, self.motor.speed(0.0) or self.task.speed)
-        return Method(TABLE, decays, step=self.step, evaluations=len(self.rows))
+        return Method(TABLE, decays, step=self.step)
 
     def _runs_up(self) -> bool:
         acting = Acting(self.link, self.motor, self.task.loaded)

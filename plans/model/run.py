@@ -128,7 +128,7 @@ class SteadyTurn(Fluctuating):
 
 
 class Method(NamedTuple):
-    """How the motion was found: by which method, to which step s or share of rounding, and at what cost.
+    """How the motion was found: by which method, to which step s or share of rounding.
 
     `stiffness` is how many times over a change of speed dies away, e-fold, in one turn at full speed.
     """
@@ -137,8 +137,6 @@ class Method(NamedTuple):
     stiffness: float
     step: float | None = None  # s
     tolerance: float | None = None
-    evaluations: int = 0  # of the right hand sides
-    jacobians: int = 0
 
 
 class Failure(NamedTuple):

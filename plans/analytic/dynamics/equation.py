@@ -114,14 +114,12 @@ AT_REST = RunState(0.0, np.zeros(SIZE))
 
 
 class Leg(NamedTuple):
-    """A part of a motion: rows (n, 4) of time, angle, speed, acceleration; speeds at extremes; its end and its cost."""
+    """A part of a motion: rows (n, 4) of time, angle, speed, acceleration; speeds at extremes; and its end."""
 
     rows: Floats
     turning: Floats  # (m,) rad/s: where the acceleration vanishes
     end: RunState
     reason: str
-    evaluations: int
-    jacobians: int
 
 
 class LegEnds(NamedTuple):
@@ -171,7 +169,7 @@ class Solver:
         rows[-1, :3] = end.t, *end.values[:2]
         rows[:, 3] = [equation.epsilon(*place) for place in rows[:, 1:3].tolist()]
         turning = np.array([equation.place(state)[1] for state in found.y_events[0]])
-        return Leg(rows, turning, end, reason, found.nfev + near.nfev, int(found.njev + near.njev))
+        return Leg(rows, turning, end, reason)
 
     def _kept(self, t: Floats) -> npt.NDArray[np.intp]:
         """Choose the steps that become rows, the first and the last among them: no more than a drawing needs."""
@@ -235,8 +233,7 @@ def _refined(equation: Equation, t: float, near: Floats, reason: str, ends: LegE
 
 def _joined(parts: Sequence[Leg]) -> Leg:
     rows, turning = (np.concatenate([part[k] for part in parts]) for k in range(2))
-    cost = (sum(part.evaluations for part in parts), sum(part.jacobians for part in parts))
-    return Leg(rows, turning, parts[-1].end, parts[-1].reason, *cost)
+    return Leg(rows, turning, parts[-1].end, parts[-1].reason)
 
 
 def size_of(link: ReducedLink, speed: float) -> Floats:

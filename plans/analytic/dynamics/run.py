@@ -92,7 +92,6 @@ class _GrowingRun:
     motor: Motor
     task: RunTask
     legs: list[Leg] = field(default_factory=list)  # that make the rows
-    trials: list[Leg] = field(default_factory=list)  # that are followed beside them
     stages: list[Stage] = field(default_factory=list)
     steady: SteadyTurn | None = None
     failure: Failure | None = None
@@ -115,13 +114,10 @@ class _GrowingRun:
 
     @property
     def _method(self) -> Method:
-        cost = [*self.legs, *self.trials]
         return Method(
             self.solver.name,
             stiffness_of(self.link, self.motor, self.motor.speed(0.0) or self.task.speed),
             tolerance=self.solver.tolerance,
-            evaluations=sum(leg.evaluations for leg in cost),
-            jacobians=sum(leg.jacobians for leg in cost),
         )
 
     @property
@@ -181,7 +177,6 @@ class _GrowingRun:
     def _trial(self, equation: Equation, omega: float) -> Leg | None:
         """Follow a turn that begins at a speed; None where the machine stops in it."""
         leg = self.solver.leg(equation, _at(omega), LegEnds(TURN))
-        self.trials.append(leg)
         return leg if leg.reason == ANGLE else None
 
     def _runs_down(self, brake: float) -> None:
