@@ -14,9 +14,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Arc, Line, Mark, between
+from geometry.board import Arc, Line, Mark, behind, between
 from geometry.meet import cross, dot
-from geometry.steps import behind
 
 Slopes = npt.NDArray[np.complex128]  # (sources, N): by the standard deviation of each slip
 Sizes = npt.NDArray[np.float64]

@@ -12,9 +12,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Arc, Line, Mark, between
+from geometry.board import Arc, Line, Mark, behind, between
 from geometry.meet import EPS
-from geometry.steps import behind
 
 Bound = npt.NDArray[np.float64]
 OWN = 4.0  # a meeting's own rounding, in kappa eps L: measured at most 0.8 for arcs, see tests/geometry

@@ -6,8 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from geometry.board import Arc, Board, Line, Mark, Value, at
-from geometry.steps import behind
+from geometry.board import Arc, Board, Line, Mark, Value, at, behind
 
 if TYPE_CHECKING:
     import mpmath

@@ -7,10 +7,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark
+from geometry.board import Mark, behind
 from geometry.errors import DraftError
 from geometry.meet import Meeting
-from geometry.steps import behind
 from plans.quantity import Quantity
 from plans.words.words import Message, message
 

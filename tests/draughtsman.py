@@ -15,10 +15,9 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry import meet as loci
-from geometry.board import Arc, Line, Mark
+from geometry.board import Arc, Line, Mark, behind
 from geometry.hand_error import EDGE, EVEN, Sizes, SlippingHand, Slopes, is_nothing, pricked_givens
 from geometry.meet import cross
-from geometry.steps import behind
 
 Complexes = npt.NDArray[np.complex128]
 

@@ -22,15 +22,14 @@ from tempfile import TemporaryDirectory
 
 from drawings.commands import cli
 from drawings.commands.check import lines, plain
-from drawings.files.file_error import json_text
+from drawings.files.atomic_files import json_text
 from drawings.grading import feedback as told
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.verdict import Marking
-from drawings.redrawn.originals import Originals
-from drawings.redrawn.sheet_check import check
+from drawings.redrawn import Originals, check
 from tests.forgeries.chance_edits import CHANGES, HANDED_IN
 
 GALLERY = Path(__file__).parents[1] / "drawings" / "gallery"

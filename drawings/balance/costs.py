@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from drawings.forces.letters import letter_of
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.lettering.vector_letters import FORCE, MOMENT, counterweight
-from drawings.page.scale import Drafting
+from drawings.lettering.words import FORCE, MOMENT, counterweight
+from drawings.page.page import Drafting
 from plans.balance.weights import line_of
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING

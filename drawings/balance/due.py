@@ -14,10 +14,9 @@ import numpy as np
 
 from drawings.checks.expected import KNOWN, Cell, Expected, cells, course, phrases
 from drawings.forces.report import drafting_of_forces
-from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight, with_index
-from drawings.page.scale import Drafting
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.lettering.words import CENTRE, FORCE, MOMENT, RESULT, counterweight, with_index
+from drawings.page.page import Drafting
+from drawings.paper.strokes import Kind, Leaf
 from plans.analytic.balance.mass_centre import bodies, vectors
 from plans.analytic.points import placed
 from plans.balance.quantities import BalanceComparison

@@ -16,16 +16,13 @@ from drawings.kinds.graph import BESIDE, LEAST, Graph, GraphForm, standing, stre
 from drawings.kinds.graph import DOT as END
 from drawings.kinds.hodograph import arrow, letter_beside, outward, pole_letter, pole_of, room_of
 from drawings.layout.picture import Margins, Picture, Place, Spot
-from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.lettering.vector_letters import FORCE, MOMENT
-from drawings.page.scale import Drafting, Scale
+from drawings.lettering.words import FORCE, MOMENT, Phrase, Slot, joined
+from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
-from drawings.symbols.dashes import fit
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.symbols.figure import Subject, heading, heading_width
-from drawings.symbols.symbols import TICK
+from drawings.symbols.symbols import TICK, fit
 from plans.model.balance.linkage import Choice, Shares, State
 from plans.model.motion import Complexes, Floats
 

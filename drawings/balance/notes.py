@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.lettering.vector_letters import FORCE, counterweight, lowered, with_index
-from drawings.page.scale import Drafting
+from drawings.lettering.words import FORCE, counterweight, lowered, with_index
+from drawings.page.page import Drafting
 from drawings.report.table import ANGLE
 from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices

@@ -10,10 +10,9 @@ import numpy as np
 from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quantities, shape
 from drawings.balance.notes import BalanceNotes
 from drawings.forces.report import drafting_of_forces, mass_table
-from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweight
-from drawings.page.scale import Drafting
-from drawings.report.formula import DIGITS, Chapters
-from drawings.report.letters import entry, plain
+from drawings.lettering.words import CENTRE, FORCE, MOMENT, counterweight
+from drawings.page.page import Drafting
+from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.table import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
 from plans.model.balance.linkage import Counterweight, Shares, State

@@ -21,18 +21,17 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Segment, merging, offset
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture, traced
-from drawings.lettering.vector_letters import CENTRE, counterweight, lowered
+from drawings.lettering.words import CENTRE, counterweight, lowered
 from drawings.linkage.guides import frame_slides, grounds, travel, turnings
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.linkage.trajectories import STILL, length
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke
-from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.couples import plain_name
 from drawings.symbols.figure import Subject, around, heading, heading_width
-from drawings.symbols.force_arrow import plain_name
-from drawings.symbols.symbols import MASS, POINT, cross, mass_centre
+from drawings.symbols.symbols import MASS, POINT, cross, fit_dashes, mass_centre
 from drawings.symbols.trimming import trim
 from plans.model.balance.linkage import DISC, Counterweight
 from plans.model.mechanism import FRAME

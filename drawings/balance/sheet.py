@@ -21,12 +21,12 @@ from drawings.kinds.working import Workings
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
-from drawings.lettering.vector_letters import RESULT as SUM
-from drawings.lettering.vector_letters import lowered
+from drawings.lettering.words import RESULT as SUM
+from drawings.lettering.words import lowered
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.linkage.vector_plan import link_working
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out

@@ -14,16 +14,14 @@ from typing import NamedTuple
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import lowered_bank
-from drawings.page.scale import Drafting
+from drawings.lettering.words import lowered_bank
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import HINGE, POINT, TurnArrow, hinge
+from drawings.symbols.symbols import HINGE, POINT, TurnArrow, fit, hinge
 from plans.bank.harmonics import letters, roman
 from plans.model.balance.bank import Compensator
 

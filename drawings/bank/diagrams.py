@@ -16,8 +16,8 @@ from drawings.kinds.graph import Graph, standing
 from drawings.kinds.polygon import RESULT, Letters, Polygon, Sizes
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import lowered_bank
-from drawings.page.scale import Drafting, Scale
+from drawings.lettering.words import lowered_bank
+from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Stroke, Text
 from drawings.rotor.polygon import CROWD
 from drawings.symbols.figure import heading

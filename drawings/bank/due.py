@@ -14,10 +14,9 @@ import numpy as np
 
 from drawings.bank.report import crank_of
 from drawings.checks.expected import Expected, by_hand, cells, course, measured
-from drawings.lettering.vector_letters import lowered_bank
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.lettering.words import lowered_bank
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
 from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, couple_letters, letters
 from plans.bank.quantities import bank_by_hand
 from plans.bank.study import BankStudy

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.lettering.vector_letters import lowered_bank
-from drawings.page.scale import Drafting, drafting_of
-from drawings.report.formula import DIGITS, Chapters
-from drawings.report.letters import listed, plain
+from drawings.lettering.words import lowered_bank
+from drawings.page.page import Drafting, drafting_of
+from drawings.report.formula import DIGITS, Chapters, listed, plain
 from drawings.report.table import ANGLE, Report, TableSubject, chapter, header, row
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy

@@ -16,15 +16,13 @@ from drawings.kinds.view import BESIDE, FIRST, SHAFT, Sized
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.page.scale import Drafting
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import ARROW_LENGTH, pole
+from drawings.symbols.symbols import ARROW_LENGTH, fit, pole
 from plans.model.balance.bank import Member
 
 NAME = "shaft"

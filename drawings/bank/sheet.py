@@ -22,8 +22,8 @@ from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
 from drawings.layout.value_table import DIGITS as FIGURES
-from drawings.lettering.vector_letters import lowered_bank
-from drawings.page.scale import Drafting, drafting_of
+from drawings.lettering.words import lowered_bank
+from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
 from drawings.sheets.kind import GRAPH, PLAN, SheetKind

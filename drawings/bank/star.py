@@ -17,12 +17,11 @@ from drawings.kinds.view import AXIS, BESIDE, ORIGIN, QUANTITY, SYMBOL, UNIT, or
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, Text
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import HINGE, hinge, rotation
+from drawings.symbols.symbols import HINGE, fit, hinge, rotation
 from plans.bank.harmonics import FORCE, MOMENT
 from plans.bank.polygons import Total
 from plans.model.balance.bank import BankBalance, BankTask, Member

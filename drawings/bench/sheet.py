@@ -16,23 +16,22 @@ from drawings.bench import plain_pen
 from drawings.checks import hold
 from drawings.checks.expected import Expected, subject
 from drawings.checks.readers import Read
-from drawings.checks.written import value as number
+from drawings.checks.readers import value as number
 from drawings.lettering.lettering import lettered
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
-from drawings.pens import letters
+from drawings.paper.strokes import Kind, Leaf
+from drawings.pens import paths
 from drawings.pens.svg import svg
 from drawings.reading.sheet import SeenSheet, see
-from drawings.redrawn.originals import leaves_of
+from drawings.sheets.documents import leaves_of
 from drawings.sheets.kind import sheet_kind
 from plans.bench.quantities import quantities
 from plans.bench.trial import BUDGET, Errors, Timed, Times, Timing, interleaved
-from plans.by_hand import SLIP
 from plans.forces.marks import forces_by_hand
 from plans.forces.statics import Statics
 from plans.linkage.parts import MotionByHand
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
+from plans.quantity import SLIP
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -167,7 +166,7 @@ def pens(leaf: Leaf, rounds: int) -> tuple[Times, Times]:
     ready = lettered(leaf)
 
     def ours() -> bytes:
-        letters.forget()
+        paths.forget()
         return svg(ready)
 
     plain, timed = interleaved([lambda: plain_pen.svg(ready), ours], rounds, BUDGET)

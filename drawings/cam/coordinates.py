@@ -11,8 +11,8 @@ from functools import partial
 import numpy as np
 
 from drawings.checks.expected import KNOWN, Wrong
+from drawings.files.atomic_files import Enclosure
 from drawings.files.coordinate_table import CURVATURE, DIGITS, THETA, read, written
-from drawings.files.file_error import Enclosure
 from plans.analytic.cam.contour import contour
 from plans.cam.course import FollowerCourse, settled
 from plans.cam.study import CamStudy

@@ -16,9 +16,8 @@ from drawings.cam.due_notes import DEGREES, CamNumbers, every_cam, numbers_of
 from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, law_named
 from drawings.checks.expected import Cell, Expected, by_hand, cells, measured, phrases, subject
 from drawings.cyclogram.due_rows import cam_rows, chart
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
 from drawings.paper.walk import groups, stated
 from drawings.reading.pathdata import pair
 from geometry.strips import departure

@@ -11,9 +11,8 @@ import numpy as np
 
 from drawings.cam.due_values import CamValues
 from drawings.checks.expected import NOTES, Expected, cells, phrases
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
 from plans.cam.course import WorkshopTurns, stations
 from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.study import CamStudy

@@ -11,12 +11,10 @@ from drawings.cam.profile_view import NAME, QUANTITY, ProfileView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating, tied
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, point
-from drawings.symbols.symbols import HATCH, HINGE, STAND, TurnArrow, arrowhead
+from drawings.symbols.symbols import HATCH, HINGE, STAND, TurnArrow, arrowhead, fit
 from drawings.symbols.trimming import Mask, holds, trim
 
 CLEAR = 2.0  # mm between a follower at its highest and its guide

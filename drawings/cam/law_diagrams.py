@@ -17,16 +17,14 @@ from drawings.kinds.graph import LEAST, Graph
 from drawings.kinds.row_frame import RowFrame
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Picture, Spot
-from drawings.lettering.extent import every, spaced
-from drawings.lettering.phrase import Slot, telling
-from drawings.page.scale import Drafting
+from drawings.lettering.lettering import every, spaced
+from drawings.lettering.words import Slot, telling
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.paper.strokes import Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import apart, stating
-from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Dimension
-from drawings.symbols.symbols import arrowhead
+from drawings.symbols.symbols import arrowhead, fit_dashes
 from drawings.symbols.trimming import around, trim
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import RATIO

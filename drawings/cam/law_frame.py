@@ -14,8 +14,8 @@ from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, letters, units
 from drawings.kinds.axes import Plot
 from drawings.kinds.row_frame import Proportions, RowPlate
 from drawings.kinds.smooth import cubics
-from drawings.lettering.phrase import Slot
-from drawings.page.scale import Drafting, Scale
+from drawings.lettering.words import Slot
+from drawings.page.page import Drafting, Scale
 from geometry.strips import middles
 from plans.cam.diagrams import LawDiagrams, TurnStrips
 from plans.model.cam import TABLE, Cam

@@ -16,16 +16,13 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Slot, joined
-from drawings.lettering.words import fixed
-from drawings.page.scale import Drafting
+from drawings.lettering.words import Slot, fixed, joined
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import TurnArrow, pole
+from drawings.symbols.symbols import TurnArrow, fit, pole
 from plans.cam.course import FollowerCourse, WorkshopTurns, stations
 from plans.cam.profile.profile import profile
 from plans.model.cam import DWELL, GROOVE, MM, Cam, Phase

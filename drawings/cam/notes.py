@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.page.scale import Drafting
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting
 from plans.cam.tables import smoothing
 from plans.model.cam import GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions, interval_of
 from plans.model.cam_motion import HARD, CamFlaw, CamFound, CamSizes, Extreme, Shock

@@ -14,15 +14,13 @@ from drawings.cam.notes import phase_letter
 from drawings.kinds.axes import Axes, Letter, Part, Parts
 from drawings.kinds.graph import DOT, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.lettering.extent import spaced
-from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.page.page import Field
-from drawings.page.scale import Drafting
+from drawings.lettering.lettering import spaced
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting, Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import heading
-from drawings.symbols.symbols import TICK
+from drawings.symbols.symbols import TICK, fit
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import RETURN, RISE, Cam, Limits
 from plans.model.cam_motion import CamFound, Contour, Extreme

@@ -14,14 +14,13 @@ from drawings.cam.profile_view import NAME, QUANTITY, SYMBOL, UNIT, ProfileView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import telling
-from drawings.page.scale import Drafting
+from drawings.lettering.words import telling
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Fill, Group, Line, Stroke, Text
 from drawings.paper.walk import tied
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.symbols import HINGE, fixed_hinge, ground, hinge, pole, tick
+from drawings.symbols.symbols import HINGE, fit, fixed_hinge, ground, hinge, pole, tick
 from plans.model.cam import POINTED
 
 PIN = 0.9  # mm, radius of a roller's pin

@@ -12,12 +12,11 @@ import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Curve, Group, LineStyle, Polyline, Stroke, numeral, stated
 from drawings.paper.walk import tied
-from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.symbols import ground
+from drawings.symbols.symbols import fit_dashes, ground
 from plans.cam.course import FollowerCourse
 from plans.cam.path import PathCut, ProfilePath, path
 from plans.cam.profile.profile import profile

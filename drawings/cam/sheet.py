@@ -22,9 +22,8 @@ from drawings.kinds import bar_chart, circular_chart
 from drawings.kinds.bar_chart import Chart
 from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
-from drawings.page.page import page_of
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.formats import SIZES
+from drawings.page.page import Drafting, drafting_of, page_of
+from drawings.paper.hand import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.report import agreed
 from drawings.sheets.documents import letter

@@ -15,18 +15,15 @@ from drawings.cam.size_view import NAME, QUANTITY, SizeView
 from drawings.kinds.axes import Letter, arrow, placed
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
-from drawings.lettering.extent import spaced
-from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Phrase, Slot, joined, telling
-from drawings.page.scale import Drafting
+from drawings.lettering.lettering import spaced, text_width
+from drawings.lettering.words import Phrase, Slot, joined, telling
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Arc, Circle, Group, Kind, Line, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
-from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import HINGE, TICK, hinge, pole
+from drawings.symbols.symbols import HINGE, TICK, fit, hinge, pole
 from plans.cam.centre.place import SizeTangent
 from plans.model.cam import MM
 

@@ -16,16 +16,14 @@ from drawings.cam.size_view import SizeView, leaning, lower
 from drawings.kinds.axes import Letter
 from drawings.layout.labels import NEAR, Labels
 from drawings.layout.picture import Place
-from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.scale import Drafting
+from drawings.lettering.words import Slot, joined, telling
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Kind, Line, Polyline, Statement, Stroke
 from drawings.paper.walk import stating, tied_spot
-from drawings.symbols.dashes import fit, hatching
 from drawings.symbols.dimension import Dimension, arrows
 from drawings.symbols.figure import Subject
-from drawings.symbols.symbols import TurnArrow, arrowhead
+from drawings.symbols.symbols import TurnArrow, arrowhead, fit, hatching
 from plans.cam.centre.bounds import PressureBound
 from plans.cam.centre.place import SizeTangent
 from plans.model.cam import DWELL, MM, Phase

@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from geometry.board import Line as Ruler
 from geometry.board import Mark
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram, sampled, stretches

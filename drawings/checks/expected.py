@@ -9,8 +9,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from drawings.layout.table import cell_name
-from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Key, Kind, Leaf
 from plans.model.motion import Complexes, Floats
 from plans.words.words import ENGLISH, Message, message, words
 

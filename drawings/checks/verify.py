@@ -7,18 +7,17 @@ from pathlib import Path
 from typing import NamedTuple
 
 from drawings.checks import hold
-from drawings.checks.differences import differences
+from drawings.checks.differences import differences, plain
 from drawings.checks.expected import Expected, Wrong, on
-from drawings.checks.letters import unlettered
-from drawings.checks.plain import plain
-from drawings.checks.written import block_faults, marked_scales, scale_faults
-from drawings.files.file_error import Enclosure
+from drawings.checks.hold import unlettered
+from drawings.checks.readers import block_faults, marked_scales, scale_faults
+from drawings.files.atomic_files import Enclosure
 from drawings.paper.limits import QUANTUM, SheetRefused
-from drawings.paper.statement import Key
-from drawings.paper.strokes import Arc, Leaf, Text
+from drawings.paper.strokes import Arc, Key, Leaf, Text
 from drawings.reading.covering import COVERED, OUTSIDE, small, veiled
 from drawings.reading.measure import Measured, check
 from drawings.reading.sheet import SeenSheet, see
+from drawings.sheet_diff.items import SheetFigures, items
 from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
 from plans.quantity import Comparison, Lone
@@ -98,8 +97,7 @@ def obscured(sheet: SeenSheet) -> list[Message]:
     held = [of for of, unseen in under.items() if isinstance(unseen.stroke, Text) or of in large]
     if not held:
         return []
-    from drawings.sheet_diff.edit import SheetFigures, lone  # noqa: PLC0415  (only what is badly drawn pays for it)
-    from drawings.sheet_diff.items import items  # noqa: PLC0415
+    from drawings.sheet_diff.edit import lone  # noqa: PLC0415  (only what is badly drawn pays for it)
 
     figures, right = SheetFigures(leaf), {id(item.stroke): item for item in items(leaf)}
     return [lone("hidden", right[of], figures, reason=under[of].reason).told for of in held]

@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-from drawings.files.file_error import of_system, print_json
-from drawings.files.manifest import digest_of, manifest_beside
+from drawings.files.atomic_files import of_system, print_json
+from drawings.files.sheet_set import digest_of, manifest_beside
 from drawings.paper.limits import SHEET_BYTES
-from drawings.redrawn.originals import Originals
-from drawings.redrawn.sheet_check import UNREADABLE, Checked, Finding, check
+from drawings.redrawn import UNREADABLE, Checked, Finding, Originals, check
 from geometry.regular_file import regular_bytes
 from plans.words.words import ENGLISH, message, word
 

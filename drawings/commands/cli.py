@@ -12,7 +12,7 @@ from importlib import import_module
 from drawings import VERSION
 from drawings.commands.parser import parser
 from drawings.commands.stderr import FILES, UNREADABLE, tell
-from drawings.files.standing import Stopped
+from drawings.files.signals import Stopped
 from geometry.errors import DraftError
 
 BUG, SCENE, STOPPED = 1, 3, 130

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from drawings.commands.talk import noted
-from drawings.files.file_error import print_json
+from drawings.files.atomic_files import print_json
 from drawings.lettering.words import decimal
 from drawings.report.report import left_out, plan_width
 from drawings.report.table import quantity

@@ -13,8 +13,16 @@ from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.commands.trace import TracedMark
 from drawings.files.atomic_files import staged
-from drawings.files.manifest import manifest_name, manifest_of, read_manifest
-from drawings.files.sheet_set import output_folder, placed_sheets, publish, sheet_path, stem_of
+from drawings.files.sheet_set import (
+    manifest_name,
+    manifest_of,
+    output_folder,
+    placed_sheets,
+    publish,
+    read_manifest,
+    sheet_path,
+    stem_of,
+)
 from drawings.lettering.lettering import lettered
 from drawings.report.report import headlines, lines, remarks, summary, written
 from drawings.sheets.documents import of_scales, of_title
@@ -27,9 +35,8 @@ from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.checks.expected import Expected, Wrong
-    from drawings.files.file_error import Enclosure
-    from drawings.paper.statement import Key
-    from drawings.paper.strokes import Leaf
+    from drawings.files.atomic_files import Enclosure
+    from drawings.paper.strokes import Key, Leaf
     from drawings.reading.sheet import SeenSheet
 
 GAPS, WITHHELD = 4, 5
@@ -130,8 +137,7 @@ def _sheets(study: Study, folder: Path, trace: TracedMark) -> SheetSet:
         from drawings.checks.hold import phrase_faults
         from drawings.checks.verify import SelfCheckFailed, cramped, enclosure_wrongs, first, obscured
         from drawings.pens.svg import svg
-        from drawings.redrawn.originals import leaves_of
-        from drawings.sheets.documents import cuts
+        from drawings.sheets.documents import cuts, leaves_of
 
     scene, stem, language = study.scene, stem_of(study.scene), study.scene.sheet.language
     with trace.stage("layout"):

@@ -12,11 +12,10 @@ import numpy as np
 
 from drawings.commands.on_sheet import OnSheet, equations
 from drawings.commands.talk import noted
-from drawings.files.file_error import print_json
+from drawings.files.atomic_files import print_json
 from drawings.lettering.words import letter, number
 from drawings.sheets.kind import sheet_kind
-from geometry.board import Arc, Line, Mark, at
-from geometry.steps import behind
+from geometry.board import Arc, Line, Mark, at, behind
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.motion import FORCES, ORDERS, POSITIONS
 from plans.quantity import Quantity

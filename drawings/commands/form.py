@@ -11,8 +11,7 @@ from drawings.commands.draw import admit
 from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.files.atomic_files import staged
-from drawings.files.manifest import manifest_of
-from drawings.files.sheet_set import output_folder, placed_sheets, publish, stem_of
+from drawings.files.sheet_set import manifest_of, output_folder, placed_sheets, publish, stem_of
 from drawings.lettering.lettering import lettered
 from plans.scene.scene import read_scene
 from plans.study import Study

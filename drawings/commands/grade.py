@@ -12,8 +12,7 @@ from itertools import chain, count
 from pathlib import Path
 
 from drawings.commands.stderr import tell
-from drawings.files.atomic_files import write
-from drawings.files.file_error import print_json
+from drawings.files.atomic_files import print_json, write
 from drawings.grading.allowance import Allowances, allowance
 from drawings.grading.class_list import grade_all, grade_own
 from drawings.grading.feedback import HEAD, feedback, is_plain, lines, plain, plain_name, row
@@ -21,7 +20,7 @@ from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import Hints, idle_keys, sheet_task
 from drawings.grading.verdict import Marking, MarkingError, read_marking
 from drawings.paper.limits import SHEET_BYTES
-from drawings.redrawn.originals import Originals
+from drawings.redrawn import Originals
 from geometry.regular_file import regular_bytes
 from plans.words.words import message, word
 

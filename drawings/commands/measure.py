@@ -9,8 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from drawings.commands.stderr import tell
-from drawings.files.file_error import print_json
-from drawings.files.manifest import manifest_beside
+from drawings.files.atomic_files import print_json
+from drawings.files.sheet_set import manifest_beside
 from drawings.lettering.words import letter
 from drawings.paper.limits import SheetRefused
 from drawings.reading.marks import MarkKey, MeasuredPoint, MeasuredVector
@@ -65,7 +65,7 @@ def _language(scene: Path) -> str:
 
 def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[MarkKey]]:
     """Name the marks that the sheet must have by its scene and has not, that it has and must not, and that differ."""
-    from drawings.redrawn.originals import Originals  # only a scene that is given has its sheets laid out
+    from drawings.redrawn import Originals  # only a scene that is given has its sheets laid out
 
     originals = Originals(options.scene)
     must = [originals.read_back(sheet).measured for sheet in originals.of(options.sheet.name, measured.metadata)]

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from drawings.files import atomic_files
-from drawings.files.file_error import FileError
+from drawings.files.atomic_files import FileError
 from drawings.gallery.catalogue import Entry, catalogue
 from geometry.errors import DraftError
 from plans.words.words import message

@@ -10,7 +10,7 @@ import sys
 from typing import NoReturn
 
 from drawings.commands.stderr import FILES, UNREADABLE, tell
-from drawings.files.standing import ENDING, Stopped, raise_signals
+from drawings.files.signals import ENDING, Stopped, raise_signals
 
 COLLECTED = 1_000_000  # new objects between two collections: a sheet makes fewer, and hardly any of them in rings
 STREAMS = 3  # stdin, stdout, stderr

@@ -8,7 +8,7 @@ from typing import Any
 from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.commands.trace import TracedMark
-from drawings.files.file_error import print_json
+from drawings.files.atomic_files import print_json
 from plans.scene.scene import read_scene
 from plans.study import Study
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from drawings.commands.stderr import tell
-from drawings.files.file_error import of_system
+from drawings.files.atomic_files import of_system
 from plans.scene.faults import SceneError
 from plans.scene.notes import notes_of
 from plans.scene.source import language_of

@@ -10,17 +10,16 @@ import numpy as np
 
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Picture, Spot
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import text_width
+from drawings.lettering.lettering import bounds, text_width
 from drawings.linkage import position_plan
 from drawings.linkage.position_letters import clearest, length, stroke
 from drawings.linkage.position_plan import PositionFigure
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Arc, Circle, Group, Polyline, Stroke, Text
 from drawings.paper.walk import tied
-from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
+from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import Mark

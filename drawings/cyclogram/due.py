@@ -10,9 +10,8 @@ import numpy as np
 from drawings.checks.expected import Expected, cells
 from drawings.cyclogram.due_rows import chart, machine_rows
 from drawings.linkage.due import mass_centres, measures
-from drawings.page.scale import drafting_of
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.page.page import drafting_of
+from drawings.paper.strokes import Kind, Leaf
 from plans.analytic.points import placed
 from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.study import CyclogramStudy

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Final, NamedTuple
 
 from drawings.checks.expected import Expected
-from drawings.paper.statement import Kind
+from drawings.paper.strokes import Kind
 from plans.model.cam import Cam
 from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, SLIVER, TURN, BarRow, Cyclogram, Period, within
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
 from plans.model.cyclogram import BACK, ENTRY, EXIT, LEAVE, PRESSURE, TURN, Cyclogram, within

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.cyclogram.notes import CyclogramNotes
-from drawings.page.scale import Drafting, drafting_of
-from drawings.report.formula import DIGITS, Chapters
-from drawings.report.letters import entry, plain
+from drawings.page.page import Drafting, drafting_of
+from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.table import Report, chapter
 from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy

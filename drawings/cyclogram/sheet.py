@@ -16,7 +16,7 @@ from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
 from drawings.linkage.positions import of_linkage
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import FRAME, GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import lay_out

@@ -10,8 +10,7 @@ import numpy as np
 
 from drawings.checks.expected import KNOWN, Expected
 from drawings.layout.table import cell_name
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Kind, Leaf
 from plans.diagrams.quantities import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy

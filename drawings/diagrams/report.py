@@ -10,11 +10,10 @@ import numpy as np
 
 from drawings.diagrams.rows import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.lettering.extent import every
+from drawings.lettering.lettering import every
 from drawings.lettering.words import fixed, number
-from drawings.page.scale import Drafting
-from drawings.report.figures import see
-from drawings.report.formula import Chapters
+from drawings.page.page import Drafting
+from drawings.report.formula import Chapters, see
 from drawings.report.table import Report, chapter, heading, tabled
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Diagrams, OutputRates, chord_error

@@ -17,10 +17,9 @@ from drawings.kinds.row_frame import Proportions, RowFrame, RowPlate
 from drawings.kinds.smooth import smooth
 from drawings.kinds.working import SCALES, Workings, amount
 from drawings.layout.picture import Picture, Spot
-from drawings.lettering.extent import every, spaced
-from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Slot, joined
-from drawings.page.scale import Drafting, Scale
+from drawings.lettering.lettering import every, spaced, text_width
+from drawings.lettering.words import Slot, joined
+from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import INK, Group, LineStyle, Stroke, Text
 from drawings.paper.walk import PLACES, flat
 from drawings.symbols.figure import heading

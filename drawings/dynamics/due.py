@@ -15,9 +15,8 @@ from drawings.checks.expected import NOTES, Expected, cells, measured, phrases
 from drawings.checks.readers import Frame, frames
 from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, AnalysedTurn, graphs, tachogram
 from drawings.forces.due_acting import diagrams
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
 from drawings.paper.walk import groups as marks
 from plans.analytic.dynamics.flywheel import flywheel_of_points, wheel
 from plans.dynamics.quantities import DynamicsComparison

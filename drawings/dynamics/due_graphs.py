@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.checks.expected import Expected, course
 from drawings.checks.readers import Frame, Place
-from drawings.paper.statement import Kind
+from drawings.paper.strokes import Kind
 from plans.model.dynamics import TURN, Cycle, Flywheel, Speeds, Task, edge_names
 from plans.model.motion import Complexes, Floats
 from plans.model.run import Account, MachineRun

@@ -13,13 +13,13 @@ from typing import NamedTuple
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.scale import Drafting, Scale
+from drawings.lettering.words import Slot, joined, telling
+from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
-from drawings.symbols.dashes import fit, hatching
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, around, heading
+from drawings.symbols.symbols import fit, hatching
 from plans.model.dynamics import Wheel
 
 NAME = "flywheel_sketch"

@@ -11,11 +11,11 @@ import numpy as np
 from drawings.kinds.axes import OVER, RIGHT, UNDER, Axes, Letter, Part, Pole
 from drawings.kinds.graph import Graph
 from drawings.kinds.smooth import cubics, inner_slopes
-from drawings.lettering.extent import every, spaced
-from drawings.page.scale import Drafting
+from drawings.lettering.lettering import every, spaced
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
-from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.symbols import fit_dashes
 from geometry.strips import middles
 from plans.model.dynamics import TURN, Cycle, Speeds, edge_names
 from plans.model.motion import Floats

@@ -12,12 +12,11 @@ import numpy as np
 from drawings.dynamics.graphs import Dense, DrawnStrips
 from drawings.kinds.axes import BEYOND, LEFT, OVER, UNDER, Axes, Letter, Part
 from drawings.kinds.graph import Graph
-from drawings.lettering.extent import spaced
-from drawings.lettering.phrase import Phrase, Slot, joined, telling
-from drawings.page.scale import Drafting, Scale
+from drawings.lettering.lettering import spaced
+from drawings.lettering.words import Phrase, Slot, joined, telling
+from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Arc, Circle, Group, Kind, Line, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject

@@ -20,7 +20,7 @@ from drawings.kinds.axes import BEYOND, wide
 from drawings.kinds.curve_graph import GraphCurve
 from drawings.layout.picture import Margins, Picture
 from drawings.layout.table import RuledTable, Setting
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from plans.model.dynamics import TURN, Cycle, Task
 from plans.model.run import Account

@@ -16,11 +16,11 @@ from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption, wide
 from drawings.kinds.row_frame import coarser, level, stacked
 from drawings.kinds.working import TANGENTS, Workings, amount
 from drawings.layout.picture import Spot
-from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.scale import Scale, fitting
-from drawings.paper.formats import Field
+from drawings.lettering.words import Slot, joined, telling
+from drawings.page.page import Scale, fitting
+from drawings.paper.hand import Field
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
-from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import around, trim
 from plans.model.dynamics import TURN, Touch
 

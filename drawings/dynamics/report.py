@@ -11,11 +11,9 @@ import numpy as np
 
 from drawings.dynamics import report_tables as tables
 from drawings.forces.report import counted_strokes
-from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.page.scale import Drafting, drafting_of
-from drawings.report.figures import see
-from drawings.report.formula import DIGITS, Chapters
-from drawings.report.letters import entry, listed, plain
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting, drafting_of
+from drawings.report.formula import DIGITS, Chapters, entry, listed, plain, see
 from drawings.report.table import Report, chapter, header, row, tiny
 from plans.dynamics.cycle import methods, rim_of
 from plans.dynamics.loop import loop

@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS
 from drawings.report.table import column, header, row, tabled, tiny, united
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task

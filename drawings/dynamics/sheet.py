@@ -27,8 +27,7 @@ from drawings.layout.slicing import GAP
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
 from drawings.linkage.positions import of_linkage
-from drawings.page.page import Page, page_of
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, Page, drafting_of, page_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import GRAPH, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out

@@ -11,8 +11,8 @@ from drawings.kinds.axes import OVER, UNDER, Axes, Letter, Part
 from drawings.kinds.graph import BESIDE, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.scale import Drafting
+from drawings.lettering.words import Slot, joined, telling
+from drawings.page.page import Drafting
 from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK

@@ -8,21 +8,139 @@ its temporary name, and the next run finishes what it finds there.
 from __future__ import annotations
 
 import contextlib
+import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from drawings.files.atomic_files import check_replaceable, create, discard, force_folder, make_folder, orphans, rename
+from drawings import VERSION
+from drawings.files.atomic_files import (
+    BUSY,
+    check_replaceable,
+    create,
+    discard,
+    force_folder,
+    json_text,
+    locked,
+    make_folder,
+    orphans,
+    rename,
+    stating_path,
+)
 from drawings.files.atomic_files import temporary_name as new_name
-from drawings.files.file_error import stating_path
-from drawings.files.manifest import Manifest, digest_of, existing_digest, existing_manifest, read_manifest
-from drawings.files.standing import BUSY, locked, unstopped
+from drawings.files.signals import unstopped
+from drawings.paper.limits import SHEET_BYTES
+from drawings.reading.seal import digest, seal_of, sealed
+from geometry.regular_file import regular_bytes
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+
+FORMAT = 1
+MOST_BYTES = 1 << 20  # a set of a thousand sheets has a fifth of that
+SUFFIX = "-manifest.json"
+
+
+class Manifest(NamedTuple):
+    """The set of one run: its own name, what it was drawn from and by, and the checksum of each of its files."""
+
+    name: str
+    scene: str
+    scene_digest: str
+    files: Mapping[str, str]  # name: SHA-256
+    seals: Mapping[str, str]  # of the sheets among them
+    withheld: tuple[str, ...] = ()  # names of files that failed the self-check, and are not there
+    version: str = VERSION
+
+    def content(self) -> bytes:
+        """Give the manifest as a file: the same bytes for the same set."""
+        files = [_entry(name, digest, self.seals.get(name)) for name, digest in self.files.items()]
+        scene = {"name": self.scene, "sha256": self.scene_digest}
+        plain = {"format": FORMAT, "plandraft": self.version, "set": self.name, "scene": scene, "files": files}
+        plain |= {"withheld": list(self.withheld)} if self.withheld else {}
+        return f"{json_text(plain, indent=2)}\n".encode()
+
+    def strangers(self, folder: Path) -> list[str]:
+        """Name the files in a folder that are not those of this set, also those that are missing."""
+        return [name for name, digest in self.files.items() if digest_of(folder / name) != digest]
+
+
+def manifest_name(stem: str) -> str:
+    """Give the name of the manifest of a scene's set."""
+    return f"{stem}{SUFFIX}"
+
+
+def manifest_of(
+    scene: str, scene_content: bytes, contents: Mapping[Path, bytes], withheld: Iterable[str] = ()
+) -> Manifest:
+    """Make the manifest of the set that a scene's file gave, from the contents of its files."""
+    seals = {path.name: found for path, content in contents.items() if (found := seal_of(content)) is not None}
+    files = {path.name: digest(content) for path, content in contents.items()}
+    named = manifest_name(Path(scene).stem), Path(scene).name, digest(scene_content)
+    return Manifest(*named, files, seals, tuple(withheld))
+
+
+def read_manifest(path: Path) -> Manifest | None:
+    """Read a manifest; None where there is none, or none that can be read."""
+    with contextlib.suppress(OSError):
+        return existing_manifest(path)
+    return None
+
+
+def existing_manifest(path: Path) -> Manifest | None:
+    """Read a manifest; None where there is none of ours: all its names are of its scene, and in its folder.
+
+    An OSError says that there is a file that the system does not give.
+    """
+    with contextlib.suppress(FileNotFoundError, ValueError, LookupError, TypeError, RecursionError):
+        found = _parsed(json.loads(regular_bytes(path, MOST_BYTES)))
+        names, start = (found.name, *found.files), f"{found.name.removesuffix(SUFFIX)}-"
+        return found if all(_plain(name) and name.startswith(start) for name in names) else None
+    return None
+
+
+def manifest_beside(sheet: Path) -> Manifest | None:
+    """Find the manifest that names a sheet: the scene's name is the first words of the sheet's, joined by hyphens."""
+    words = sheet.name.split("-")
+    stems = ("-".join(words[:count]) for count in range(len(words) - 1, 0, -1))
+    found = (read_manifest(sheet.parent / manifest_name(stem)) for stem in stems)
+    return next((manifest for manifest in found if manifest is not None and sheet.name in manifest.files), None)
+
+
+def digest_of(path: Path) -> str | None:
+    """Give the checksum of a file; None where there is none that can be read."""
+    with contextlib.suppress(OSError):
+        return existing_digest(path)
+    return None
+
+
+def existing_digest(path: Path) -> str | None:
+    """Give the checksum of a file; None where there is none. An OSError says that the system does not give it."""
+    with contextlib.suppress(FileNotFoundError):
+        return digest(regular_bytes(path, 1 << 62))
+    return None
+
+
+def _entry(name: str, digest: str, seal: str | None) -> dict[str, str]:
+    return {"name": name, "sha256": digest} | ({"seal": seal} if seal else {})
+
+
+def _parsed(plain: Any) -> Manifest:
+    if plain["format"] != FORMAT:
+        raise ValueError("another format")
+    files = {entry["name"]: entry["sha256"] for entry in plain["files"]}
+    seals = {entry["name"]: entry["seal"] for entry in plain["files"] if "seal" in entry}
+    return Manifest(
+        plain["set"], plain["scene"]["name"], plain["scene"]["sha256"], files, seals, version=plain["plandraft"]
+    )
+
+
+def _plain(name: object) -> bool:
+    """Tell whether a name is that of a file in the same folder, and none that begins with a full stop."""
+    return isinstance(name, str) and name == Path(name).name and not name.startswith(".") and "\0" not in name
 
 
 class Left(NamedTuple):
@@ -207,3 +325,43 @@ def sheet_path(folder: Path, stem: str, kind: str, number: int) -> Path:
 def stem_of(scene: Scene) -> str:
     """Give how the names of a scene's files begin."""
     return Path(os.fspath(scene.file)).stem
+
+
+END = b"</svg>"
+SEAL = b'id="seal"'
+
+
+class Flaw(NamedTuple):
+    """What is wrong with a file as a file: its kind, and in words."""
+
+    kind: str  # torn, seal, set
+    told: Message
+
+
+def flaws(path: Path, source: bytes) -> Iterator[Flaw]:
+    """Tell what is wrong with a sheet as a file: its seal, its set."""
+    if len(source) > SHEET_BYTES:  # only its beginning was read, and whoever measures it says so
+        return
+    yield from _of_seal(source)
+    manifest = manifest_beside(path)
+    if manifest is not None:
+        yield from _of_set(path, source, manifest)
+
+
+def _of_seal(source: bytes) -> Iterator[Flaw]:
+    if sealed(source):
+        return
+    if not source.rstrip().endswith(END):
+        lines = source.count(b"\n") + 1
+        yield Flaw("torn", message("checked.torn", bytes=len(source), line=lines))
+    else:
+        yield Flaw("seal", message("checked.broken" if SEAL in source else "checked.unsealed"))
+
+
+def _of_set(path: Path, source: bytes, manifest: Manifest) -> Iterator[Flaw]:
+    """Tell which files of the set are others than were drawn together, and which are not there."""
+    if digest(source) != manifest.files[path.name]:
+        yield Flaw("set", message("checked.changed", set=manifest.name))
+    for name, stated in manifest.files.items():
+        if name != path.name and (found := digest_of(path.parent / name)) != stated:
+            yield Flaw("set", message("checked.missing" if found is None else "checked.other", name=name))

@@ -8,9 +8,9 @@ from typing import NamedTuple
 from drawings.forces.letters import BALANCE, PAIR, letter_of
 from drawings.kinds.outlines import is_centre
 from drawings.kinds.polygon import ShownVector
-from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter as by_language
-from drawings.page.scale import Drafting
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting
 from drawings.paper.walk import tied
 from geometry.board import Mark, at
 from plans.forces.cut import CutGroup, ForcePlan, MomentEquation

@@ -16,8 +16,7 @@ from drawings.forces.due_acting import ExpectedArm, ExpectedForces, diagrams, na
 from drawings.forces.due_lever import lever
 from drawings.lettering.words import word
 from drawings.paper.limits import SEEN
-from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Leaf, Text
+from drawings.paper.strokes import Key, Kind, Leaf, Text
 from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.bill import ActingForce, Bearing, ForceBill
 from plans.forces.cut import CutGroup, MomentEquation, indices

@@ -13,9 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.expected import Expected, measured
-from drawings.lettering.vector_letters import with_index
-from drawings.lettering.words import letter, word
-from drawings.paper.statement import Kind
+from drawings.lettering.words import letter, with_index, word
+from drawings.paper.strokes import Kind
 from plans.forces.bill import ActingForce, ForceBill, LoadedPosition
 from plans.forces.cut import CutGroup, MomentEquation
 from plans.forces.loading import OutputStroke, asks

@@ -13,11 +13,9 @@ import numpy as np
 
 from drawings.checks.expected import Expected
 from drawings.forces.due_acting import ABOUT, REACTION, ExpectedForces, unbraced
-from drawings.lettering.vector_letters import with_index
-from drawings.lettering.words import letter
+from drawings.lettering.words import letter, with_index
 from drawings.paper.limits import SEEN
-from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Text
+from drawings.paper.strokes import Key, Kind, Text
 from plans.forces.bill import ActingForce, LoadedPosition
 from plans.forces.drive import BALANCING, DRIVING
 from plans.model.machine import GEAR

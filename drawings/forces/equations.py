@@ -23,11 +23,9 @@ from drawings.layout.equation import (
     plain,
 )
 from drawings.layout.picture import Spot, TextBlock
-from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.page.page import Field
-from drawings.page.scale import Drafting
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Group
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting, Field
+from drawings.paper.strokes import Group, Kind, Statement
 from geometry.board import Mark, at
 from plans.forces.cut import CLOSING, INERTIA, REACTION, WEIGHT, Couple, CutGroup, ForcePlan, MomentEquation
 from plans.forces.drive import BALANCING, DRIVING

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 
-from drawings.lettering.vector_letters import with_index
-from drawings.lettering.words import letter
-from drawings.page.scale import Drafting
+from drawings.lettering.words import letter, with_index
+from drawings.page.page import Drafting
 from plans.forces.cut import CLOSING, KNOWN, PART
 
 __all__ = ["BALANCE", "CLOSING", "KNOWN", "LAID", "LOAD", "PAIR", "PART", "PRESSING", "UNKNOWN", "WHOLE"]

@@ -17,16 +17,14 @@ from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.linkage.vector_plan import diagram
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Circle, Group, Line, LineStyle, Stroke
+from drawings.paper.strokes import Circle, Group, Kind, Line, LineStyle, Statement, Stroke
 from drawings.paper.walk import stating, tied, tied_spot
+from drawings.symbols.couples import ForceArrow, not_to_scale, plain_name
 from drawings.symbols.dimension import LEAST as LEAST_ARM
 from drawings.symbols.dimension import Arm, to_scale
 from drawings.symbols.figure import Subject, around, heading, heading_width, point
-from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
 from drawings.symbols.symbols import HINGE, POINT, STAND, fixed_hinge
 from geometry.board import Mark, at
 from plans.forces.cut import ForcePlan

@@ -15,14 +15,12 @@ from drawings.kinds.axes import OVER, UNDER, Axes, Letter
 from drawings.kinds.graph import BESIDE, DOT, LEAST, Graph, GraphForm, standing
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Spot
-from drawings.lettering.extent import numbered, spaced
-from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Slot, joined, telling
+from drawings.lettering.lettering import numbered, spaced, text_width
+from drawings.lettering.words import Slot, joined, telling
 from drawings.lettering.words import letter as lettered
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Kind, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading

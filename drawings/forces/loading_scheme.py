@@ -20,21 +20,16 @@ from drawings.kinds.scheme import Joints, link_numbers, ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import with_index
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, Scale
+from drawings.lettering.lettering import bounds, text_width
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.strokes import Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, Gear
-from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, ForceArrow, Gear, not_to_scale, plain_name
 from drawings.symbols.dimension import Arm, Dimension, to_scale
 from drawings.symbols.figure import LINE, Subject, heading
-from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
-from drawings.symbols.symbols import BLOCK, MASS
+from drawings.symbols.symbols import BLOCK, MASS, fit_dashes
 from plans.forces.drive import DRIVING
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider

@@ -8,15 +8,14 @@ import numpy as np
 
 from drawings.forces.letters import force_letter
 from drawings.forces.report import least
-from drawings.lettering.phrase import Slot, joined, numbered, phrase
-from drawings.lettering.words import number, runs, word
+from drawings.lettering.words import Slot, joined, number, numbered, phrase, runs, word
 from drawings.linkage.notes import accord, driving, lengths
 from geometry.board import at
-from plans.by_hand import SLIP
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics, told_line
 from plans.model.machine import ALWAYS, GEAR, Force, Moment
 from plans.model.motion import NOTHING, Rates
+from plans.quantity import SLIP
 
 NBSP = "\N{NO-BREAK SPACE}"
 INDEX = ("friction index", "useful index")  # of powers

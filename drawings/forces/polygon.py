@@ -15,7 +15,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Circle, Group, Stroke, Text

@@ -13,10 +13,8 @@ from drawings.forces.report_equations import drawn_scales, equations, equations_
 from drawings.lettering import words as lettering
 from drawings.lettering.words import fixed, number, runs
 from drawings.linkage.notes import greatest, stroke_line
-from drawings.page.scale import Drafting, drafting_of
-from drawings.report.figures import see
-from drawings.report.formula import DIGITS, Chapters, Formula
-from drawings.report.letters import plain
+from drawings.page.page import Drafting, drafting_of
+from drawings.report.formula import DIGITS, Chapters, Formula, plain, see
 from drawings.report.report import gap_line, gap_lines
 from drawings.report.table import ANGLE, Report, chapter, column, header, heading, row, tabled
 from plans.forces.cut import indices

@@ -10,7 +10,7 @@ from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import PLAN as LEVER
 from drawings.linkage.equations import in_position
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.table import chapter, header, row

@@ -19,9 +19,8 @@ from drawings.layout.picture import Place
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, stated
-from drawings.symbols.couples import coupling
+from drawings.symbols.couples import ForceArrow, coupling
 from drawings.symbols.couples import spring as coil
-from drawings.symbols.force_arrow import ForceArrow
 from drawings.symbols.symbols import HINGE, fixed_hinge
 from geometry.board import at
 from plans.forces.cut import INERTIA, WEIGHT, CutGroup, ForcePlan

@@ -29,7 +29,7 @@ from drawings.lettering.words import word
 from drawings.linkage import vector_plan
 from drawings.linkage.positions import force_positions, of_linkage
 from drawings.linkage.vector_plan import diagram
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.documents import letter as lettered

@@ -16,13 +16,11 @@ from drawings.layout.contents import EVEN, Panel
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot
 from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import with_index
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, drafting_of
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Leaf, Line, SheetError, Stroke, Text, numeral, stated
-from drawings.redrawn.originals import leaves_of
-from drawings.sheets.documents import bind
+from drawings.sheets.documents import bind, leaves_of
 from drawings.sheets.kind import FRAME, GRAPH
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, key_of

@@ -15,9 +15,9 @@ from typing import Any, Final, NamedTuple
 
 from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.lettering.words import word
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.sheets.kind import figure_of, table_of

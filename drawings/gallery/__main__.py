@@ -10,8 +10,8 @@ from tempfile import TemporaryDirectory
 
 from drawings.commands.draw import draw
 from drawings.files import atomic_files
-from drawings.files.file_error import FileError
-from drawings.files.manifest import manifest_name
+from drawings.files.atomic_files import FileError
+from drawings.files.sheet_set import manifest_name
 from drawings.gallery.catalogue import GALLERY, catalogue
 from drawings.gallery.changes import ALPHABET, changes, enter, unlisted
 from drawings.gallery.index import PAGE, GalleryScene, index

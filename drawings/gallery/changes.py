@@ -13,7 +13,7 @@ from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
 from drawings.files import atomic_files
-from drawings.files.manifest import SUFFIX, digest_of
+from drawings.files.sheet_set import SUFFIX, digest_of
 from drawings.reading.sheet import see
 from drawings.sheet_diff.collate import collate
 from drawings.sheet_diff.edit import Edit

@@ -14,7 +14,7 @@ from drawings.grading.asked import PlanAsked, VectorAsked
 from drawings.paper.limits import QUANTUM
 from geometry.board import Mark
 from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
-from plans.by_hand import SLIP
+from plans.quantity import SLIP
 from plans.words.words import Message, message
 
 # Of ten thousand vectors that a fair hand draws one may be refused: a sheet has some forty.

@@ -11,13 +11,12 @@ from typing import Any, Final, NamedTuple, TypeAlias
 
 from drawings.checks.expected import Expected
 from drawings.checks.hold import MARKS
-from drawings.paper.statement import Key, Kind
+from drawings.paper.strokes import Key, Kind
 from drawings.paper.walk import groups
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import PLAN, figure_of
-from geometry.board import Board, Mark
-from geometry.steps import Span, behind
+from geometry.board import Board, Mark, Span, behind
 from plans.study import Study
 from plans.techniques import technique_of
 from plans.words.words import Message, message

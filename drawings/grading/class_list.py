@@ -13,12 +13,12 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
-from drawings.files.file_error import of_system
+from drawings.files.atomic_files import of_system
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.limits import SHEET_BYTES
-from drawings.redrawn.originals import Originals
+from drawings.redrawn import Originals
 from geometry.regular_file import regular_bytes
 from plans.words.words import message
 

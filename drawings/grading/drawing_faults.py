@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from drawings.checks.letters import Label, along, distance
+from drawings.checks.hold import Label, along, distance
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan, open_sides
@@ -17,7 +17,7 @@ from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, texts
 from drawings.reading.sheet import SeenSheet
-from plans.by_hand import SLIP
+from plans.quantity import SLIP
 
 # mm: two arrows end at one place if a hand that slips by four times a fair one's has drawn both there.
 CLOSED = 2 * math.sqrt(2) * 4 * SLIP

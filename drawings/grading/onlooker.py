@@ -9,19 +9,18 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
-from drawings.checks.letters import Label, labels_of
+from drawings.checks.hold import Label, labels_of
 from drawings.grading.units import boxed_in, stated
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
-from drawings.lettering.vector_letters import with_index
+from drawings.lettering.words import with_index
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Fill, Leaf, Line, Polyline, Run, Stroke, Text
 from drawings.paper.walk import flat, groups, texts
 from drawings.reading.alphabet import folded
-from drawings.reading.ink import LineInk, length
 from drawings.reading.pathdata import number
 from drawings.reading.sheet import EM, Observer, Opened, without
 from drawings.reading.transform import Viewport
-from drawings.reading.visibility import declarations, said
+from drawings.reading.visibility import LineInk, declarations, length, said
 
 _NAMES = {"pi": "π"}
 

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Final, NamedTuple
 
-from drawings.checks.letters import Label, along, distance, off
+from drawings.checks.hold import Label, along, distance, off
 from drawings.grading.asked import Place, PlanAsked, VectorAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
 from drawings.grading.onlooker import JOINED, Segment, spelled
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
 from drawings.reading.pathdata import number

@@ -10,7 +10,7 @@ from drawings.grading.cells.asked_table import TableAsked, tables_asked
 from drawings.grading.curves.figure_records import FigureAsked, figures_asked
 from drawings.grading.scheme_arrows import COUPLE
 from drawings.grading.verdict import OTHERS, RIGHT, Marking, Verdict, keys_of
-from drawings.redrawn.originals import Originals
+from drawings.redrawn import Originals
 from geometry.board import Mark
 from plans.words.words import Message, because, message
 

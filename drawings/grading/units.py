@@ -9,8 +9,8 @@ from functools import lru_cache, reduce
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
-from drawings.lettering.extent import bounds
-from drawings.paper.formats import SIZES
+from drawings.lettering.lettering import bounds
+from drawings.paper.hand import SIZES
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import flat

@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 from drawings.grading.units import in_system, in_unit
 from drawings.paper.strokes import Text
-from drawings.reading.alphabet import folded
-from drawings.reading.letters import UNREAD
+from drawings.reading.alphabet import UNREAD, folded
 
 SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough
 

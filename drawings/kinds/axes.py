@@ -8,14 +8,11 @@ from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Figure
-from drawings.lettering.extent import spaced
-from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import telling
-from drawings.page.scale import Scale
-from drawings.paper.formats import Field
-from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.lettering.lettering import spaced, text_width
+from drawings.lettering.words import telling
+from drawings.page.page import Scale
+from drawings.paper.hand import Field, Hand
+from drawings.paper.strokes import Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import arrowhead, pole

@@ -13,12 +13,11 @@ from drawings.kinds.course import Stretch, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_reach, text_width
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Anchor, Group, Line, Stroke, Text
-from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, around, heading
-from drawings.symbols.symbols import TICK, arrowhead
+from drawings.symbols.symbols import TICK, arrowhead, fit_dashes
 from plans.model.cyclogram import TURN, BarRow, within
 
 NAME, TITLE = "bars", "cyclogram bars"

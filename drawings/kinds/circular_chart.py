@@ -13,7 +13,7 @@ from drawings.kinds.bar_chart import LARGER, Chart, ChartFigure
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols.figure import around, heading

@@ -12,9 +12,8 @@ import numpy as np
 from drawings.kinds.axes import Letter, Part
 from drawings.kinds.graph import DOT, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.lettering.extent import every, numbered
-from drawings.lettering.lettering import text_width
-from drawings.page.scale import Drafting
+from drawings.lettering.lettering import every, numbered, text_width
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke, Text
 from drawings.paper.walk import tied

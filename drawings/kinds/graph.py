@@ -11,14 +11,12 @@ import numpy as np
 from drawings.kinds.axes import BEYOND, Axes, Letter
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
-from drawings.page.scale import Drafting, Scale, fitting
+from drawings.page.page import Drafting, Scale, fitting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import apart, stating
-from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, around
-from drawings.symbols.symbols import TICK
+from drawings.symbols.symbols import TICK, fit_dashes
 from plans.model.motion import Floats
 
 DOT = 0.7  # mm, radius of a point of a curve

@@ -13,13 +13,12 @@ from drawings.kinds.axes import Letter, Part
 from drawings.kinds.curve_graph import DOTTED, SPARE
 from drawings.kinds.graph import DOT, LEAST, stretches
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.extent import numbered
-from drawings.lettering.lettering import text_width
-from drawings.page.scale import Drafting
+from drawings.lettering.lettering import numbered, text_width
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
+from drawings.symbols.couples import plain_name
 from drawings.symbols.figure import Subject, around, heading, point, vector
-from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import pole
 from plans.model.motion import Complexes
 

@@ -15,8 +15,7 @@ from drawings.kinds.working import Workings
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, offset, parallel_offsets
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke

@@ -11,10 +11,9 @@ from typing import Generic, NamedTuple, Protocol, TypeVar
 from drawings.kinds.axes import BEYOND, Axes, Part, Plot, Pole, caption, wide
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import joined, telling
-from drawings.page.scale import Drafting, Scale, fitting
-from drawings.paper.formats import Field
-from drawings.paper.hand import Hand
+from drawings.lettering.words import joined, telling
+from drawings.page.page import Drafting, Scale, fitting
+from drawings.paper.hand import Field, Hand
 from drawings.paper.strokes import Group, Text
 
 TALLEST = 0.42  # share of the height of all rows that one row takes at most

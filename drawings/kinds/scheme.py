@@ -16,8 +16,8 @@ from drawings.kinds.outlines import Bones, LinkOutline, is_centre, offset_foot, 
 from drawings.layout.ink import LETTERED
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Place
-from drawings.lettering.extent import bounds
-from drawings.lettering.vector_letters import with_index
+from drawings.lettering.lettering import bounds
+from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Box, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols import symbols

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Place
-from drawings.lettering.vector_letters import with_index
+from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 

@@ -8,14 +8,12 @@ from typing import TypeAlias
 
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import text_reach, text_width
-from drawings.lettering.phrase import telling
+from drawings.lettering.words import telling
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Statement
-from drawings.paper.strokes import Circle, Group, Line, Stroke, Text
+from drawings.paper.strokes import Circle, Group, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, point
-from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
+from drawings.symbols.symbols import ARROW_LENGTH, arrowhead, fit
 
 SYMBOL, UNIT, QUANTITY = "l", "m", "r"
 ORIGIN = "O"  # the letter of the axis, and of the plane that places are measured from

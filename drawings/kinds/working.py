@@ -9,8 +9,7 @@ from typing import NamedTuple
 from drawings.layout.contents import Panel
 from drawings.layout.equation import EquationBlock, WrittenEquation, plain
 from drawings.layout.picture import Spot
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.strokes import Group
 
 READING, LENGTHS, MASSES = "reading", "lengths", "masses"  # what workings tell: before the name of their figure

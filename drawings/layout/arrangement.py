@@ -21,8 +21,7 @@ from drawings.layout.picture import SMALLER, Picture, Rung
 from drawings.layout.room import Stock
 from drawings.layout.slicing import GAP, SAME, Piece, Size, Tree, pieces
 from drawings.layout.standing import Area, Grid, natural
-from drawings.page.page import Field, Page
-from drawings.page.scale import Scale
+from drawings.page.page import Field, Page, Scale
 from drawings.paper.walk import PLACES, tied
 from plans.model.motion import Floats
 

@@ -8,11 +8,10 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.layout.picture import TextBlock
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import joined, telling
+from drawings.lettering.words import joined, telling
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Statement
-from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.strokes import Group, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating
 
 BAR = "\N{COMBINING MACRON}"

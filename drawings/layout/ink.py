@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.layout.standing import barest
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.page.page import Field
 from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text
 from drawings.paper.walk import MARGIN, flat

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from drawings.layout.ink import LETTERED, Ink, padded
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied, tied_spot
 

@@ -8,8 +8,7 @@ from itertools import groupby, pairwise
 from typing import NamedTuple, Protocol
 
 from drawings.layout.labels import Labels
-from drawings.page.page import Field
-from drawings.page.scale import Scale, fitting
+from drawings.page.page import Field, Scale, fitting
 from drawings.paper.strokes import Group, Stroke
 from drawings.paper.walk import tied, tied_spot
 

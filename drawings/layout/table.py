@@ -8,11 +8,9 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.layout.picture import TextBlock
 from drawings.lettering.lettering import text_width
-from drawings.page.page import Field
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting, Field
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.paper.walk import stating
 
 # In sizes of the letters: a row, how far a text stands above its row's line, and the least cell.

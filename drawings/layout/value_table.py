@@ -12,7 +12,7 @@ import numpy as np
 from drawings.layout.table import Cell, Later, RuledTable, TableRow
 from drawings.layout.table import table as measure
 from drawings.lettering.words import fixed, letter, word
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.walk import tied
 from plans.model.motion import ORDERS
 from plans.quantity import Comparison, Quantity

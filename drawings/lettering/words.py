@@ -1,12 +1,18 @@
-"""The words of a sheet in its language, its letters as that language writes them, and its numbers (надписи листа)."""
+"""The words and phrases of a sheet in its language, its letters as that language writes them, its numbers (надписи).
+
+The template of a phrase (фраза) is its text with ⟨name⟩ where the number of a quantity stands.
+"""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Iterable
+from functools import lru_cache
+from typing import NamedTuple
 
-from drawings.paper.strokes import SheetError
+from drawings.paper.strokes import Kind, SheetError, Statement, Stroke, Text
+from drawings.paper.walk import stating, texts
 from plans.words import words
 
 ROUNDING = 2.0**-40  # of the largest of a row: some thousand roundings, far below the digits that are printed
@@ -95,3 +101,147 @@ def runs(positions: Iterable[int], dash: str = "–") -> str:
         else:
             joined.append([k])
     return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}{dash}{run[-1]}" for run in joined)
+
+
+SLOT = re.compile("⟨(.*?)⟩")
+NUMBER = r"([−-]?\d+(?:[.,]\d+)?|—)"
+
+
+class Slot(NamedTuple):
+    """A number of a phrase: the quantity that it is, its value, and how many significant digits are written."""
+
+    quantity: str
+    value: float
+    digits: int = 4
+
+
+class Phrase(str):
+    """A sentence with its template; without any number of a quantity the template is the sentence."""
+
+    __slots__ = ("template",)
+    template: str
+
+    def __new__(cls, text: str, template: str) -> Phrase:
+        """Write a sentence."""
+        made = super().__new__(cls, text)
+        made.template = template
+        return made
+
+
+def phrase(language: str, key: str, **parts: object) -> Phrase:
+    """Say a sentence of a sheet in a language; its parts are slots, other phrases, or words as they are.
+
+    >>> said = phrase("en", "permissible in one", grade="G6.3", letters="e", permissible=Slot("U_per", 12.5))
+    >>> said.template == str(said).replace("12.5", "⟨U_per⟩")
+    True
+    """
+    text = {name: _text(part, language) for name, part in parts.items()}
+    template = {name: _template(part) for name, part in parts.items()}
+    return Phrase(word(language, key, **text), word(language, key, **template))
+
+
+def numbered(language: str, slot: Slot) -> Phrase:
+    """Write the number of a quantity alone.
+
+    >>> numbered("ru", Slot("h_1", 2.5)).template
+    '⟨h_1⟩'
+    """
+    return Phrase(str(_text(slot, language)), str(_template(slot)))
+
+
+def slotted(before: str, quantity: str, number: str, after: str = "") -> Phrase:
+    """Write the number of a quantity that is rounded in its own way.
+
+    >>> slotted("K = ", "K", "1.500").template
+    'K = ⟨K⟩'
+    """
+    return Phrase(f"{before}{number}{after}", f"{before}⟨{quantity}⟩{after}")
+
+
+def joined(between: str, parts: Iterable[str]) -> Phrase:
+    """Join phrases and words to one phrase."""
+    pieces = [*parts]
+    return Phrase(between.join(pieces), between.join(map(template_of, pieces)))
+
+
+def template_of(text: str) -> str:
+    """Give the template of a phrase; of plain words they are it themselves."""
+    return text.template if isinstance(text, Phrase) else text
+
+
+def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
+    """Give lettering of a figure as what it states, where its content is a phrase with slots."""
+    contents = (content,) if content else (text.content for text in texts((stroke,)))
+    template = " ".join(template_of(part) for part in contents if isinstance(part, str))
+    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
+
+
+def _text(part: object, language: str) -> object:
+    return number(part.value, language, part.digits) if isinstance(part, Slot) else part
+
+
+def _template(part: object) -> object:
+    if isinstance(part, Slot):
+        return f"⟨{part.quantity}⟩"
+    return template_of(part) if isinstance(part, str) else part
+
+
+def read_back(template: str, text: str, markup: bool = True) -> list[tuple[str, str]]:
+    """Read the numbers of a phrase off a text that is written by its template; none where it says something else.
+
+    The template of a phrase on a sheet is marked up as lettering; that of one in a report is as the text.
+
+    >>> read_back("m_{II} = ⟨m_II⟩ kg,  D = ⟨D⟩ mm", "mII = 0.25 kg, D = 40 mm")
+    [('m_II', '0.25'), ('D', '40')]
+    """
+    names, pieces = SLOT.findall(template), SLOT.split(template)[::2]
+    pieces = [Text(0j, piece).plain for piece in pieces] if markup else pieces
+    pattern = NUMBER.join(r"\s+".join(map(re.escape, re.split(r"\s+", piece))) for piece in pieces)
+    found = re.search(pattern, text)
+    return [] if found is None else [*zip(names, found.groups(), strict=True)]
+
+
+@lru_cache(maxsize=4096)
+def with_index(letter: str) -> str:
+    """Write a mark's letter with its index lowered: b, a_3, n_BA.
+
+    >>> with_index("a3"), with_index("n_BA"), with_index("s12'")
+    ('a_{3}', 'n_{BA}', "s_{12}'")
+    """
+    if "_" in letter:
+        head, index = letter.split("_", 1)
+        return f"{head}_{{{index}}}"
+    digits = "".join(sign for sign in letter if sign.isdigit())
+    return letter.replace(digits, f"_{{{digits}}}", 1) if digits else letter
+
+
+CENTRE, FORCE, MOMENT, RESULT = "S", "Φ", "M^Φ", "mr_S"
+INDEX = re.compile(r"_([^_]+?)(?=r_|$)")
+
+
+def counterweight(link: int, language: str) -> str:
+    """Letter the mass of a link's counterweight.
+
+    >>> counterweight(1, "en"), counterweight(12, "ru")
+    ('m_{cw1}', 'm_{пр12}')
+    """
+    return f"m_{{{word(language, 'counterweight index')}{link}}}"
+
+
+def lowered(name: str) -> str:
+    """Mark up the letters of a main-point vector or a static moment, each index lowered.
+
+    >>> lowered("h_2"), lowered("m_3r_S3"), lowered("mr_S")
+    ('h_{2}', 'm_{3}r_{S3}', 'mr_{S}')
+    """
+    return INDEX.sub(lambda found: f"_{{{found[1]}}}", name)
+
+
+def lowered_bank(name: str) -> str:
+    """Mark up the letters of a vector or a mass, its index lowered, its prime above.
+
+    >>> lowered_bank("F_-II,12"), lowered_bank("mr_M,I"), lowered_bank("m_M,II'")
+    ('F_{−II,12}', 'mr_{M,I}', "m_{M,II}'")
+    """
+    letter, _, index = name.rstrip("'").partition("_")
+    return (f"{letter}_{{{index.replace('-', '−')}}}" if index else letter) + "'" * name.count("'")

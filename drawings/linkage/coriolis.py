@@ -9,14 +9,11 @@ from typing import NamedTuple
 
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import with_index
-from drawings.page.page import Field
-from drawings.page.scale import Drafting
+from drawings.lettering.lettering import bounds, text_width
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, Field
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Statement
-from drawings.paper.strokes import Arc, Group, Line, Stroke, Text
+from drawings.paper.strokes import Arc, Group, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from geometry.board import Mark, at

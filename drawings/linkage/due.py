@@ -16,9 +16,8 @@ from drawings.diagrams import due as diagrams
 from drawings.layout import value_table
 from drawings.lettering.words import letter
 from drawings.linkage.due_plans import VectorPlans
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf, Text
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf, Text
 from plans.analytic.points import placed
 from plans.linkage.parts import MotionByHand, alike
 from plans.linkage.plan import unnamed

@@ -10,10 +10,9 @@ from itertools import chain
 import numpy as np
 
 from drawings.checks.expected import Expected
-from drawings.lettering.vector_letters import with_index
-from drawings.page.scale import Drafting
-from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Text
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting
+from drawings.paper.strokes import Key, Kind, Text
 from plans.linkage.parts import AnalysedVectors, findings, spans, vectors_of
 from plans.linkage.plan import POLES, Plan, Sliding, Slotted, Turning, Vector
 from plans.linkage.quantities import MotionComparison

@@ -10,15 +10,15 @@ import numpy as np
 
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
-from drawings.page.scale import Scale, drafting_of
+from drawings.page.page import Scale, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.table import chapter
+from plans.linkage.motion_plans import VectorSum, VectorSums
 from plans.linkage.plan import POLES, Turning
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import largest_of
 from plans.linkage.study import LinkageStudy
-from plans.linkage.vector_sums import VectorSum, VectorSums
 from plans.model.dyad import Dyad
 from plans.model.motion import ACCELERATIONS, NOTHING, PLANS, POSITIONS, VELOCITIES, Motion
 from plans.words.words import word

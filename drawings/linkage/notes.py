@@ -8,11 +8,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from drawings.lettering.phrase import Slot, joined, phrase, slotted
-from drawings.lettering.words import fixed, number, runs, span, word
+from drawings.lettering.words import Slot, fixed, joined, number, phrase, runs, slotted, span, word
 from drawings.report.report import share
 from drawings.report.table import TableSubject
-from plans.by_hand import SLIP
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.ram import law
 from plans.linkage.study import LinkageStudy
@@ -22,7 +20,7 @@ from plans.model.dyad import Assur, formula, mechanism_class
 from plans.model.machine import ways
 from plans.model.mechanism import Mechanism, Output, Ram
 from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Floats, Motion, Order, Rates
-from plans.quantity import Quantity
+from plans.quantity import SLIP, Quantity
 from plans.study import Study
 from plans.words import words
 from plans.words.words import Message, message

@@ -11,8 +11,7 @@ import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.lettering.extent import numbered
-from drawings.lettering.lettering import text_width
+from drawings.lettering.lettering import numbered, text_width
 from drawings.lettering.words import number
 from drawings.linkage.guides import aside, pushed
 from drawings.linkage.skeleton import Pairs, Skeletons

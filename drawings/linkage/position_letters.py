@@ -14,19 +14,15 @@ from drawings.kinds.scheme import frame_number, link_numbers
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import text_reach, text_width
-from drawings.lettering.phrase import Phrase, slotted, telling
-from drawings.lettering.vector_letters import with_index
-from drawings.lettering.words import fixed
+from drawings.lettering.lettering import bounds, text_reach, text_width
+from drawings.lettering.words import Phrase, fixed, slotted, telling, with_index
 from drawings.linkage.guides import PushArrow, TurningArrow, arrows
 from drawings.linkage.numbering import numbers, output_point, sliders
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.linkage.trajectories import Traced, phases, sized, traced
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY, SEEN
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Box, Group, Line, Stroke, Text
+from drawings.paper.strokes import Box, Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import PLACES, stating, tied
 from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, TurnArrow, arrowhead, tick
 from drawings.symbols.trimming import trim

@@ -19,16 +19,14 @@ from drawings.linkage.numbering import same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
 from drawings.linkage.trajectories import phases, trajectories
-from drawings.page.scale import Drafting
-from drawings.paper.formats import Field
-from drawings.paper.hand import Hand
+from drawings.page.page import Drafting
+from drawings.paper.hand import Field, Hand
 from drawings.paper.limits import MANY
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import Arc, Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols import symbols
-from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
+from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at

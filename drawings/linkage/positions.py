@@ -12,7 +12,7 @@ from drawings.layout.contents import Panel
 from drawings.linkage import position_plan
 from drawings.linkage.notes import notes
 from drawings.linkage.skeleton import Skeletons, skeletons
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out

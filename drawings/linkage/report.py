@@ -11,14 +11,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
-from drawings.lettering.words import fixed, number, span
+from drawings.lettering.words import Phrase, Slot, fixed, number, phrase, slotted, span
 from drawings.linkage.equations import drawn_scales, equations, equations_of, shown_positions
 from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, subject
-from drawings.page.scale import drafting_of
+from drawings.page.page import drafting_of
 from drawings.paper.limits import MANY
-from drawings.report.figures import see
-from drawings.report.formula import DIGITS, Chapters, Formula, display, inline
+from drawings.report.formula import DIGITS, Chapters, Formula, display, inline, see
 from drawings.report.report import gap_line, gap_lines, positions
 from drawings.report.table import Report, chapter, header, row, tabled
 from plans.linkage.assembly import Barrier

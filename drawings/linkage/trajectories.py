@@ -12,13 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.layout.picture import Place
-from drawings.lettering.phrase import Phrase, slotted
-from drawings.lettering.words import fixed
+from drawings.lettering.words import Phrase, fixed, slotted
 from drawings.linkage.guides import NUMBERS, OUTER
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke
+from drawings.paper.strokes import Arc, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.symbols import TurnArrow
 from plans.linkage.study import LinkageStudy

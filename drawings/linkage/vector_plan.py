@@ -12,8 +12,7 @@ from drawings.kinds.working import DIGITS, LENGTHS, READING, ScaleFactor, Workin
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, StillFigure, picture
 from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import with_index
-from drawings.lettering.words import runs
+from drawings.lettering.words import runs, with_index
 from drawings.linkage.coriolis import (
     LaidPart,
     QuarterTurn,
@@ -24,16 +23,13 @@ from drawings.linkage.coriolis import (
     part_letter,
     quarter_turn,
 )
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.symbols.figure import PLAN_LETTERS, Subject, around, heading, point, vector
 from drawings.symbols.symbols import pole
 from geometry.board import Line as Direction
-from geometry.board import Mark, at
-from geometry.steps import behind
+from geometry.board import Mark, at, behind
 from plans.linkage.plan import Plan
 from plans.model.mechanism import Mechanism
 from plans.model.motion import NOTHING, ORDERS

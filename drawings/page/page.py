@@ -1,20 +1,21 @@
-"""The page: a format with its frame, margins and title block, by GOST or by ISO (лист)."""
+"""The page and how it is drawn: format, frame, title block; hand, language, standard; scales (лист, масштабы)."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
+from typing import Final, NamedTuple
 
+from drawings.lettering.words import Phrase, Slot, letter, number, numbered, phrase, word
 from drawings.page import frame
 from drawings.page.blocks import form1, iso7200
-from drawings.page.frame import FRAME, borders
-from drawings.page.title_cell import NUMBERS
-from drawings.paper.formats import BLOCKS, BORDERS, PORTRAIT, Field, lies, size_of
-from drawings.paper.hand import Hand, hand_of
+from drawings.page.frame import FRAME, NUMBERS, borders
+from drawings.paper.hand import BLOCKS, BORDERS, PORTRAIT, Field, Hand, hand_of, lies, size_of
 from drawings.paper.strokes import INK, Circle, Group, LineStyle, SheetError, Stroke, stated
 from plans.scene.scene import Scene
-from plans.words.words import placed
+from plans.words.words import message, placed
 
 BLOCK, EXTRA = "title-block", "extra-graphs"  # the names of their groups
 
@@ -118,3 +119,120 @@ def page_of(scene: Scene, kind: str = "") -> Page:
     except SheetError as error:
         line, column = scene.place(("sheet", "orientation"))
         raise SheetError(placed(f"{scene.file}:{line}:{column}", error.args[0])) from None
+
+
+# Of scale factors: what courses take beside GOST, and the series of ISO 5455.
+MANTISSAS: Final = {"GOST": (1.0, 2.0, 2.5, 4.0, 5.0), "ISO": (1.0, 2.0, 5.0)}
+# GOST 2.302-68: reductions 1:b, those from 2000 for master plans, and enlargements a:1.
+REDUCTIONS: Final = (
+    1, 2, 2.5, 4, 5, 10, 15, 20, 25, 40, 50, 75, 100, 200, 400, 500, 800, 1000,
+    2000, 5000, 10000, 20000, 25000, 50000,
+)  # fmt: skip
+ENLARGEMENTS: Final = (2, 2.5, 4, 5, 10, 20, 40, 50, 100)
+TURNED = "rad"  # the unit of a turn laid off along an axis: ISO 5455 speaks of lengths, and its steps are too wide here
+# Beyond the tables, as mu. By GOST a picture is enlarged (100 n):1, n whole: 400:1, but no 250:1, so that mu has no 4.
+# It says nothing of reductions beyond 1:50 000; these go on as the last ones do.
+BEYOND: Final = (1.0, 2.0, 2.5, 5.0)
+
+
+class Scale(NamedTuple):
+    """A scale factor: `mu` true units per millimetre, of a letter such as l, v or a, in a unit such as m/s."""
+
+    mu: float
+    letter: str
+    unit: str
+
+    def written(self, language: str, notation: str = "mu") -> str:
+        """Write the scale as the textbook does, mu in units a millimetre, or K = 1/mu in millimetres a unit.
+
+        >>> Scale(0.02, "v", "m/s").written("en"), Scale(0.0025, "l", "m").written("ru", "K")
+        ('μ_v = 0.02 (m/s)/mm', 'K_l = 400 мм/м')
+        """
+        unit, mm = word(language, self.unit), word(language, "mm")
+        true = f"({unit})" if "/" in unit else unit
+        if notation == "K":
+            return f"K_{self.letter} = {number(1 / self.mu, language)} {mm}/{true}"
+        ratio = f" ({self.ratio(language)})" if self.letter == "l" else ""
+        return f"μ_{self.letter} = {number(self.mu, language)} {true}/{mm}{ratio}"
+
+    def ratio(self, language: str) -> str:
+        """Write a scale of lengths as a ratio such as 1:2.5."""
+        reduction = self.mu * 1000
+        if reduction >= 1:
+            return f"1:{number(reduction, language)}"
+        return f"{number(1 / reduction, language)}:1"
+
+
+def fitting(extent: float, room: float, letter: str, unit: str, standard: str = "GOST") -> Scale:
+    """Choose the largest standard picture of an extent (true units) that fits into some room (mm).
+
+    >>> fitting(0.7, 380.0, "l", "m").mu, fitting(12.0, 150.0, "a", "m/s2").mu, fitting(0.7, 380.0, "l", "m", "ISO").mu
+    (0.002, 0.1, 0.002)
+    """
+    if room <= 0:
+        raise SheetError(message("refused.scale", letter=letter))
+    if extent <= 0 or not math.isfinite(extent):
+        return Scale(1.0 if letter != "l" else 0.001, letter, unit)
+    least = extent / room * (1 - 1e-12)  # a picture that fits exactly is not lost to a rounding
+    if letter == "l" and standard == "GOST":
+        return Scale(_of_lengths(least), letter, unit)
+    return Scale(_next(least, MANTISSAS["GOST" if unit == TURNED else standard]), letter, unit)
+
+
+def _of_lengths(least: float) -> float:
+    """Give the scale of lengths by GOST that is not less than some mu."""
+    table = [0.001 / a for a in reversed(ENLARGEMENTS)] + [b / 1000 for b in REDUCTIONS]
+    if table[0] / 2 < least <= table[-1]:  # 200:1 is the first beyond the table
+        return next(mu for mu in table if mu >= least)
+    return _next(least, BEYOND)
+
+
+def _next(least: float, mantissas: tuple[float, ...]) -> float:
+    power = math.floor(math.log10(least))
+    mu = next(m * 10.0**p for p in (power, power + 1) for m in mantissas if m * 10.0**p >= least)
+    return float(f"{mu:.12g}")
+
+
+class Drafting(NamedTuple):
+    """The hand that draws, and how it letters: language, standard, notation of scales, letter of reactions."""
+
+    hand: Hand
+    language: str = "en"
+    standard: str = "GOST"
+    notation: str = "mu"
+    reactions: str = "R"
+
+    def word(self, key: str, **values: object) -> str:
+        """Give a phrase in the sheet's language."""
+        return word(self.language, key, **values)
+
+    def phrase(self, key: str, **parts: object) -> Phrase:
+        """Say a sentence in the sheet's language whose numbers are slots of quantities."""
+        return phrase(self.language, key, **parts)
+
+    def slot(self, slot: Slot) -> Phrase:
+        """Write the number of a quantity."""
+        return numbered(self.language, slot)
+
+    def number(self, value: float, digits: int = 4) -> str:
+        """Write a number with some significant digits."""
+        return number(value, self.language, digits)
+
+    def letter(self, markup: str) -> str:
+        """Write a letter as courses of the sheet's language do; a phrase stays one."""
+        text = letter(self.language, markup)
+        return Phrase(text, letter(self.language, markup.template)) if isinstance(markup, Phrase) else text
+
+    def scale(self, *scales: Scale) -> str:
+        """Write scales as the sheet does."""
+        return ";  ".join(scale.written(self.language, self.notation) for scale in scales)
+
+    def true(self, segment: str, letter: str) -> str:
+        """Write in letters how a true size is read off a segment at the scale of a letter."""
+        return f"{segment}/K_{letter}" if self.notation == "K" else f"{segment}·μ_{letter}"
+
+
+def drafting_of(scene: Scene) -> Drafting:
+    """Give what a scene asks for."""
+    sheet = scene.sheet
+    return Drafting(page_of(scene).hand, sheet.language, sheet.standard, sheet.notation)

@@ -10,13 +10,50 @@ import math
 import re
 from collections.abc import Mapping
 from decimal import Decimal
+from enum import StrEnum
 from functools import lru_cache
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from drawings.paper.limits import STATED_DIGITS
-from drawings.paper.statement import Statement
 from geometry.curve import Piece
 from geometry.errors import DraftError
+
+
+class Kind(StrEnum):
+    """The kinds of statements; each has one reader, which alone knows how a kind is drawn."""
+
+    VECTOR = "vector"
+    POINT = "point"
+    CURVE = "curve"
+    LENGTH = "length"
+    ANGLE = "angle"
+    DIRECTION = "direction"
+    NUMBER = "number"
+    LETTER = "letter"
+    AXIS = "axis"
+    PHRASE = "phrase"
+
+
+Key: TypeAlias = tuple[Kind, str, str, int | None]
+
+
+class Statement(NamedTuple):
+    """What ink states: its key, and how much of the true unit a millimetre of it is worth, where it is to scale.
+
+    `figure` is the name of a plan, a graph, a table; `name` that of the vector, the row, the point.
+    """
+
+    kind: Kind
+    figure: str
+    name: str
+    position: int | None = None
+    scale: float = 0.0
+
+    @property
+    def key(self) -> Key:
+        """What is stated of whom; a sheet states it once."""
+        return self[:4]
+
 
 # Share of the size: how far the line of writing of a subscript or a superscript is lowered or raised.
 LOWERED, RAISED = 0.25, 0.4

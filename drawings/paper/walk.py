@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from drawings.paper.statement import Statement
-from drawings.paper.strokes import Group, Leaf, Stroke, Text
+from drawings.paper.strokes import Group, Leaf, Statement, Stroke, Text
 
 
 def walk(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
@@ -59,7 +58,7 @@ def stated(strokes: Iterable[Stroke]) -> Iterator[Group]:
 def unstated(leaf: Leaf) -> Leaf:
     """Give a leaf as it is written: what does nothing but state is its strokes alone.
 
-    >>> from drawings.paper.statement import Kind
+    >>> from drawings.paper.strokes import Kind
     >>> cell = stating(Statement(Kind.NUMBER, "table", "m"), Text(0j, "1"))
     >>> unstated(Leaf(1, 1, (Group((cell,), "table"),))).groups == (Group((Text(0j, "1"),), "table"),)
     True

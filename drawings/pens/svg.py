@@ -44,8 +44,7 @@ from drawings.paper.strokes import (
 )
 from drawings.paper.walk import groups as within
 from drawings.paper.walk import tied, unstated
-from drawings.pens.letters import lettering
-from drawings.pens.paths import Plain, commands, curve, number, numbers
+from drawings.pens.paths import Plain, commands, curve, lettering, number, numbers
 from drawings.reading.seal import seal
 
 # Drawing fonts first, then the one whose advances are known: librsvg sets it as long as it must be.

@@ -17,8 +17,7 @@ from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.paper.limits import SheetRefused
 from drawings.reading.measure import Measured, measure
 from drawings.reading.sheet import see
-from drawings.redrawn.originals import Originals
-from drawings.redrawn.sheet_check import Checked, check
+from drawings.redrawn import Checked, Originals, check
 from geometry.errors import DraftError
 from plans.words.words import message
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from drawings.paper.strokes import Arc, Box, Circle, Curve, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 from drawings.reading.alphabet import notations, shape
-from drawings.reading.ink import Unseen, dark
+from drawings.reading.visibility import Unseen, dark
 
 COVERED, OUTSIDE = "covered", "outside"
 # A stroke is looked at in the middles of so many equal parts; it is gone where most of them are.

@@ -13,8 +13,18 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
-from drawings.reading.alphabet import picked
-from drawings.reading.letters import ASKEW, NEAR, STANCES, UNREAD, LetterReading, Stance, Trail, angles, readings
+from drawings.reading.alphabet import (
+    ASKEW,
+    NEAR,
+    STANCES,
+    UNREAD,
+    LetterReading,
+    Stance,
+    Trail,
+    angles,
+    picked,
+    readings,
+)
 from drawings.reading.pathdata import PathStep, centred, handles, steps
 from drawings.reading.transform import Affine
 

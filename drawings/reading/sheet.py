@@ -14,14 +14,13 @@ from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle,
 from drawings.paper.walk import flat
 from drawings.reading import alphabet
 from drawings.reading.covering import veiled
-from drawings.reading.ink import LineInk, Unseen, ink, length
 from drawings.reading.lettered import PathLetters, any_letters, pen_of_letters, plain_letters, written
 from drawings.reading.marks import KINDS, Nest
 from drawings.reading.measure import Measured, measure
 from drawings.reading.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.reading.pathdata import SPACE, number
 from drawings.reading.transform import STAY, Affine, Viewport, viewport
-from drawings.reading.visibility import Look, Said, declarations, unfollowed
+from drawings.reading.visibility import LineInk, Look, Said, Unseen, declarations, ink, length, unfollowed
 
 EM = 1.4  # a font's size over the height of its capitals
 FREE = 0.1  # sizes, which a font leaves free before its first letter

@@ -1,4 +1,4 @@
-r"""Formulas of a note in Markdown's math, as GitHub and pandoc read it (формулы записки).
+"""Formulas of a note in Markdown's math, as GitHub and pandoc read it (формулы записки).
 
 What Markdown would take for its own stands in none of them: no asterisk, bar or tilde, no backslash before a
 punctuation mark, and every underscore after a letter or a digit.
@@ -7,12 +7,18 @@ punctuation mark, and every underscore after a letter or a digit.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
 
+from drawings.lettering.words import Phrase, template_of
 from drawings.lettering.words import letter as lettered
-from drawings.lettering.words import word
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
+from drawings.sheet_diff.items import STILL, SheetFigures
+from plans.words.words import word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
 
 
 class Chapters(NamedTuple):
@@ -53,7 +59,7 @@ class Formula:
         return text
 
     def segment(self, *images: str) -> str:
-        r"""Write a distance between images on a plan by their letters: p and a3 as pa_{3}."""
+        """Write a distance between images on a plan by their letters: p and a3 as pa_{3}."""
         text = ""
         for image in images:
             apart = " " if re.search(r"\\[a-z]+$", text) else ""
@@ -75,7 +81,7 @@ class Formula:
 
     def quantity(self, value: float, unit: str) -> str:
         """Write a number with its unit."""
-        return f"{self.number(value)}{self.unit(word(self.drafting.language, unit))}"
+        return f"{self.number(value)}{self.unit(self.drafting.word(unit))}"
 
     def unit(self, unit: str) -> str:
         """Write a unit upright after its number, its powers raised."""
@@ -83,7 +89,7 @@ class Formula:
 
 
 def letter(markup: str, language: str) -> str:
-    r"""Write a letter with its indices.
+    """Write a letter with its indices.
 
     >>> print(letter("R^t_{34}", "ru"), letter("m_{II}", "en"), letter("J_0^*", "en"), letter("R_A'", "en"))
     R_{34}^{\tau} m_{II} J_{0}^{\ast} R_{A}'
@@ -142,3 +148,114 @@ def _lowered(image: str) -> str:
     """Lower the number of an image's letter: a3 as a_{3}."""
     found = re.fullmatch(r"(\D+?)(\d+)('*)", image)
     return f"{found[1]}_{{{found[2]}}}{found[3]}" if found and "_" not in image else image
+
+
+# A letter with an index, which a note has in braces and a name of a quantity bare: F_{us}, m_ID_I, R^t_12, J_0^*.
+_SIGN = r"(?:(?![²³])\w)"
+_ONE = (
+    r"[A-Za-zΑ-Ωα-ω]'*(?:\^(?:\{[^{}]*\}|[^\W\d_]))?_"
+    rf"(?:\{{[^{{}}]*\}}|[^\W_]+?(?=[A-Za-z]_)|[−-]?{_SIGN}(?:(?:{_SIGN}|[.,])*{_SIGN})?)'*(?:\^\*)?"
+)
+_LETTERS = re.compile(
+    r"(?P<kept>\$\$.*?\$\$|\$.*?\$|`[^`]*`|\"[^\"]*\"|⟨[^⟩]*⟩)"
+    rf"|\|(?P<size>{_ONE})\|max"
+    rf"|(?<![\w\\^.])(?P<before>[A-Za-z]?)(?P<letters>(?:{_ONE})+)"
+    r"|(?<![\w\\^.])(?P<raised>[A-Z]'*\^[^\W\d_]'*)(?!\w)"
+    r"|(?P<base>\d+)\^(?:\{(?P<braced>[^{}]*)\}|(?P<bare>\d))"
+)
+
+
+def mathed(line: str, language: str) -> str:
+    r"""Write the letters of a line in math; what is math already, a key or a quotation stays as it is.
+
+    >>> print(mathed("F_us of $a_b$: m_ID_I, 10^{−11}, `l_OA`", "ru"))
+    $F_{\text{п.с}}$ of $a_b$: $m_{I}D_{I}$, $10^{-11}$, `l_OA`
+    """
+    write = partial(_LETTERS.sub, partial(_written, language=language))
+    return Phrase(write(line), write(template_of(line))) if isinstance(line, Phrase) else write(line)
+
+
+def _written(found: re.Match[str], language: str) -> str:
+    if found["kept"]:
+        return found[0]
+    if found["base"]:
+        power = (found["braced"] or found["bare"]).replace("−", "-")
+        return f"${found['base']}^{{{power}}}$"
+    if found["size"]:
+        return rf"$\lvert {letter(found['size'], language)}\rvert_{{\text{{max}}}}$"
+    if found["raised"]:
+        return f"${letter(found['raised'], language)}$"
+    return f"${found['before']}{''.join(letter(part, language) for part in re.findall(_ONE, found['letters']))}$"
+
+
+GREEK = {sign: letter for letter, sign in SIGNS.items()}
+_COMMAND = re.compile(r"\\(?:underline|overline|bar|text|quad)(?![a-z]) ?|[{}]")
+
+
+def unmathed(formula: str) -> str:
+    r"""Write a formula as a screen has it.
+
+    >>> unmathed(r"\underline{\bar v_{B}} = \bar v_{A} + \bar a_{BA}^{\tau} \cdot 2,\quad \omega_{1} = 0")
+    'v_B = v_A + a_BA^τ · 2, ω_1 = 0'
+    """
+    signs = {**GREEK, r"\cdot": "·"}
+    text = re.sub(r"\\[a-z]+", lambda found: signs.get(found[0], found[0]), formula, flags=re.IGNORECASE)
+    return " ".join(_COMMAND.sub(lambda found: " " if "quad" in found[0] else "", text).split())
+
+
+def plain(note: str) -> str:
+    """Write a note without the braces of its indices, as a screen has it.
+
+    >>> plain("r_{C1} = 12  mm^2")
+    'r_C1 = 12 mm²'
+    """
+    return raised(note).replace("{", "").replace("}", "")
+
+
+def raised(note: str) -> str:
+    """Write a note in single spaces, squares raised."""
+    return " ".join(note.replace("^2", "²").split())
+
+
+def listed(title: str, notes: Iterable[str]) -> list[str]:
+    """Write a chapter as a list; one without notes is left out."""
+    entries = [*map(entry, notes)]
+    return [title, *entries] if entries else []
+
+
+def entry(note: str) -> Phrase:
+    """Give a note as a line of a list, its numbers still those of their quantities."""
+    return Phrase(f"- {raised(note)}", f"- {raised(template_of(note))}")
+
+
+def drawn(leaves: Mapping[str, Sequence[Leaf]], language: str) -> Iterator[str]:
+    """List the figures of every sheet."""
+    for kind, leaf in ((kind, leaf) for kind, group in leaves.items() for leaf in group):
+        figures = ", ".join(_headings(leaf, ("",), language))
+        yield word(language, "report.sheet", number=_number(leaf), kind=kind, figures=figures)
+
+
+def see(leaves: Mapping[str, Sequence[Leaf]], language: str, *starts: str) -> Iterator[str]:
+    """Refer to the figures whose names begin so, sheet by sheet; to none where there are none."""
+    lines = [
+        word(language, "report.on_sheet", number=_number(leaf), figures=", ".join(figures))
+        for group in leaves.values()
+        for leaf in group
+        if (figures := _headings(leaf, starts, language))
+    ]
+    if lines:
+        yield f"\n{word(language, 'report.see', sheets='; '.join(lines))}"
+
+
+def _number(leaf: Leaf) -> int:
+    """Give the number of a sheet in its document; of one that is bound to none, among those of its kind."""
+    metadata = leaf.metadata
+    return int(metadata["document"]["sheet"] if "document" in metadata else metadata["number"])
+
+
+def _headings(leaf: Leaf, starts: Sequence[str], language: str) -> list[str]:
+    """Give the headings of the figures and tables of a sheet whose names begin so, in that order, each once."""
+    figures = SheetFigures(leaf)
+    names = (name for start in starts for name in figures.named if name not in STILL and name.startswith(start))
+    called = (heading for heading in map(figures.called, names) if heading.key == "exhibit.headed")
+    return [*dict.fromkeys(heading.worded(language) for heading in called)]

@@ -10,14 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from drawings.lettering.words import decimal, fixed, runs
-from drawings.page.scale import Drafting
-from drawings.report.figures import drawn
-from drawings.report.letters import entry, mathed
+from drawings.page.page import Drafting
+from drawings.report.formula import drawn, entry, mathed
 from drawings.report.table import chapter, header, heading, quantity, report_of, row, tiny
-from plans.by_hand import SLIP
 from plans.model.mechanism import Drive
 from plans.model.motion import Gap
-from plans.quantity import Comparison, Quantity, together
+from plans.quantity import SLIP, Comparison, Quantity, together
 from plans.study import Study
 from plans.techniques import TECHNIQUES, techniques
 from plans.words.words import Message, message, term, word

@@ -18,7 +18,7 @@ from plans.quantity import EQUILIBRIUM, Quantity
 from plans.words.words import ENGLISH, Message, term, word, written
 
 if TYPE_CHECKING:
-    from drawings.page.scale import Drafting
+    from drawings.page.page import Drafting
     from drawings.paper.strokes import Leaf
     from geometry.board import Mark
     from plans.study import Study

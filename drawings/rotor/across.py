@@ -10,17 +10,15 @@ from drawings.kinds.view import BESIDE, FIRST, SHAFT, Sized
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Slot, joined
 from drawings.lettering.rotor_letters import index
-from drawings.page.scale import Drafting
+from drawings.lettering.words import Slot, joined
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Line, Stroke, Text
+from drawings.paper.strokes import Kind, Line, Statement, Stroke, Text
 from drawings.rotor.along import BODY, body
 from drawings.rotor.polygon import RotorView, ShownBody, letters_of
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import around, heading
-from drawings.symbols.symbols import ground, pole
+from drawings.symbols.symbols import fit, ground, pole
 from plans.rotor.study import BEARINGS
 from plans.words.words import ALONE
 

@@ -12,15 +12,13 @@ from drawings.kinds.view import AXIS, BESIDE, ORIGIN, QUANTITY, SYMBOL, UNIT, or
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.rotor.polygon import RotorView, ShownBody, letters_of
-from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import HINGE, hinge, rotation
+from drawings.symbols.symbols import HINGE, fit, hinge, rotation
 
 NAME = "along"
 MARGINS = Margins(4.0, 3.4, 3.4)  # paper around it for letters, in their sizes

@@ -10,13 +10,12 @@ from itertools import chain
 
 from drawings.checks.expected import NOTES, Expected, by_hand, cells, measured, phrases
 from drawings.lettering.rotor_letters import index, lowered
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
 from plans.analytic.rotor import moment
-from plans.by_hand import by_hand as slipping
 from plans.model.rotor import Rotor, RotorBalance, permissible
 from plans.quantity import EQUILIBRIUM, Comparison, Quantity
+from plans.quantity import by_hand as slipping
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
 from plans.rotor.study import BEARINGS, RotorStudy
 from plans.study import Study

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
 from drawings.lettering.rotor_letters import INDEX, lowered
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting
 from plans.model.rotor import Rotor, RotorBalance
 from plans.rotor.balancing import COUPLES
 from plans.rotor.balancing import VectorPolygon as Construction

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.lettering.rotor_letters import index, lowered
-from drawings.page.scale import Drafting, drafting_of
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting, drafting_of
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
-from drawings.report.formula import DIGITS, Chapters
-from drawings.report.letters import entry, listed, plain
+from drawings.report.formula import DIGITS, Chapters, entry, listed, plain
 from drawings.report.table import ANGLE, Report, TableSubject, chapter
 from plans.model.rotor import Correction, Resultant, Rotor, RotorBalance, grade_of, letters, permissible
 from plans.rotor.balancing import UNBALANCES, unbalance_letters

@@ -12,8 +12,7 @@ from drawings.layout.contents import Panel
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
 from drawings.lettering.rotor_letters import index, lowered
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.strokes import Group, Leaf
 from drawings.report.report import agreed
 from drawings.rotor import across, along
@@ -24,9 +23,8 @@ from drawings.rotor.report import RotorNotes
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
-from plans.by_hand import by_hand
 from plans.model.rotor import Correction, Rotor, RotorBalance, Unbalance
-from plans.quantity import EQUILIBRIUM, Comparison, Quantity
+from plans.quantity import EQUILIBRIUM, Comparison, Quantity, by_hand
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study

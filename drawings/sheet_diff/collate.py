@@ -14,8 +14,8 @@ from drawings.paper.walk import groups
 from drawings.reading.covering import crosses
 from drawings.reading.transform import STAY, Affine, placing
 from drawings.sheet_diff import edit
-from drawings.sheet_diff.edit import STILL, Edit, SheetFigures
-from drawings.sheet_diff.items import BEARERS, Ink, Item, brought, items, middle, spots
+from drawings.sheet_diff.edit import Edit
+from drawings.sheet_diff.items import BEARERS, STILL, Ink, Item, SheetFigures, brought, items, middle, spots
 from drawings.sheet_diff.matching import alike_in_style, lies, looks_alike, match, reversed_lies, shift_of, stretch_of
 from plans.words.words import Message, message
 

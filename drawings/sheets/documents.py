@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
+from drawings import VERSION
 from drawings.lettering.lettering import UnknownLetter, demand
+from drawings.page.frame import NUMBERS
 from drawings.page.page import BLOCK, EXTRA, Page, page_of
-from drawings.page.title_cell import NUMBERS
-from drawings.paper.formats import SIZES
+from drawings.paper.hand import SIZES
 from drawings.paper.strokes import Group, Leaf, Run, SheetError, Stroke, Text
 from drawings.paper.walk import groups, texts
+from drawings.reading.seal import digest
 from drawings.sheets.kind import sheet_kind
 from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.scene import Scene
+from plans.study import Study
 from plans.words.words import Message, message, placed
 
 CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")
@@ -133,3 +136,14 @@ def _filled(block: Group, numbers: Group) -> Group:
         numbers if isinstance(stroke, Group) and stroke.name == NUMBERS else stroke for stroke in block.strokes
     ]
     return block._replace(strokes=tuple(strokes))
+
+
+def leaves_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
+    """Lay out the sheets of a study, by kind; the data of each say of which scene it is, and of which version."""
+    scene = study.scene
+    leaves = bind({kind: sheet_kind(kind).leaves(study) for kind in scene.sheets}, scene)
+    return {kind: tuple(_signed(leaf, scene) for leaf in group) for kind, group in leaves.items()}
+
+
+def _signed(leaf: Leaf, scene: Scene) -> Leaf:
+    return leaf._replace(metadata={**leaf.metadata, "scene": digest(scene.content), "plandraft": VERSION})

@@ -11,7 +11,7 @@ from plans.techniques import technique_of
 
 if TYPE_CHECKING:
     from drawings.checks.expected import Expected
-    from drawings.files.file_error import Enclosure
+    from drawings.files.atomic_files import Enclosure
     from drawings.paper.strokes import Leaf
     from plans.scene.scene import Scene
     from plans.study import Study

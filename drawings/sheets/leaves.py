@@ -22,11 +22,9 @@ from drawings.layout.slicing import Cuts
 from drawings.layout.table import Later, RuledTable
 from drawings.layout.value_table import by_hand
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import SLOT, template_of
-from drawings.page.page import Field, Page, page_of
-from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import LEAN, Group, Leaf, SheetError, Stroke, Text
+from drawings.lettering.words import SLOT, template_of
+from drawings.page.page import Drafting, Field, Page, drafting_of, page_of
+from drawings.paper.strokes import LEAN, Group, Kind, Leaf, SheetError, Statement, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, StatedScales
 from plans.scene.scene import Scene

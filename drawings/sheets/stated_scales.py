@@ -14,8 +14,7 @@ from drawings.layout.picture import SMALLER, Figure, Picture, Spot
 from drawings.layout.room import corner_of, room_of
 from drawings.layout.slicing import GAP, Size
 from drawings.layout.table import RuledTable
-from drawings.page.page import Page
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Page, Scale
 from drawings.paper.strokes import Group, SheetError
 from drawings.sheets.documents import of_scale
 from drawings.sheets.kind import sheet_kind

@@ -8,14 +8,13 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
-from drawings.page.scale import Scale
+from drawings.page.page import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import QUANTUM
-from drawings.paper.statement import Statement
-from drawings.paper.strokes import NO_DATA, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import NO_DATA, Group, Line, Polyline, Statement, Stroke
 from drawings.paper.walk import stating, tied
+from drawings.symbols.couples import plain_name
 from drawings.symbols.figure import Subject
-from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 
 PAST = 1.5  # mm that an extension line goes past the dimension line

@@ -6,9 +6,8 @@ from typing import NamedTuple
 
 from drawings.layout.picture import Margins, Place
 from drawings.lettering.lettering import text_width
-from drawings.page.scale import Scale
-from drawings.paper.formats import Field
-from drawings.paper.hand import Hand
+from drawings.page.page import Scale
+from drawings.paper.hand import Field, Hand
 from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Text, numeral, stated
 from drawings.symbols.symbols import arrowhead
 

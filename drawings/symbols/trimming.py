@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import TURN, Arc, Circle, Line, Polyline, Stroke
 

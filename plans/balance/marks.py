@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from geometry.board import Board, Mark, at
-from geometry.steps import behind
+from geometry.board import Board, Mark, at, behind
 from plans.balance import mass_centre, sums
 from plans.balance.mass_centre import MAIN, Drawing, VectorChain
 from plans.balance.study import BalanceStudy

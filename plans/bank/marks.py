@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from geometry.board import Mark
-from geometry.steps import behind
+from geometry.board import Mark, behind
 from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters, roman
 from plans.bank.polygons import MOMENTS
 from plans.bank.reading import ORDER_LIMIT, BankSurvey

@@ -15,14 +15,13 @@ from plans.balance.quantities import BalanceComparison, compare_balance
 from plans.balance.study import BalanceStudy
 from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
-from plans.by_hand import MOST_SIDES, by_hand
 from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import ANALYSIS, BankBalance, Compensator, Harmonic
 from plans.model.balance.linkage import Counterweight
 from plans.model.motion import ACCELERATIONS, Complexes
-from plans.quantity import EQUILIBRIUM, Comparison, Numbers, Quantity
+from plans.quantity import EQUILIBRIUM, MOST_SIDES, Comparison, Numbers, Quantity, by_hand
 from plans.rotor.balancing import polygon
 
 if TYPE_CHECKING:

@@ -6,8 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from geometry.board import GIVEN, Board, Mark
-from geometry.steps import behind
+from geometry.board import GIVEN, Board, Mark, behind
 from plans.cam.centre.place import Sizing
 from plans.cam.study import PROFILE, SIZES, CamDrawing, CamStudy
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position

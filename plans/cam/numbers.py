@@ -10,7 +10,6 @@ import numpy as np
 
 from geometry.board import Board, Mark, between
 from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
-from plans.by_hand import SLIP, Slipping
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram
 from plans.cam.centre.place import SIZES as BOARD
 from plans.cam.centre.place import Sizing
@@ -19,7 +18,7 @@ from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.model.cam import MM, RATIO, RETURN, RISE, ROLLER, Cam, dimensions
 from plans.model.cam_motion import CONSTRUCTION, CamFlaw, CamFound, CamSizes, Contour, Extreme, Pressing, Shock
 from plans.model.motion import Floats
-from plans.quantity import Numbers, pairs, plain
+from plans.quantity import SLIP, Numbers, Slipping, pairs, plain
 
 if TYPE_CHECKING:
     from plans.study import Study

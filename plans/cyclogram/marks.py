@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.steps import behind
+from geometry.board import behind
 from plans.cyclogram.stations import alone, crank
 from plans.cyclogram.study import CyclogramStudy
 from plans.explanation import Explanation, NoMark, UnknownMark

@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark
+from geometry.board import Mark, behind
 from geometry.calculus import Derivative
-from geometry.steps import behind
 from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion

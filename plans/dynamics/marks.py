@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark
-from geometry.steps import behind
+from geometry.board import Mark, behind
 from plans.dynamics.cycle import WORKS
 from plans.dynamics.loop import LOOP, Loop
 from plans.dynamics.reduction import SPEEDS, Reducing

@@ -9,9 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark
+from geometry.board import Mark, behind
 from geometry.meet import UNBORNE
-from geometry.steps import behind
 from geometry.tracing import Tracing, remade
 from plans.forces.cut import ForcePlan, Support
 from plans.forces.drive import primary, pushing

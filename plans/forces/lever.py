@@ -17,7 +17,7 @@ from plans.model.mechanism import FRAME
 from plans.words.words import because
 
 if TYPE_CHECKING:
-    from geometry.steps import Reading
+    from geometry.board import Reading
     from plans.forces.cut import ForcePlan
 
 

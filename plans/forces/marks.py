@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark
+from geometry.board import Mark, behind
 from geometry.hand_error import SlippingHand, slopes
-from geometry.steps import behind
-from plans.by_hand import SLIP, Slipping, errors_by_hand
 from plans.explanation import Explanation, NoMark
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING, DRIVING, balancing_quantity
@@ -19,6 +17,7 @@ from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.linkage import marks as motion
 from plans.linkage.study import LinkageStudy
+from plans.quantity import SLIP, Slipping, errors_by_hand
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:

@@ -11,9 +11,8 @@ import numpy as np
 from geometry.board import Mark
 from geometry.meet import EPS
 from geometry.precision import errors
-from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
-from plans.analytic.power import balancing_moment
+from plans.analytic.power import balancing_moment, energy_balance
 from plans.forces.cut import INERTIA, Support, indices
 from plans.forces.drive import BALANCING as BALANCED
 from plans.forces.drive import DRIVING, BalancingQuantity, balancing_quantity

@@ -8,9 +8,8 @@ from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
-from geometry.board import Mark
+from geometry.board import Mark, Reading
 from geometry.meet import Sizes
-from geometry.steps import Reading
 from plans.linkage.plan import Image, Plan, Sliding, Turning, Vector
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME, Slide

@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark, at
+from geometry.board import Mark, Reading, at, behind
 from geometry.meet import cross
-from geometry.steps import Reading, behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Masses, Plan, unnamed

@@ -11,11 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark, between
+from geometry.board import Mark, Span, between
 from geometry.hand_error import SlippingHand, slopes
 from geometry.precision import errors
-from geometry.steps import Span
-from plans.by_hand import SLIP, Slipping, errors_by_hand
 from plans.linkage.drafts import Drafts
 from plans.linkage.dyads import KINDS
 from plans.linkage.plan import NONE, Masses, Plan, PlanLetters, Sliding, Slotted, Turning, Vector, unnamed
@@ -25,7 +23,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Assur
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, VELOCITIES, Complexes, Floats, Motion, Order
-from plans.quantity import Quantity, Shown
+from plans.quantity import SLIP, Quantity, Shown, Slipping, errors_by_hand
 
 if TYPE_CHECKING:
     from plans.study import Study

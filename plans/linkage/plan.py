@@ -1,6 +1,6 @@
 """A plan: its letters, vectors, and images of links, which give any point by similarity (план, теорема подобия).
 
-In true units: dyads.py and slotted_dyads.py lay it out; its scale is taken on paper (drawings/page/scale.py).
+In true units: dyads.py and slotted_dyads.py lay it out; its scale is taken on paper (drawings/page/page.py).
 """
 
 from __future__ import annotations
@@ -12,9 +12,8 @@ from typing import NamedTuple, Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
 
-from geometry.board import Board, Mark
+from geometry.board import Board, Mark, Reading
 from geometry.meet import Vectors
-from geometry.steps import Reading
 from plans.model.mechanism import FRAME, Link, Mechanism
 from plans.model.motion import Complexes, Floats
 from plans.scene.scene import Scene

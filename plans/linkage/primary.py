@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from geometry.steps import Reading
+from geometry.board import Reading
 from plans.linkage import leads
 from plans.linkage.plan import Image, Plan, Turning, Vector, heading
 from plans.model.mechanism import CRANK, FRAME, SLIDER, Mechanism, Slide

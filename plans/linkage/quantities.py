@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from geometry.board import Span
 from geometry.meet import EPS
 from geometry.precision import condition, errors
-from geometry.steps import Span
 from plans.analytic.kinematics import Analysis
 from plans.linkage.assembly import SketchError, margins
 from plans.linkage.drafts import Drafts

@@ -6,9 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from geometry.board import Mark
+from geometry.board import Mark, Reading
 from geometry.meet import Sizes
-from geometry.steps import Reading
 from plans.linkage import leads
 from plans.linkage.leads import GroupKind
 from plans.linkage.plan import Image, Plan, Sliding, Slotted, Vector

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from geometry.board import Mark
-from geometry.steps import behind
+from geometry.board import Mark, behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
 from plans.rotor.study import BEARINGS, REACTIONS, RotorStudy

@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from geometry.steps import Span
+from geometry.board import Span
 from plans.analytic.rotor import balance, moment
-from plans.by_hand import MOST_SIDES
 from plans.model.rotor import (
     ANALYSIS,
     EPS,
@@ -22,7 +21,7 @@ from plans.model.rotor import (
     letters,
     permissible,
 )
-from plans.quantity import Comparison, Numbers, Quantity, Shown
+from plans.quantity import MOST_SIDES, Comparison, Numbers, Quantity, Shown
 from plans.rotor.balancing import COUPLES, UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, REACTIONS, RotorStudy
 

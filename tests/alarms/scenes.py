@@ -66,7 +66,7 @@ def scenes(seed: int, count: int, techniques: Sequence[str] = SOURCES, first: in
 def drawn(seed: int, number: int) -> tuple[Scene, Mapping[str, Sequence[Leaf]]]:
     """Lay out the sheets of a scene in memory, by kind, unchecked; of one that is refused there are none."""
     from drawings.commands.draw import admit
-    from drawings.redrawn.originals import leaves_of
+    from drawings.sheets.documents import leaves_of
 
     made = scene(seed, number)
     try:

@@ -16,7 +16,7 @@ from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.reading.alphabet import folded
 from drawings.reading.transform import STAY
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import table_of
 from tests.drawings.students import drawn, task
 

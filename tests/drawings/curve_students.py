@@ -14,7 +14,7 @@ from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, figur
 from drawings.grading.curves.radial_figures import arm_at
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from plans.model.motion import Complexes
 from tests.drawings.students import task
 

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat

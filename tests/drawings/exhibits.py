@@ -8,7 +8,7 @@ from typing import Any
 
 from drawings.layout.contents import Panel
 from drawings.lettering.lettering import lettered
-from drawings.page.scale import drafting_of
+from drawings.page.page import drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
 from drawings.reading.measure import Measured, check, measure

@@ -42,7 +42,7 @@ def sheets(scene: Path) -> Iterator[tuple[str, bytes]]:
     """Lay out the sheets of a scene, their texts left to the viewer's fonts; give each with its file's name."""
     from drawings.files.sheet_set import placed_sheets, stem_of
     from drawings.pens.svg import svg
-    from drawings.redrawn.originals import leaves_of
+    from drawings.sheets.documents import leaves_of
     from plans.scene.scene import read_scene
     from plans.study import Study
 

@@ -10,10 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.grading.asked import PlanAsked, plans_asked
-from drawings.lettering.vector_letters import with_index
+from drawings.lettering.words import with_index
 from drawings.paper.strokes import Circle, Fill, Group, Line, Stroke, Text
 from drawings.pens.svg import svg
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from geometry.board import Mark
 from geometry.replay import redraw
 from tests.gallery import GALLERY

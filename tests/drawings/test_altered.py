@@ -12,14 +12,13 @@ import pytest
 from drawings.checks import hold
 from drawings.checks.expected import Expected
 from drawings.lettering.lettering import lettered
-from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Fill, Group, Key, Kind, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
 from drawings.reading.measure import measure
 from drawings.reading.transform import Affine
-from drawings.redrawn.originals import leaves_of
 from drawings.sheet_diff.items import brought
+from drawings.sheets.documents import leaves_of
 from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import read_scene
 from plans.study import Study

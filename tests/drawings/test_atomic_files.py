@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.files import atomic_files, standing
+from drawings.files import atomic_files
 from geometry.errors import DraftError
 
 OLD, NEW = b"old" * 1000, b"new" * 2000
@@ -166,7 +166,7 @@ def test_sweep_takes_only_files_of_our_own_and_young_ones_only_where_nobody_else
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: bool, left: int
 ) -> None:
     if not alone:
-        monkeypatch.setattr(standing, "_hold", lambda _: os.open(tmp_path / "no lock", os.O_RDONLY))
+        monkeypatch.setattr(atomic_files, "_hold", lambda _: os.open(tmp_path / "no lock", os.O_RDONLY))
     old = time.time() - 2 * atomic_files.ORPHAN_AGE
     for name in (f"{atomic_files.PREFIX}old", f"{atomic_files.PREFIX}young", "plandraft-old", ".other-old"):
         (tmp_path / name).touch()
@@ -210,7 +210,7 @@ def test_what_is_no_regular_file_is_never_replaced(tmp_path: Path, kind: str) ->
 
 
 def test_only_one_run_writes_into_a_folder(sheet: Path) -> None:
-    with standing.locked(sheet.parent) as alone:
+    with atomic_files.locked(sheet.parent) as alone:
         assert alone
         with pytest.raises(atomic_files.FileError, match=r"another run of plandraft .* Fix: wait until it ends"):
             atomic_files.write(sheet, NEW)

@@ -22,11 +22,10 @@ from drawings.cam.profile_view import OUTER, PITCH, WORKING, ProfileView, profil
 from drawings.cam.sheet import workshop_sheets
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
+from drawings.files.atomic_files import Enclosure
 from drawings.files.coordinate_table import written
-from drawings.files.file_error import Enclosure
 from drawings.layout.picture import Place, Spot
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, Scale, drafting_of
+from drawings.page.page import Drafting, Field, Scale, drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Curve, Group, Leaf, LineStyle

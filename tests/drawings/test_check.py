@@ -11,11 +11,10 @@ import pytest
 
 from drawings.commands import check as command
 from drawings.commands import cli
-from drawings.files.manifest import manifest_of
+from drawings.files.sheet_set import manifest_of
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg
-from drawings.redrawn.originals import Originals
-from drawings.redrawn.sheet_check import check
+from drawings.redrawn import Originals, check
 from tests.forgeries.chance_edits import CHANGES
 from tests.forgeries.leaf_edits import swapped
 from tests.forgeries.sheets import GALLERY, KINDS, forged, judged

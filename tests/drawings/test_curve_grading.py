@@ -27,7 +27,7 @@ from drawings.grading.verdict import Marking
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
 from drawings.reading.sheet import see
-from drawings.redrawn.originals import Originals
+from drawings.redrawn import Originals
 from plans.model.motion import Complexes
 from tests.drawings.curve_students import CurveTask, curve_task, made
 from tests.mistakes import mistakes

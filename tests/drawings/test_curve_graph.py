@@ -11,8 +11,7 @@ from drawings.kinds.hodograph import Hodograph
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
-from drawings.page.page import Field
-from drawings.page.scale import Drafting, Scale
+from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Group, Leaf, Polyline, Stroke, Text
 from drawings.pens.svg import svg

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from drawings.bench import plain_pen
-from drawings.lettering.extent import GRAIN, bounds
+from drawings.lettering.lettering import GRAIN, bounds
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Curve, Group, Leaf, LineStyle
 from drawings.pens.svg import svg
 from drawings.reading.pathdata import curve, pieces
-from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.symbols import fit_dashes
 from geometry.curve import CubicPiece, RoundPiece, straight
 from tests.drawings.conftest import Run
 from tests.rows import over

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from drawings.checks.written import block_faults
+from drawings.checks.readers import block_faults
+from drawings.page.frame import NUMBERS
 from drawings.page.page import Page, page_of
-from drawings.page.title_cell import NUMBERS
 from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
 from drawings.sheets.documents import bind, cuts

@@ -18,11 +18,11 @@ from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.dynamics.sheet import MachineMotion, leaves, results, sheets
 from drawings.grading.curves.run_figures import Bare
-from drawings.page.scale import drafting_of
+from drawings.page.page import drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line, Polyline
 from drawings.paper.walk import groups, texts, walk
-from drawings.symbols.dashes import hatching
+from drawings.symbols.symbols import hatching
 from plans.model.dynamics import ANALYSIS, Rim, Speeds, Wheel
 from plans.model.motion import Floats
 from plans.scene.scene import parse_scene

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from drawings.page.page import Page, page_of
-from drawings.paper.formats import SIZES
+from drawings.paper.hand import SIZES
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import Scene, read_scene

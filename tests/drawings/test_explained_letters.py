@@ -9,8 +9,7 @@ import pytest
 
 from drawings.commands.explain import explained
 from drawings.gallery.catalogue import Entry, catalogue
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Kind, Leaf
 from drawings.paper.walk import groups
 from drawings.sheets.kind import sheet_kind
 from plans.explanation import UnknownMark

@@ -14,9 +14,8 @@ from drawings.paper.walk import flat
 from drawings.paper.walk import texts as texts_of
 from drawings.pens.svg import svg
 from drawings.reading import alphabet
-from drawings.reading.alphabet import notations, shape, shapes
+from drawings.reading.alphabet import NEAR, STANCES, UNREAD, Trail, angles, notations, readings, shape, shapes
 from drawings.reading.lettered import PathLetters, PenTrack, SeenGlyph, any_letters, tracks, written
-from drawings.reading.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
 from drawings.reading.sheet import SeenSheet, see
 from drawings.reading.transform import MIRROR
 

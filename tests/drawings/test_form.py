@@ -12,20 +12,19 @@ from typing import Any
 import pytest
 
 from drawings.checks.verify import SelfCheckFailed
-from drawings.files.file_error import json_text
+from drawings.files.atomic_files import json_text
 from drawings.form import laid
 from drawings.form.blank_file import blank_file, see_blank
 from drawings.form.form import form_of
 from drawings.form.laid import given
 from drawings.layout.picture import Place
-from drawings.page.page import BLOCK
-from drawings.page.scale import Scale
+from drawings.page.page import BLOCK, Scale
 from drawings.paper.strokes import PLAIN, Arc, Circle, Group, Leaf, Line, Polyline, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
-from drawings.redrawn.originals import leaves_of
 from drawings.rotor.sheet import SHEETS as ROTOR
+from drawings.sheets.documents import leaves_of
 from drawings.sheets.kind import PLAN, sheet_kind
 from drawings.symbols.figure import Subject, point, vector
 from plans.scene.forms import SHEETS

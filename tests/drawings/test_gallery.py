@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 from drawings.commands.draw import SheetSet, draw
-from drawings.files.manifest import read_manifest
+from drawings.files.sheet_set import read_manifest
 from drawings.gallery import __main__ as command
 from drawings.gallery import index
 from drawings.gallery.catalogue import GALLERY, Entry, catalogue
 from drawings.gallery.changes import ALPHABET, LIST, differences, listed, unlisted
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.page.page import page_of
 from drawings.paper.walk import flat
 from drawings.reading.seal import digest, sealed

@@ -10,7 +10,7 @@ import pytest
 from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.graded import PASS, grade
 from drawings.grading.sheet_task import SheetTask, sheet_task
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from tests import parts
 from tests.drawings import cell_students, curve_students, students
 from tests.drawings import test_curve_grading as curves

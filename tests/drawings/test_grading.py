@@ -17,9 +17,8 @@ from drawings.grading.asked import PlanAsked, plans_asked
 from drawings.grading.graded import FAIL, PASS, UNREAD, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask
-from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Group, Line, Stroke, Text
-from drawings.redrawn.originals import Original, Originals
+from drawings.paper.strokes import Group, Key, Kind, Line, Stroke, Text
+from drawings.redrawn import Original, Originals
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.mistakes import mistakes
 from tests.parts import first

@@ -9,8 +9,7 @@ import pytest
 
 from drawings.lettering import alphabet
 from drawings.lettering.alphabet import SLANT, glyph
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, text_width
+from drawings.lettering.lettering import SIZES, UnknownLetter, bounds, demand, index_size, lacking, outline, text_width
 from drawings.paper.strokes import LineStyle, Run, SheetError, Text
 from plans.words.words import languages, words
 from tests import parts

@@ -11,7 +11,7 @@ import pytest
 import drawings
 from drawings.linkage.equations import equations
 from drawings.linkage.report import data, structure
-from drawings.page.scale import Scale
+from drawings.page.page import Scale
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import some

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.redrawn.originals import leaves_of
+from drawings.sheets.documents import leaves_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.conftest import Run

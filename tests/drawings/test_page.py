@@ -11,8 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drawings.commands.cli import main
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import lettered
+from drawings.lettering.lettering import bounds, lettered
 from drawings.page.frame import FOLDS
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Group, Leaf, Line, Polyline, SheetError

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from drawings.commands import cli
-from drawings.files import standing
+from drawings.files import signals
 from tests.drawings.conftest import Run
 from tests.parts import first
 
@@ -79,7 +79,7 @@ def test_ctrl_c_while_plandraft_is_still_being_imported_shows_no_traceback() -> 
 
 def test_what_is_done_in_a_moment_is_done_wholly() -> None:
     done = []
-    with pytest.raises(KeyboardInterrupt), standing.unstopped():
+    with pytest.raises(KeyboardInterrupt), signals.unstopped():
         signal.raise_signal(signal.SIGINT)
         done.append("all of it")
     assert done == ["all of it"]

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drawings.lettering.words import fixed, number, word
-from drawings.page.scale import Scale, fitting
+from drawings.page.page import Scale, fitting
 from drawings.paper.strokes import SheetError
 from tests.parts import examples
 

@@ -16,15 +16,14 @@ from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.onlooker import segments
 from drawings.grading.scheme_arrows import arrow_verdicts
-from drawings.lettering.extent import bounds
-from drawings.page.scale import Scale
+from drawings.lettering.lettering import bounds
+from drawings.page.page import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
-from drawings.symbols.couples import Gear, coupling, spring
+from drawings.symbols.couples import Gear, coupling, spring, to_scale
 from drawings.symbols.figure import Subject
-from drawings.symbols.force_arrow import to_scale
 from geometry.board import at
 from plans.forces.cut import ForcePlan
 from plans.forces.statics import Statics

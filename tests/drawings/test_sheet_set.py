@@ -13,10 +13,9 @@ from unittest import mock
 import pytest
 
 from drawings import VERSION
-from drawings.files import atomic_files, sheet_set, standing
-from drawings.files.file_error import FileError
-from drawings.files.manifest import manifest_beside, manifest_of, read_manifest
-from drawings.files.sheet_set import output_folder, publish
+from drawings.files import atomic_files, sheet_set
+from drawings.files.atomic_files import FileError
+from drawings.files.sheet_set import manifest_beside, manifest_of, output_folder, publish, read_manifest
 from drawings.reading.seal import digest, seal
 from tests.drawings.conftest import Run
 from tests.parts import first
@@ -128,8 +127,8 @@ def test_where_the_last_set_cannot_be_read_it_stays(tmp_path: Path, monkeypatch:
     def unread(_: Path) -> None:
         raise OSError(5, "Input/output error")
 
-    monkeypatch.setattr(sheet_set, lost, unread)
-    with pytest.raises(FileError, match="cannot be read: Input/output error"):
+    with monkeypatch.context() as patch, pytest.raises(FileError, match="cannot be read: Input/output error"):
+        patch.setattr(sheet_set, lost, unread)
         put(tmp_path, NEW)
     assert there(tmp_path) == OLD
     assert fits(tmp_path)
@@ -232,10 +231,10 @@ def test_finishing_that_fails_is_gone_on_with_by_the_run_after(tmp_path: Path, m
 
 
 def test_a_second_run_in_a_folder_ends_at_once_with_7(run: Run, tmp_path: Path) -> None:
-    with standing.locked(tmp_path):
+    with atomic_files.locked(tmp_path):
         code, out, err = run("draw", PLAIN, "-o", tmp_path)
     assert (code, out) == (7, "")
-    assert err == f"{tmp_path}: {standing.BUSY}\n"
+    assert err == f"{tmp_path}: {atomic_files.BUSY}\n"
     assert list(tmp_path.iterdir()) == []
 
 
@@ -249,10 +248,10 @@ def test_a_run_that_comes_second_leaves_the_folder_that_the_first_has_made(tmp_p
 
 
 def test_the_lock_of_a_killed_run_is_no_lock(tmp_path: Path) -> None:
-    lines = "import os, sys; from pathlib import Path; from drawings.files import standing; "
-    lines += "held = standing.locked(Path(sys.argv[1])); held.__enter__(); os.kill(os.getpid(), 9)"
+    lines = "import os, sys; from pathlib import Path; from drawings.files import atomic_files; "
+    lines += "held = atomic_files.locked(Path(sys.argv[1])); held.__enter__(); os.kill(os.getpid(), 9)"
     assert subprocess.run([sys.executable, "-c", lines, str(tmp_path)], cwd=ROOT, check=False).returncode == -9
-    with standing.locked(tmp_path) as alone:
+    with atomic_files.locked(tmp_path) as alone:
         assert alone
 
 

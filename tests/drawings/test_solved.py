@@ -13,7 +13,7 @@ import pytest
 
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
-from drawings.redrawn.originals import leaves_of
+from drawings.sheets.documents import leaves_of
 from plans.linkage import quantities as comparing
 from plans.model.motion import Motion, PointMotion
 from plans.scene.scene import read_scene

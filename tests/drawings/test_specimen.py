@@ -7,8 +7,7 @@ import math
 
 import pytest
 
-from drawings.checks.differences import differences
-from drawings.checks.plain import plain
+from drawings.checks.differences import differences, plain
 from drawings.paper.strokes import (
     INK,
     Arc,

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.checks.written import Sheets, scale_faults
+from drawings.checks.readers import Sheets, scale_faults
 from drawings.linkage import kinematics
 from drawings.paper.strokes import SheetError
 from drawings.pens.svg import svg

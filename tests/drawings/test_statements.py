@@ -17,9 +17,22 @@ from drawings.checks import hold
 from drawings.checks.expected import NOTES, Expected, by_hand, cells
 from drawings.checks.readers import frames, read
 from drawings.lettering.lettering import lettered
-from drawings.lettering.phrase import joined, phrase, slotted
-from drawings.paper.statement import Key, Kind, Statement
-from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.lettering.words import joined, phrase, slotted
+from drawings.paper.strokes import (
+    Arc,
+    Circle,
+    Curve,
+    Fill,
+    Group,
+    Key,
+    Kind,
+    Leaf,
+    Line,
+    Polyline,
+    Statement,
+    Stroke,
+    Text,
+)
 from drawings.paper.walk import stating
 from drawings.pens.svg import svg
 from drawings.reading.measure import measure

@@ -14,8 +14,7 @@ import svgwrite
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import lettered
+from drawings.lettering.lettering import bounds, lettered
 from drawings.paper import strokes
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import (

@@ -12,11 +12,9 @@ from drawings.layout import value_table
 from drawings.layout.equation import DIRECTION, EquationBlock, Term, forces, moments
 from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, value_row
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import text_width
+from drawings.lettering.lettering import bounds, text_width
 from drawings.lettering.words import letter
-from drawings.page.page import Field
-from drawings.page.scale import Drafting
+from drawings.page.page import Drafting, Field
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line, Text
 from plans.linkage.parts import alike

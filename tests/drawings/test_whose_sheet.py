@@ -16,7 +16,7 @@ from drawings.grading.graded import PASS, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.units import stated
 from drawings.reading.transform import PIXEL, viewport
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from tests import parts
 from tests.drawings import (
     students,

@@ -15,12 +15,11 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
-from drawings.files.manifest import read_manifest
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Fill, Group, Leaf, LineStyle, Text
-from drawings.redrawn import originals
+from drawings.files.sheet_set import read_manifest
+from drawings.paper.strokes import Fill, Group, Kind, Leaf, LineStyle, Text
 from drawings.rotor.due import expected as due_of_rotor
 from drawings.rotor.sheet import SHEETS
+from drawings.sheets import documents
 from plans.rotor import quantities
 from tests.drawings.bank_scenes import scene
 from tests.drawings.conftest import Run
@@ -102,7 +101,7 @@ def test_where_the_roads_of_one_technique_differ_the_sheets_of_the_others_are_wr
 def test_lettering_that_is_covered_or_off_the_paper_is_told_and_the_sheet_is_written(
     strokes: tuple[Any, ...], says: str, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    own = originals.leaves_of
+    own = documents.leaves_of
 
     def spoilt(study: Any) -> Mapping[str, Sequence[Leaf]]:
         return {
@@ -110,7 +109,7 @@ def test_lettering_that_is_covered_or_off_the_paper_is_told_and_the_sheet_is_wri
             for kind, leaves in own(study).items()
         }
 
-    monkeypatch.setattr(originals, "leaves_of", spoilt)
+    monkeypatch.setattr(documents, "leaves_of", spoilt)
     code, _, err = run("draw", GALLERY / "fan.toml", "-o", tmp_path)
     assert code == 4
     assert re.search(says, err)

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.grading.asked import PlanAsked, VectorAsked
-from drawings.lettering.vector_letters import with_index
+from drawings.lettering.words import with_index
 from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
 from drawings.pens.svg import svg
 from geometry.board import Mark

@@ -16,7 +16,7 @@ from itertools import chain
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from drawings.redrawn.originals import Originals
+from drawings.redrawn import Originals
 from tests.forgeries.sheets import GALLERY, SCENES, displaced, forgeries, judged, strangers
 
 

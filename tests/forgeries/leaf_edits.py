@@ -8,8 +8,7 @@ from typing import Any
 
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 from drawings.reading.transform import Affine
-from drawings.sheet_diff.edit import SheetFigures
-from drawings.sheet_diff.items import Item, brought, items, middle
+from drawings.sheet_diff.items import Item, SheetFigures, brought, items, middle
 from tests.forgeries.forgery import Told, of
 
 Edit = Callable[[Leaf, Random], tuple[Leaf, Told] | None]

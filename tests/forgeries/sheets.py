@@ -9,8 +9,7 @@ from random import Random
 
 from drawings.pens.svg import svg
 from drawings.reading.seal import sealed
-from drawings.redrawn.originals import Original, Originals
-from drawings.redrawn.sheet_check import Checked, check
+from drawings.redrawn import Checked, Original, Originals, check
 from tests.forgeries.file_edits import FILE_EDITS
 from tests.forgeries.forgery import Forgery, Told
 from tests.forgeries.leaf_edits import LEAF_EDITS

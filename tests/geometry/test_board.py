@@ -8,9 +8,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from geometry.board import CONSTRUCTION, GIVEN, RESULT, Arc, Board, Line, Mark, at, between
+from geometry.board import CONSTRUCTION, GIVEN, RESULT, Arc, Board, Line, Mark, at, behind, between
 from geometry.meet import EPS
-from geometry.steps import behind
 
 FAR = 1e8 + 3e8j  # a frame far from the origin: its last digit is worth 6e-8
 

@@ -10,7 +10,7 @@ import numpy as np
 from drawings.grading.asked import PlanAsked
 from drawings.grading.curves.figure_records import POINTS, FigureAsked
 from drawings.grading.verdict import UNGRADED, Verdict
-from plans.by_hand import SLIP
+from plans.quantity import SLIP
 from tests.drawings.curve_draughtsman import drawings as curves_by_hand
 from tests.drawings.curve_students import curve_task
 from tests.drawings.students import task

@@ -6,8 +6,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Stroke
+from drawings.paper.strokes import Arc, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups
 
 LONG, SHARP = 5.0, math.radians(20)  # mm of a straight head on A1, and its angle

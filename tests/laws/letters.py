@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.letters import distance, labels_of
-from drawings.lettering.vector_letters import with_index
+from drawings.checks.hold import distance, labels_of
+from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Leaf, Text
 from drawings.paper.walk import groups

@@ -11,10 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from drawings.paper.formats import SIZES
-from drawings.paper.hand import Hand, hand_of
+from drawings.paper.hand import SIZES, Hand, hand_of
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
-from drawings.redrawn.originals import leaves_of
+from drawings.sheets.documents import leaves_of
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests import parts

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind
-from drawings.paper.strokes import Arc, Circle, Curve, Group, Leaf, Line, Polyline, Stroke
+from drawings.paper.strokes import Arc, Circle, Curve, Group, Kind, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups
 
 MAIN, MEDIUM, THIN, FINE = "main", "medium", "thin", "construction"  # pens, by their names in a hand

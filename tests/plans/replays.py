@@ -9,10 +9,9 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from geometry.board import Mark, at
+from geometry.board import Mark, at, behind
 from geometry.precision import errors
 from geometry.replay import DIGITS, exact
-from geometry.steps import behind
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Floats

@@ -10,8 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.analytic.energy import energy_balance
-from plans.analytic.power import balancing_moment, borne
+from plans.analytic.power import balancing_moment, borne, energy_balance
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.model.mechanism import FRAME, Mechanism

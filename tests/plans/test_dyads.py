@@ -8,7 +8,7 @@ from math import radians
 import numpy as np
 import pytest
 
-from geometry.steps import Reading
+from geometry.board import Reading
 from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Image, Plan, rate
 from plans.model.dyad import Dyad

@@ -8,13 +8,11 @@ from math import pi
 import numpy as np
 import pytest
 
-from geometry.board import Mark, at
+from geometry.board import Mark, at, behind
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.replay import exact
-from geometry.steps import behind
-from plans.analytic.energy import energy_balance
-from plans.analytic.power import balancing_moment, reduced_moment
+from plans.analytic.power import balancing_moment, energy_balance, reduced_moment
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import Body

@@ -10,16 +10,14 @@ import numpy as np
 import pytest
 
 from geometry import hand_error
-from geometry.board import between
-from geometry.steps import Reading, Span
-from plans.by_hand import SLIP
+from geometry.board import Reading, Span, between
 from plans.forces.marks import forces_by_hand
 from plans.forces.statics import Statics
 from plans.linkage.parts import MotionByHand
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Floats
-from plans.quantity import Shown
+from plans.quantity import SLIP, Shown
 from plans.scene.scene import read_scene
 from tests import draughtsman
 from tests.draughtsman import Draughtsman, copies

@@ -10,9 +10,9 @@ import pytest
 
 from geometry.hand_error import POINT
 from plans.bank.quantities import bank_by_hand
-from plans.by_hand import SLIP, by_hand
 from plans.cam.numbers import cam_by_hand
 from plans.model.rotor import Rotor
+from plans.quantity import SLIP, by_hand
 from plans.rotor.quantities import compare_rotor
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import read_scene

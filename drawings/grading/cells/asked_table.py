@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
+from drawings.checks.differences import plain
 from drawings.checks.expected import Expected
-from drawings.checks.plain import plain
 from drawings.form.laid import BESIDE
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
@@ -19,13 +19,13 @@ from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, stated, texts
 from drawings.reading.alphabet import folded
 from drawings.reading.transform import Affine
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import table_of
+from geometry.board import Reading
 from geometry.hand_error import POINT
-from geometry.steps import Reading
-from plans.by_hand import SLIP
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS
+from plans.quantity import SLIP
 from plans.study import Study
 from plans.words.words import term
 

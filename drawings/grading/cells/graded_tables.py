@@ -25,10 +25,9 @@ from drawings.paper.walk import texts
 from drawings.reading.alphabet import folded
 from drawings.reading.sheet import SeenSheet
 from drawings.reading.transform import Affine
-from geometry.board import Mark
+from geometry.board import Mark, Reading
 from geometry.errors import DraftError
 from geometry.replay import redraw
-from geometry.steps import Reading
 from plans.words.words import term
 
 

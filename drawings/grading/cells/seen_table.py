@@ -11,7 +11,7 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
-from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import bounds
 from drawings.paper.strokes import Leaf, Line, Polyline, Run, Stroke, Text
 from drawings.paper.walk import flat
 from drawings.reading.alphabet import folded

@@ -19,8 +19,8 @@ from drawings.paper.walk import flat, group_named, texts
 from drawings.reading.marks import MeasuredVector
 from drawings.reading.sheet import SeenSheet
 from drawings.reading.transform import Affine
-from plans.by_hand import SLIP
 from plans.model.motion import Complexes, Floats
+from plans.quantity import SLIP
 
 # mm: a curve goes through a place if a hand that slips by four times a fair one's has drawn it so.
 THROUGH = 2 * np.sqrt(2) * 4 * SLIP

@@ -16,14 +16,13 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.checks.expected import Expected
-from drawings.checks.written import written_scales
+from drawings.checks.readers import written_scales
 from drawings.grading.asked import CURVES, named
-from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Leaf, Line
+from drawings.paper.strokes import Key, Kind, Leaf, Line
 from drawings.paper.walk import flat, group_named
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.reading.measure import Measured
-from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn import Original, Originals
 from geometry.hand_error import EVEN
 from plans.model.dynamics import TURN
 from plans.model.motion import Complexes, Floats

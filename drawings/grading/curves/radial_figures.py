@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.letters import NEAREST, labels_of, off
+from drawings.checks.hold import NEAREST, labels_of, off
 from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, scales_on
 from drawings.grading.curves.figure_records import (
     BEARINGS,
@@ -15,7 +15,7 @@ from drawings.grading.curves.figure_records import (
 )
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.plans_on_form import paired
-from drawings.lettering.vector_letters import lowered_bank
+from drawings.lettering.words import lowered_bank
 from drawings.paper.strokes import Circle, Leaf, Line, Text
 from drawings.paper.walk import flat, group_named
 from drawings.reading.sheet import SeenSheet

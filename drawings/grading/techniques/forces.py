@@ -12,11 +12,10 @@ from drawings.grading import verdict
 from drawings.grading.asked import Found, Letters, Place, Record, Slip, lettered
 from drawings.grading.scheme_arrows import arrows_on
 from drawings.linkage.due import mass_centres
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.symbols.force_arrow import plain_name
-from geometry.board import Board, Mark
-from geometry.steps import Span
+from drawings.symbols.couples import plain_name
+from geometry.board import Board, Mark, Span
 from plans.forces.cut import CutGroup
 from plans.forces.drive import BALANCING
 from plans.forces.force_template import ForcePlans

@@ -16,12 +16,11 @@ from drawings.bank.star import fanned
 from drawings.forces.report import drafting_of_forces
 from drawings.grading import verdict
 from drawings.grading.asked import Found, Letters, Record, Slip, lettered
-from drawings.lettering.vector_letters import CENTRE, RESULT
-from drawings.lettering.vector_letters import FORCE as FORCE_LETTER
+from drawings.lettering.words import CENTRE, RESULT
+from drawings.lettering.words import FORCE as FORCE_LETTER
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
-from geometry.board import Board, Mark
-from geometry.steps import Span
+from geometry.board import Board, Mark, Span
 from plans.balance.quantities import BalanceComparison
 from plans.balance.study import BalanceStudy
 from plans.bank.harmonics import FORCE, MOMENT, letters

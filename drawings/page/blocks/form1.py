@@ -6,9 +6,8 @@ import re
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.title_cell import NUMBERS, TitleCell, write_title
-from drawings.paper.formats import Field
-from drawings.paper.hand import Hand
+from drawings.page.frame import NUMBERS, TitleCell, write_title
+from drawings.paper.hand import Field, Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Polyline, Stroke, Text
 
 Segments = tuple[tuple[tuple[int, int], tuple[int, int]], ...]

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.title_cell import NUMBERS, TitleCell, write_title
-from drawings.paper.formats import BLOCKS
-from drawings.paper.hand import Hand
+from drawings.page.frame import NUMBERS, TitleCell, write_title
+from drawings.paper.hand import BLOCKS, Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Polyline, Run, Stroke, Text
 
 # The data fields: place from the block's lower left corner, mm, and the largest letters of what is filled in. Rows are

@@ -1,1 +1,0 @@
-"""Sheets drawn once more (подлинники): those that a scene gives, and written ones held against them."""
