@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.calculus import ROUNDINGS
 from geometry.meet import EPS
-from plans.analytic.diagrams import ExactCourse, alone, diagrams
+from plans.analytic.kinematics import ExactCourse, alone, diagrams
 from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, solved
 from plans.linkage.study import LinkageStudy
