@@ -81,7 +81,7 @@ def _loaded(study: Study) -> tuple[int, ...]:
         return ()  # the force sheets say why there are none
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class _KinematicsSheet:
     """What a set of kinematics sheets is drawn from; nothing is made that the scene's sheets do not need."""
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 LETTERS = {True: ("S", "v", "a"), False: ("ψ", "ω", "ε")}  # of an output that slides, and of one that turns
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class DiagramsComparison(Comparison):
     """The diagrams of an output by both roads; nothing where there are none."""
 
