@@ -19,11 +19,11 @@ from drawings.paper.limits import QUANTUM, OverLimit, SheetRefused
 from drawings.paper.strokes import Key, Leaf
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
+from drawings.reading.items import inside, items
 from drawings.reading.seal import digest
 from drawings.reading.sheet import SeenSheet, see, without
 from drawings.sheet_diff.collate import Collation, Hidden, collate
 from drawings.sheet_diff.edit import Edit
-from drawings.sheet_diff.items import inside, items
 from drawings.sheet_diff.matching import match
 from drawings.sheets.documents import leaves_of
 from drawings.sheets.kind import sheet_kind

@@ -135,7 +135,7 @@ class Lone(NamedTuple):
     gap: Gap
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Comparison:
     """What one technique found by both roads, and the findings of their comparison."""
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.lettering.words import FORCE, counterweight, lowered, with_index
 from drawings.page.page import Drafting
-from drawings.report.table import ANGLE
+from drawings.report.report import ANGLE
 from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING

@@ -13,7 +13,7 @@ from drawings.forces.report import drafting_of_forces, mass_table
 from drawings.lettering.words import CENTRE, FORCE, MOMENT, counterweight
 from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS, Chapters, entry, plain
-from drawings.report.table import Report, chapter, header, row, tabled, united
+from drawings.report.report import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
 from plans.model.balance.linkage import Counterweight, Shares, State
 from plans.model.motion import NOTHING

@@ -29,8 +29,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke
-from drawings.symbols.couples import plain_name
-from drawings.symbols.figure import Subject, around, heading, heading_width
+from drawings.symbols.figure import Subject, around, heading, heading_width, plain_name
 from drawings.symbols.symbols import MASS, POINT, cross, fit_dashes, mass_centre
 from drawings.symbols.trimming import trim
 from plans.model.balance.linkage import DISC, Counterweight

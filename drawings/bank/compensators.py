@@ -19,8 +19,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject, around, heading, point
+from drawings.symbols.figure import Dimension, Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, POINT, TurnArrow, fit, hinge
 from plans.bank.harmonics import letters, roman
 from plans.model.balance.bank import Compensator

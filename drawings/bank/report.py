@@ -13,7 +13,7 @@ import numpy as np
 from drawings.lettering.words import lowered_bank
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, listed, plain
-from drawings.report.table import ANGLE, Report, TableSubject, chapter, header, row
+from drawings.report.report import ANGLE, Report, TableSubject, chapter, header, row
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
 from plans.linkage.study import LinkageStudy

@@ -23,7 +23,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import apart, stating
-from drawings.symbols.dimension import Dimension
+from drawings.symbols.figure import Dimension
 from drawings.symbols.symbols import arrowhead, fit_dashes
 from drawings.symbols.trimming import around, trim
 from plans.cam.diagrams import LawDiagrams

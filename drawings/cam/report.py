@@ -13,7 +13,7 @@ from drawings.cam.notes import CamNotes, letters, table_units
 from drawings.lettering.words import ROUNDING
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, entry, plain, raised
-from drawings.report.table import Report, TableSubject, column, header, row
+from drawings.report.report import Report, TableSubject, column, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
 from plans.model.cam import MM
 from plans.model.cam_motion import CamFound

@@ -21,8 +21,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Kind, Line, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
-from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject, around, heading, point
+from drawings.symbols.figure import Dimension, Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, TICK, fit, hinge, pole
 from plans.cam.centre.place import SizeTangent
 from plans.model.cam import MM

@@ -21,8 +21,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Kind, Line, Polyline, Statement, Stroke
 from drawings.paper.walk import stating, tied_spot
-from drawings.symbols.dimension import Dimension, arrows
-from drawings.symbols.figure import Subject
+from drawings.symbols.figure import Dimension, Subject, arrows
 from drawings.symbols.symbols import TurnArrow, arrowhead, fit, hatching
 from plans.cam.centre.bounds import PressureBound
 from plans.cam.centre.place import SizeTangent

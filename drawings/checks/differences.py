@@ -32,10 +32,10 @@ from drawings.paper.strokes import (
 from drawings.paper.walk import flat
 from drawings.reading.alphabet import NEAR, notations, regular, shape, signs
 from drawings.reading.covering import veiled
+from drawings.reading.items import Item, inside
 from drawings.reading.outlines import merged
 from drawings.reading.sheet import SeenSheet, uncovered
 from drawings.reading.visibility import Unseen
-from drawings.sheet_diff.items import Item, inside
 from geometry.curve import CubicPiece, Piece, RoundPiece
 from plans.words.words import message
 

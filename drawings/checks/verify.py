@@ -15,9 +15,9 @@ from drawings.files.atomic_files import Enclosure
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.strokes import Arc, Key, Leaf, Text
 from drawings.reading.covering import COVERED, OUTSIDE, small, veiled
+from drawings.reading.items import SheetFigures, items
 from drawings.reading.measure import Measured, check
 from drawings.reading.sheet import SeenSheet, see
-from drawings.sheet_diff.items import SheetFigures, items
 from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
 from plans.quantity import Comparison, Lone

@@ -11,7 +11,7 @@ from drawings.files.atomic_files import of_system, print_json
 from drawings.files.sheet_set import digest_of, manifest_beside
 from drawings.paper.limits import SHEET_BYTES
 from drawings.redrawn import UNREADABLE, Checked, Finding, Originals, check
-from geometry.regular_file import regular_bytes
+from geometry.errors import regular_bytes
 from plans.words.words import ENGLISH, message, word
 
 TOLD = 30  # findings of a sheet that are printed; --json has all

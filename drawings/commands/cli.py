@@ -11,7 +11,7 @@ from importlib import import_module
 
 from drawings import VERSION
 from drawings.commands.parser import parser
-from drawings.commands.stderr import FILES, UNREADABLE, tell
+from drawings.commands.stderr import FILES, UNREADABLE, tell, worded
 from drawings.files.signals import Stopped
 from geometry.errors import DraftError
 
@@ -65,7 +65,7 @@ def _open_stdout() -> None:
 
 def _worded(error: Exception, options: argparse.Namespace) -> str:
     """Word an error in the language of the scene, which may be named in a file that is otherwise at fault."""
-    from drawings.commands.talk import language_of, worded  # only an error pays for it
+    from plans.scene.source import language_of  # only an error pays for it
     from plans.words.words import ENGLISH
 
     scene = getattr(options, "scene", None)  # the vectors of a sheet are measured without any scene

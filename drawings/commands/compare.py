@@ -7,11 +7,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from drawings.commands.talk import noted
+from drawings.commands.stderr import noted
 from drawings.files.atomic_files import print_json
 from drawings.lettering.words import decimal
-from drawings.report.report import left_out, plan_width
-from drawings.report.table import quantity
+from drawings.report.report import left_out, plan_width, quantity
 from plans.quantity import Comparison, Quantity, together
 from plans.scene.scene import read_scene
 from plans.study import Study

@@ -9,8 +9,7 @@ from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.commands.stderr import tell
-from drawings.commands.talk import noted
+from drawings.commands.stderr import noted, tell
 from drawings.commands.trace import TracedMark
 from drawings.files.atomic_files import staged
 from drawings.files.sheet_set import (
@@ -24,7 +23,7 @@ from drawings.files.sheet_set import (
     stem_of,
 )
 from drawings.lettering.lettering import lettered
-from drawings.report.report import headlines, lines, remarks, summary, written
+from drawings.report.report import headlines, lines, remarks, summary, text_of
 from drawings.sheets.documents import of_scales, of_title
 from drawings.sheets.kind import sheet_kind
 from plans.scene.forms import resting
@@ -148,7 +147,7 @@ def _sheets(study: Study, folder: Path, trace: TracedMark) -> SheetSet:
         sheets = dict(placed_sheets(folder, stem, leaves))
         contents = {path: svg(lettered(leaf, scene.sheet.lettering)) for path, (_, leaf) in sheets.items()}
         told_lines, report = lines(study, leaves), folder / f"{stem}-report.md"
-        contents[report] = written(told_lines).encode("utf-8")
+        contents[report] = text_of(told_lines).encode("utf-8")
         enclosures = {folder / f"{stem}-{enclosure.name}": enclosure for enclosure in _enclosures(study)}
         contents |= {path: enclosure.content for path, enclosure in enclosures.items()}
     with staged(contents) as beside:

@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from drawings.commands.on_sheet import OnSheet, equations
-from drawings.commands.talk import noted
+from drawings.commands.stderr import noted
 from drawings.files.atomic_files import print_json
 from drawings.lettering.words import letter, number
 from drawings.sheets.kind import sheet_kind

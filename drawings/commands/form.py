@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from drawings.commands.draw import admit
-from drawings.commands.stderr import tell
-from drawings.commands.talk import noted
+from drawings.commands.stderr import noted, tell
 from drawings.files.atomic_files import staged
 from drawings.files.sheet_set import manifest_of, output_folder, placed_sheets, publish, stem_of
 from drawings.lettering.lettering import lettered

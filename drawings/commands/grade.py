@@ -21,7 +21,7 @@ from drawings.grading.sheet_task import Hints, idle_keys, sheet_task
 from drawings.grading.verdict import Marking, MarkingError, read_marking
 from drawings.paper.limits import SHEET_BYTES
 from drawings.redrawn import Originals
-from geometry.regular_file import regular_bytes
+from geometry.errors import regular_bytes
 from plans.words.words import message, word
 
 # The exit codes of a class: the gravest first.

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from drawings.report.formula import unmathed
-from drawings.report.table import report_of
+from drawings.report.report import report_of
 from drawings.sheets.documents import leaves_of
 from geometry.board import Mark
 from geometry.errors import DraftError

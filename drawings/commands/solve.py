@@ -5,8 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from drawings.commands.stderr import tell
-from drawings.commands.talk import noted
+from drawings.commands.stderr import noted, tell
 from drawings.commands.trace import TracedMark
 from drawings.files.atomic_files import print_json
 from plans.scene.scene import read_scene

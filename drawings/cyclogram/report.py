@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from drawings.cyclogram.notes import CyclogramNotes
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, entry, plain
-from drawings.report.table import Report, chapter
+from drawings.report.report import Report, chapter
 from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.study import Study

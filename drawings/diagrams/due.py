@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -36,6 +37,7 @@ class ExpectedRow(NamedTuple):
     at: Floats  # (M,)
     result: Callable[[Floats], Floats]
     exact: Callable[[Floats], Floats]
+    sought: Callable[[Floats], Floats]  # the thick curve between places where it is known, to find its greatest by
     dense: Floats  # the thin curve, closely
     runs: tuple[tuple[float, float], ...]  # from where to where the thick curve goes
     flat: bool
@@ -67,7 +69,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 def _peaks(row: ExpectedRow, figure: str) -> Iterator[Expected]:
     """Give where the thick curve is greatest and least, degrees; where two places are as high, either may be told."""
     turned = np.linspace(row.runs[0][0], row.runs[-1][1], FINE)
-    heights = row.result(turned)
+    heights = row.sought(turned)
     for name, sense in (("φ greatest", 1.0), ("φ least", -1.0)):
         high = np.nan_to_num(sense * heights, nan=-math.inf)
         top = int(np.argmax(high))
@@ -109,15 +111,19 @@ def _row(comparison: DiagramsComparison, order: int, allowed: float) -> Expected
     dense = of(comparison.exact.dense)
     if order == 0:
         runs = tuple((float(axis.turned[run.start]), float(axis.turned[run.stop - 1])) for run in axis.runs)
-        return ExpectedRow(KEYS[0], axis, found.at.s, exact, exact, dense, runs, False, allowed)
+        known = list(_pieces(axis, comparison.exact.nodes, dense))
+        return ExpectedRow(
+            KEYS[0], axis, found.at.s, exact, exact, partial(_followed, known), dense, runs, False, allowed
+        )
     at, places, values = _chorded(found, order)
     pieces = list(_pieces(axis, places, values))
     return ExpectedRow(
         key=KEYS[order],
         axis=axis,
         at=at,
-        result=lambda turned: _followed(pieces, turned),
+        result=partial(_followed, pieces),
         exact=exact,
+        sought=partial(_followed, pieces),
         dense=dense,
         runs=tuple(_spans(axis, pieces)),
         flat=_flat(comparison, values, order),

@@ -14,7 +14,7 @@ from drawings.lettering.lettering import every
 from drawings.lettering.words import fixed, number
 from drawings.page.page import Drafting
 from drawings.report.formula import Chapters, see
-from drawings.report.table import Report, chapter, heading, tabled
+from drawings.report.report import Report, chapter, heading, tabled
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Diagrams, OutputRates, chord_error
 from plans.model.motion import Floats

@@ -168,7 +168,7 @@ FORTH = PROPORTIONS._replace(left=22.4, pole=(2.8, 20.0))
 PER_CENT = 2  # digits of an error
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class DiagramsPlate(RowPlate[DiagramRow]):
     """Diagrams to be drafted: their rows and the paper about them."""
 
@@ -233,7 +233,7 @@ MARKED = 72  # positions: of more only the numbered ones have a point and a tick
 TALLER = 2.2  # times the height that the rows may have where there is room
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class DiagramsFrame(RowFrame[DiagramRow]):
     """The diagrams at their scale, to be drawn."""
 

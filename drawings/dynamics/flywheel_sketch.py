@@ -17,8 +17,7 @@ from drawings.lettering.words import Slot, joined, telling
 from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
-from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject, around, heading
+from drawings.symbols.figure import Dimension, Subject, around, heading
 from drawings.symbols.symbols import fit, hatching
 from plans.model.dynamics import Wheel
 

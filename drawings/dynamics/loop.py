@@ -18,8 +18,7 @@ from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Kind, Line, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject
+from drawings.symbols.figure import Dimension, Subject
 from drawings.symbols.symbols import pole
 from plans.model.dynamics import TURN, Cycle, Flywheel, Touch
 

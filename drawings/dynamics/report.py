@@ -14,7 +14,7 @@ from drawings.forces.report import counted_strokes
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, entry, listed, plain, see
-from drawings.report.table import Report, chapter, header, row, tiny
+from drawings.report.report import Report, chapter, header, row, tiny
 from plans.dynamics.cycle import methods, rim_of
 from plans.dynamics.loop import loop
 from plans.dynamics.quantities import DynamicsComparison

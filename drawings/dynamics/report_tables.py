@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS
-from drawings.report.table import column, header, row, tabled, tiny, united
+from drawings.report.report import column, header, row, tabled, tiny, united
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.motion import Floats
 from plans.model.run import MachineRun, Stage

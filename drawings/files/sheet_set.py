@@ -32,7 +32,7 @@ from drawings.files.atomic_files import temporary_name as new_name
 from drawings.files.signals import unstopped
 from drawings.paper.limits import SHEET_BYTES
 from drawings.reading.seal import digest, seal_of, sealed
-from geometry.regular_file import regular_bytes
+from geometry.errors import regular_bytes
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 

@@ -22,8 +22,7 @@ from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Kind, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import Dimension, Subject, heading
 from drawings.symbols.symbols import arrowhead
 from plans.forces.loading import OutputStroke, asks, size_of, working_of
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Machine, Moment, Track

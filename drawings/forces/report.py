@@ -15,8 +15,7 @@ from drawings.lettering.words import fixed, number, runs
 from drawings.linkage.notes import greatest, stroke_line
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, Formula, plain, see
-from drawings.report.report import gap_line, gap_lines
-from drawings.report.table import ANGLE, Report, chapter, column, header, heading, row, tabled
+from drawings.report.report import ANGLE, Report, chapter, column, gap_line, gap_lines, header, heading, row, tabled
 from plans.forces.cut import indices
 from plans.forces.drive import BalancingQuantity, balancing_quantity
 from plans.forces.loading import asks

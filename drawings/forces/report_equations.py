@@ -13,7 +13,7 @@ from drawings.linkage.equations import in_position
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
-from drawings.report.table import chapter, header, row
+from drawings.report.report import chapter, header, row
 from geometry.board import Mark, at
 from geometry.meet import cross
 from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, CutGroup, ForcePlan, MomentEquation

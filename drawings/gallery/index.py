@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from drawings.gallery.catalogue import Entry
 from drawings.lettering.words import number
-from drawings.report.table import TableSubject, report_of
+from drawings.report.report import TableSubject, report_of
 from plans.bank.engines import ENGINES, Engine
 from plans.bank.harmonics import SliderCrank
 from plans.bank.study import BankStudy

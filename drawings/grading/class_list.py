@@ -19,7 +19,7 @@ from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.limits import SHEET_BYTES
 from drawings.redrawn import Originals
-from geometry.regular_file import regular_bytes
+from geometry.errors import regular_bytes
 from plans.words.words import message
 
 

@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from drawings.paper.limits import TEXT_LENGTH
-from geometry.errors import DraftError
-from geometry.regular_file import regular_bytes
+from geometry.errors import DraftError, regular_bytes
 from plans.words.words import message
 
 RIGHT, FOLLOWS = "right", "follows"

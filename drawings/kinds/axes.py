@@ -14,7 +14,7 @@ from drawings.page.page import Scale
 from drawings.paper.hand import Field, Hand
 from drawings.paper.strokes import Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
-from drawings.symbols.dimension import Dimension
+from drawings.symbols.figure import Dimension
 from drawings.symbols.symbols import arrowhead, pole
 from plans.model.motion import Floats
 

@@ -17,8 +17,7 @@ from drawings.lettering.lettering import numbered, text_width
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
-from drawings.symbols.couples import plain_name
-from drawings.symbols.figure import Subject, around, heading, point, vector
+from drawings.symbols.figure import Subject, around, heading, plain_name, point, vector
 from drawings.symbols.symbols import pole
 from plans.model.motion import Complexes
 

@@ -65,7 +65,7 @@ class Bones(Protocol):
         """Give a point's place; NaN at a gap."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Poses:
     """A mechanism in several positions: the places of its points and the directions of its links; NaN at gaps."""
 

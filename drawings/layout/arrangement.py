@@ -220,7 +220,7 @@ class _Stands(NamedTuple):
         return np.asarray(met.any(-1))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Arrangement:
     """How things may be moved in the room of a page, and how bare it may be.
 

@@ -77,7 +77,7 @@ class _Cutting(NamedTuple):
         return [min(shape.size[0] * shape.size[1] for shape in group) for group in self.shapes]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class _Set:
     """A composed set of sheets, and how good it is at most: what is bare of it, dear to find, counts against it."""
 

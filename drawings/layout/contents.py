@@ -43,7 +43,7 @@ class Working(NamedTuple):
     of: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Contents:
     """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets.
 

@@ -30,7 +30,7 @@ WIDER = 1.5  # times its width that a table may be set: wider cells are hard to 
 LETTERED = 0.25  # share of the margins of a figure that its letters and symbols fill
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Stood:
     """A sheet: what is shown, how it is cut, the scales of its pictures, whether it ends its set."""
 

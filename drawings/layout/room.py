@@ -27,7 +27,7 @@ class Shape(NamedTuple):
     tree: Tree
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Stock:
     """All that a set of sheets shows, by its numbers, and the room mm of a sheet.
 

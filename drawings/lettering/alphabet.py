@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Iterator
 from functools import cache
 from itertools import pairwise
+from operator import add
 from pathlib import Path
 from typing import Final, NamedTuple, TypeAlias
 
@@ -121,7 +122,7 @@ def gap(left: str, right: str) -> float:
     pair = left[0], right[0]
     if not (any(letter.isalpha() for letter in pair) and all(letter.isalpha() or letter in _STOPS for letter in pair)):
         return GAP
-    room = min(a + b for a, b in zip(_profiles(left)[1], _profiles(right)[0], strict=True))
+    room = min(map(add, _profiles(left)[1], _profiles(right)[0]))
     return GAP / 2 if tied(room) >= GAP / 2 else GAP
 
 

@@ -104,7 +104,7 @@ def runs(positions: Iterable[int], dash: str = "–") -> str:
 
 
 SLOT = re.compile("⟨(.*?)⟩")
-NUMBER = r"([−-]?\d+(?:[.,]\d+)?|—)"
+NUMBER, BLANKS = re.compile(r"[−-]?\d+(?:[.,]\d+)?|—"), re.compile(r"\s+")
 
 
 class Slot(NamedTuple):
@@ -196,9 +196,21 @@ def read_back(template: str, text: str, markup: bool = True) -> list[tuple[str, 
     """
     names, pieces = SLOT.findall(template), SLOT.split(template)[::2]
     pieces = [Text(0j, piece).plain for piece in pieces] if markup else pieces
-    pattern = NUMBER.join(r"\s+".join(map(re.escape, re.split(r"\s+", piece))) for piece in pieces)
-    found = re.search(pattern, text)
-    return [] if found is None else [*zip(names, found.groups(), strict=True)]
+    first, *others = (BLANKS.sub(" ", piece) for piece in pieces)
+    text = BLANKS.sub(" ", text)
+    start = text.find(first)
+    while start >= 0:
+        found, end = [], start + len(first)
+        for piece in others:
+            amount = NUMBER.match(text, end)
+            if amount is None or not text.startswith(piece, amount.end()):
+                break
+            found.append(amount[0])
+            end = amount.end() + len(piece)
+        else:
+            return [*zip(names, found, strict=True)]
+        start = text.find(first, start + 1)
+    return []
 
 
 @lru_cache(maxsize=4096)

@@ -54,7 +54,7 @@ def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
     return unnamed(study.scene, study.mechanism.links)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class _ExpectedMotion:
     """A motion by the analysis, and the sheets that show it."""
 

@@ -25,7 +25,7 @@ Masses = Mapping[str, tuple[int, complex]]
 SHORT = 0.1  # mm: a shorter vector may be a point
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorPlans:
     """The plans of a motion by the analysis; `masses` are the centres that no point names, with link and place.
 

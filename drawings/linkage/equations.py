@@ -13,7 +13,7 @@ from drawings.lettering.words import number
 from drawings.page.page import Scale, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
-from drawings.report.table import chapter
+from drawings.report.report import chapter
 from plans.linkage.motion_plans import VectorSum, VectorSums
 from plans.linkage.plan import POLES, Turning
 from plans.linkage.primary import PRIMARIES

@@ -9,8 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.lettering.words import Slot, fixed, joined, number, phrase, runs, slotted, span, word
-from drawings.report.report import share
-from drawings.report.table import TableSubject
+from drawings.report.report import TableSubject, share
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.ram import law
 from plans.linkage.study import LinkageStudy

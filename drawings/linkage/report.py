@@ -17,8 +17,7 @@ from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, sub
 from drawings.page.page import drafting_of
 from drawings.paper.limits import MANY
 from drawings.report.formula import DIGITS, Chapters, Formula, display, inline, see
-from drawings.report.report import gap_line, gap_lines, positions
-from drawings.report.table import Report, chapter, header, row, tabled
+from drawings.report.report import Report, chapter, gap_line, gap_lines, header, positions, row, tabled
 from plans.linkage.assembly import Barrier
 from plans.linkage.parts import alike
 from plans.linkage.quantities import NOT_GRADED, MotionComparison, notches

@@ -23,7 +23,7 @@ from plans.model.motion import Complexes, Motion
 MORE = 0.2  # rad of the crank's circle drawn past the outermost of some listed angles
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Skeletons:
     """What the figure is drawn from: the poses in the scene's positions, on the way, and at the two extremes."""
 

@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 
 from drawings.lettering.words import Phrase, Slot, letter, number, numbered, phrase, word
 from drawings.page import frame
-from drawings.page.blocks import form1, iso7200
+from drawings.page.blocks import form1
 from drawings.page.frame import FRAME, NUMBERS, borders
 from drawings.paper.hand import BLOCKS, BORDERS, PORTRAIT, Field, Hand, hand_of, lies, size_of
 from drawings.paper.strokes import INK, Circle, Group, LineStyle, SheetError, Stroke, stated
@@ -104,7 +104,11 @@ class Page:
 
     @property
     def _form(self) -> ModuleType:
-        return iso7200 if self.standard == "ISO" else form1
+        if self.standard != "ISO":
+            return form1
+        from drawings.page.blocks import iso7200  # noqa: PLC0415  (a page by GOST has none of it)
+
+        return iso7200
 
     @property
     def _corner(self) -> complex:

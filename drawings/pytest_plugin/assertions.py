@@ -18,7 +18,7 @@ from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SHEET_BYTES
 from drawings.pytest_plugin.assignment import AcceptanceError, Assignment, FilePath, OnPaper, tolerated
 from drawings.pytest_plugin.handed_sheet import HandedSheet, ReadVector, handed
-from geometry.regular_file import regular_bytes
+from geometry.errors import regular_bytes
 from plans.words.words import Message, message
 
 MOST = 12  # places in one picture

@@ -341,7 +341,8 @@ def angles(trails: Sequence[tuple[Trail, float]]) -> Iterator[float]:
     """Give the angles (rad) at which the largest of some trails, with its pen, is a letter; readable ones first."""
     trail, unit = max(trails, key=lambda pair: max(map(abs, pair[0].points)))
     stood = (*_stood(trail.signature, False), *_stood(trail.signature, True))
-    found = (_angle(points, trail, unit) for letter, points in stood if letter.stance in STANCES[:2])
+    upright = (_standing(letter, stance)[1] for letter, stance, _ in stood if stance in STANCES[:2])
+    found = (_angle(points, trail, unit) for points in upright)
     yield from sorted(dict.fromkeys(angle for angle in found if angle is not None), key=abs)
 
 
@@ -358,21 +359,27 @@ def _angle(corners: Sequence[complex], trail: Trail, unit: float) -> float | Non
 
 def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[LetterReading]:
     last, off = trail.points[-1] / unit if unit and trail.points else 0j, near / unit if unit else 0.0
-    for found, points in _stood(trail.signature, accents):
-        if abs(points[-1] - last) <= off and all(
-            abs(point * unit - spot) <= near for point, spot in zip(points, trail.points, strict=True)
-        ):
+    for letter, stance, end in _stood(trail.signature, accents):
+        if abs(end - last) > off:
+            continue
+        found, points = _standing(letter, stance)
+        if all(abs(point * unit - spot) <= near for point, spot in zip(points, trail.points, strict=True)):
             yield found._replace(corner=found.corner * unit, width=found.width * unit)
 
 
 @cache
-def _stood(signature: Signature, accents: bool) -> tuple[tuple[LetterReading, tuple[complex, ...]], ...]:
-    """Give the letters of a signature in all stances, d: what each is, and its points from the first one."""
+def _stood(signature: Signature, accents: bool) -> tuple[tuple[LetterShape, Stance, complex], ...]:
+    """Give the letters of a signature in all stances, and where each ends from its first point, d."""
     letters = accented(signature) if accents else shapes().get(signature, ())
-    return tuple(_standing(letter, stance) for stance in STANCES for letter in letters)
+    return tuple((letter, stance, _ended(letter, stance)) for stance in STANCES for letter in letters)
+
+
+def _ended(letter: LetterShape, stance: Stance) -> complex:
+    return stance.turn * (_leaning(letter.points[-1], stance) - _leaning(letter.points[0], stance))
 
 
 def _standing(letter: LetterShape, stance: Stance) -> tuple[LetterReading, tuple[complex, ...]]:
+    """Give what a letter is in a stance, and its points from the first one, d."""
     points = [_leaning(point, stance) for point in letter.points]
     found = LetterReading(letter.letter, stance, -points[0], letter.width)
     return found, tuple(stance.turn * (point - points[0]) for point in points)

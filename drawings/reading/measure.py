@@ -20,7 +20,7 @@ from drawings.reading.pathdata import number, pair, pieces
 from drawings.reading.reader import read
 from drawings.reading.transform import STAY, Affine, placing
 from geometry.curve import Piece, gaps
-from geometry.regular_file import regular_bytes
+from geometry.errors import regular_bytes
 from plans.words.words import Message
 
 PARTS = 8  # of a piece, at which it is looked at

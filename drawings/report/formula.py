@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from drawings.lettering.words import Phrase, template_of
 from drawings.lettering.words import letter as lettered
 from drawings.page.page import Drafting
-from drawings.sheet_diff.items import STILL, SheetFigures
+from drawings.reading.items import STILL, SheetFigures
 from plans.words.words import word
 
 if TYPE_CHECKING:

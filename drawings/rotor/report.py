@@ -12,7 +12,7 @@ from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
 from drawings.report.formula import DIGITS, Chapters, entry, listed, plain
-from drawings.report.table import ANGLE, Report, TableSubject, chapter
+from drawings.report.report import ANGLE, Report, TableSubject, chapter
 from plans.model.rotor import Correction, Resultant, Rotor, RotorBalance, grade_of, letters, permissible
 from plans.rotor.balancing import UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, RotorStudy

@@ -12,10 +12,10 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
 from drawings.reading.covering import crosses
+from drawings.reading.items import BEARERS, STILL, Ink, Item, SheetFigures, brought, items, middle, spots
 from drawings.reading.transform import STAY, Affine, placing
 from drawings.sheet_diff import edit
 from drawings.sheet_diff.edit import Edit
-from drawings.sheet_diff.items import BEARERS, STILL, Ink, Item, SheetFigures, brought, items, middle, spots
 from drawings.sheet_diff.matching import alike_in_style, lies, looks_alike, match, reversed_lies, shift_of, stretch_of
 from plans.words.words import Message, message
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from drawings.paper.strokes import LineStyle, Text
-from drawings.sheet_diff.items import Item, MarkScale, SheetFigures, middle
+from drawings.reading.items import Item, MarkScale, SheetFigures, middle
 from drawings.sheet_diff.matching import Shift
 from plans.words.words import Message, message
 

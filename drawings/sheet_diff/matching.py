@@ -10,8 +10,8 @@ from itertools import product
 from typing import NamedTuple
 
 from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Text
+from drawings.reading.items import Ink, Item, spots
 from drawings.reading.transform import Affine
-from drawings.sheet_diff.items import Ink, Item, spots
 
 WIDTH = 1e-3  # mm: far under the steps of the widths that a pen has, and over what an editor rounds of them
 

@@ -125,7 +125,7 @@ class _Inked(NamedTuple):
     bare: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class _Leaves:
     """A draft on the pages of its scene."""
 

@@ -11,7 +11,7 @@ from drawings.layout.labels import Labels
 from drawings.page.page import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, NO_DATA, Arc, Circle, Group, Line, Polyline, Stroke, stated
-from drawings.symbols.figure import Subject
+from drawings.symbols.figure import Subject, plain_name
 from drawings.symbols.symbols import ARROW_HALF, ARROW_LENGTH, TurnArrow, arrowhead, fit, fit_dashes
 
 BESIDE = 1.4  # mm from the free end of a force to its letter
@@ -82,15 +82,6 @@ def to_scale(
     direction = value / abs(value) if value else 1 + 0j  # of no force the direction is of no account
     data = subject.data("vector", plain_name(letter), value, scale)
     return ForceArrow(letter, at, direction, abs(value) / scale.mu, ending, data=data)
-
-
-def plain_name(letter: str) -> str:
-    """Name a force or an arm by its letter, without the braces of its index.
-
-    >>> plain_name("R^t_{34}")
-    'R^t_34'
-    """
-    return letter.replace("{", "").replace("}", "")
 
 
 def not_to_scale(

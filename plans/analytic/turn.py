@@ -32,7 +32,7 @@ STEPS = 4096  # a march longer than this is given up
 TRUST = 1.0 / 16.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Marched:
     """All stations of both marches in order of the crank angle, and what ended them."""
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.calculus import ROUNDINGS
 from geometry.meet import EPS
-from plans.analytic.diagrams import ExactCourse, alone, diagrams
+from plans.analytic.kinematics import ExactCourse, alone, diagrams
 from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, solved
 from plans.linkage.study import LinkageStudy
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 LETTERS = {True: ("S", "v", "a"), False: ("ψ", "ω", "ε")}  # of an output that slides, and of one that turns
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class DiagramsComparison(Comparison):
     """The diagrams of an output by both roads; nothing where there are none."""
 

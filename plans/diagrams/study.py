@@ -114,7 +114,7 @@ DIAGRAMS = "diagrams"
 SPEED, GROWTH = "v", "a"  # the names of the curves on the board
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class ChordCurves:
     """The curves of v and a drawn by chords over an axis, from S at its positions; the crank turns with omega > 0.
 

@@ -22,7 +22,7 @@ from plans.words.words import Message, because
 _INT64 = 2**62  # numerators of whole turns stay exact below this
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class CrankPositions:
     """Crank positions: angles phi, rad, that go on from each other, and the crank's unit directions."""
 

@@ -69,7 +69,7 @@ NOT_GRADED = 600.0  # kappa of a notch of 6 minutes of arc: 0.01 mm in a length 
 EXTREME_NAMES = ("φ_start", "φ_end", "H", "θ")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class MotionComparison(Comparison):
     """The motion of a linkage by both roads."""
 

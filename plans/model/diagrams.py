@@ -105,7 +105,7 @@ class Axis(NamedTuple):
         return tuple(slice(low, high + 1) for low, high in bounds.reshape(-1, 2).tolist())
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Diagrams:
     """The diagrams by one road: the course at the positions, by chords, and exactly where the chords' values belong.
 

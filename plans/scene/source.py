@@ -12,8 +12,7 @@ from functools import cached_property
 from pathlib import Path as FilePath
 from typing import Any
 
-from geometry.errors import LimitError
-from geometry.regular_file import regular_bytes
+from geometry.errors import LimitError, regular_bytes
 from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.guard import Places, guard, line_column
 from plans.scene.units import decimal

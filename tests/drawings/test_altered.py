@@ -15,9 +15,9 @@ from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Arc, Fill, Group, Key, Kind, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
+from drawings.reading.items import brought
 from drawings.reading.measure import measure
 from drawings.reading.transform import Affine
-from drawings.sheet_diff.items import brought
 from drawings.sheets.documents import leaves_of
 from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import read_scene

@@ -10,9 +10,9 @@ import pytest
 
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.reading.items import brought, items
 from drawings.reading.transform import Affine
 from drawings.sheet_diff.collate import Collation, Hidden, collate
-from drawings.sheet_diff.items import brought, items
 from plans.words.words import languages
 
 CORNERS = ("20 5", "200 5", "20 290")

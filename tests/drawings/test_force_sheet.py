@@ -10,7 +10,7 @@ import pytest
 from drawings.forces import sheet
 from drawings.forces.letters import BALANCE, PAIR
 from drawings.forces.lever import hanging
-from drawings.linkage import kinematics
+from drawings.linkage import sheet as linkage_sheet
 from drawings.linkage.positions import force_positions
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.paper.walk import texts
@@ -131,7 +131,7 @@ def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematic
     )
     own = Statics(both["linkage"])
     (drawn,) = force_positions(own, compare_forces(own, both.comparison("linkage")))
-    shown = [kinematics.leaves(study)[0].metadata["shown"] for study in (both, alone)]
+    shown = [linkage_sheet.leaves(study)[0].metadata["shown"] for study in (both, alone)]
     assert shown[0] == drawn != shown[1]
 
 

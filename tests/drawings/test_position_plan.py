@@ -11,8 +11,8 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from drawings.layout.picture import Margins, Place, picture
-from drawings.linkage.kinematics import position
 from drawings.linkage.position_plan import layers
+from drawings.linkage.sheet import position
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.page.page import Field
 from drawings.paper.hand import Hand

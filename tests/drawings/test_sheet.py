@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from drawings.lettering.lettering import UnknownLetter
-from drawings.linkage.kinematics import leaves, sheet
+from drawings.linkage.sheet import leaves, sheet
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
 from drawings.sheets import leaves as laid

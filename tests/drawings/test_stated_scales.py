@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from drawings.checks.readers import Sheets, scale_faults
-from drawings.linkage import kinematics
+from drawings.linkage import sheet
 from drawings.paper.strokes import SheetError
 from drawings.pens.svg import svg
 from drawings.reading.marks import MeasuredVector
@@ -54,7 +54,7 @@ def linkage_of(scene: Scene) -> LinkageStudy:
 def measured(scene: Scene, folder: Path) -> list[Measured]:
     """Lay out and measure the sheets of a scene, whose mechanism is the same for all."""
     found = []
-    for k, leaf in enumerate(kinematics.sheets(linkage_of(scene), made().comparison("linkage"))):
+    for k, leaf in enumerate(sheet.sheets(linkage_of(scene), made().comparison("linkage"))):
         (path := folder / f"{k}.svg").write_bytes(svg(leaf))
         found.append(measure_file(path))
     return found
@@ -70,7 +70,7 @@ def scales(sheets: Iterable[Measured], plan: str) -> set[float]:
 
 def keys(scene: Scene) -> set[str]:
     """What figures of a scene's sheets share a scale by."""
-    draft = kinematics._KinematicsSheet(linkage_of(scene), made().comparison("linkage"), None).draft
+    draft = sheet._KinematicsSheet(linkage_of(scene), made().comparison("linkage"), None).draft
     return {shown.panel.scale for shown in draft.shows if isinstance(shown, Exhibit)}
 
 
@@ -87,7 +87,7 @@ def test_a_figure_has_the_scale_that_the_scene_states(tmp_path: Path) -> None:
 
 def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_room_and_scales_that_fit() -> None:
     with pytest.raises(SheetError) as refused:
-        kinematics.leaves(Study(scene_of('[sheet.scale]\nlength = "5:1"\n')))
+        sheet.leaves(Study(scene_of('[sheet.scale]\nlength = "5:1"\n')))
     line = len(BASE.splitlines()) + 3
     said = str(refused.value)
     assert said.startswith(f'scene.toml:{line}:1: sheet.scale.length = "5:1": ')
@@ -100,9 +100,9 @@ def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_roo
 
 def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> None:
     with pytest.raises(SheetError, match=r"sheet.scale.velocity = 3: .* is \d mm large, and its letters need"):
-        kinematics.leaves(Study(scene_of("[sheet.scale]\nvelocity = 3\n")))
+        sheet.leaves(Study(scene_of("[sheet.scale]\nvelocity = 3\n")))
     with pytest.raises(SheetError, match=r'sheet.scale.length = "1:\d+": .* is 0 mm large, .* choose "1:'):
-        kinematics.leaves(Study(scene_of("[sheet.scale]\nlength = 1000\n")))
+        sheet.leaves(Study(scene_of("[sheet.scale]\nlength = 1000\n")))
 
 
 def test_the_way_of_a_load_diagram_has_the_scale_that_is_stated_and_its_ordinates_their_own() -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from drawings.commands import cli
-from drawings.report.table import report_of
+from drawings.report.report import report_of
 from drawings.sheets.kind import sheet_kind
 from plans.techniques import TECHNIQUES, name_of, techniques
 from tests.parts import some

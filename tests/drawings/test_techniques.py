@@ -12,8 +12,8 @@ import pytest
 from drawings.commands.explain import explained
 from drawings.lettering.words import number
 from drawings.paper.strokes import Leaf
-from drawings.report import table
-from drawings.report.table import report_of
+from drawings.report import report
+from drawings.report.report import report_of
 from drawings.sheets.kind import sheet_kind
 from plans.bench.quantities import roads
 from plans.explanation import Explanation, NoMark, UnknownMark
@@ -82,7 +82,7 @@ def test_its_sheet_its_report_its_form_and_its_bench_are_there(shown: Shown) -> 
 
 
 def test_one_that_says_no_more_is_told_by_its_quantities(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(table, "find_spec", lambda name: None)
+    monkeypatch.setattr(report, "find_spec", lambda name: None)
     study, rotor = Study(read_scene(GALLERY / "four-masses.toml")), techniques()["rotor"]
     first = next(one for one in study.quantities("rotor") if one.name == "m_ID_I")
     for by, values in (("construction", first.construction), ("analysis", first.analysis)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from drawings.paper.strokes import Text
-from drawings.sheet_diff.items import Item, SheetFigures, middle
+from drawings.reading.items import Item, SheetFigures, middle
 
 NEAR = 0.5  # mm: how exactly the place of an edit is told
 

@@ -7,8 +7,8 @@ from random import Random
 from typing import Any
 
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.reading.items import Item, SheetFigures, brought, items, middle
 from drawings.reading.transform import Affine
-from drawings.sheet_diff.items import Item, SheetFigures, brought, items, middle
 from tests.forgeries.forgery import Told, of
 
 Edit = Callable[[Leaf, Random], tuple[Leaf, Told] | None]

@@ -12,7 +12,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Arc, Circle, Leaf, Line, Text
 from drawings.paper.walk import unstated
-from drawings.sheet_diff.items import Item, items, spots
+from drawings.reading.items import Item, items, spots
 
 TOGETHER = ("bank",)  # sheets whose machines may stand in one plane
 

@@ -14,7 +14,7 @@ from drawings.grading.scheme_arrows import arrows_on
 from drawings.linkage.due import mass_centres
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.symbols.couples import plain_name
+from drawings.symbols.figure import plain_name
 from geometry.board import Board, Mark, Span
 from plans.forces.cut import CutGroup
 from plans.forces.drive import BALANCING

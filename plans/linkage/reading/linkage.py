@@ -18,7 +18,7 @@ from plans.scene.scene import Meaning, Scene
 from plans.words.words import Message, message
 
 # Whole numbers some of which a comma without a space joins in pairs, while a space follows the others.
-COMMAS = re.compile(r"\[\s*[+-]?\d+(?:,\d+)?(?:\s*,\s+[+-]?\d+(?:,\d+)?)+\s*,?\s*\]")
+COMMAS = r"\[\s*[+-]?\d+(?:,\d+)?(?:\s*,\s+[+-]?\d+(?:,\d+)?)+\s*,?\s*\]"
 
 
 def check_positions(survey: LinkageSurvey) -> None:
@@ -47,7 +47,7 @@ def _check_commas(survey: LinkageSurvey) -> None:
         return
     written = survey.scene.fault(path, "comma_list").value
     pointed = re.sub(r"(?<=\d),(?=\d)", ".", written)
-    meant = [Decimal(part) for part in pointed.strip("[] ,").split(",")] if COMMAS.fullmatch(written) else []
+    meant = [Decimal(part) for part in pointed.strip("[] ,").split(",")] if re.fullmatch(COMMAS, written) else []
     if len(meant) < len(given) and meant and _one_way(meant):
         survey.report(path, "comma_list", written=pointed)
 

@@ -179,7 +179,7 @@ SPREAD = Decimal(10_000)
 TURN_IN_RADIANS = Decimal("6.3")
 TWELFTH, ROUNDED = pi / 12, 0.002  # an angle of the drawing board, 15 degrees, in radians, to three figures
 FEW_ANGLES = 3  # a shorter list tells nothing
-RADIANS = re.compile(r"""["'].*\b(?:rad|рад)\s*["']""")
+RADIANS = r"""["'].*\b(?:rad|рад)\s*["']"""
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
@@ -204,7 +204,7 @@ def _angles(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
     start = drive.first
     if start is not None and abs(start) > 360:
         note = scene.fault(("drive", "start"), "degrees", turns=f"{start / 360:.3g}")
-        if RADIANS.fullmatch(note.value):
+        if re.fullmatch(RADIANS, note.value):
             yield note
     for path, angle in _single(form):
         share = round(float(angle) / TWELFTH)
