@@ -70,7 +70,7 @@ def _peaks(row: ExpectedRow, figure: str) -> Iterator[Expected]:
     """Give where the thick curve is greatest and least, degrees; where two places are as high, either may be told."""
     turned = np.linspace(row.runs[0][0], row.runs[-1][1], FINE)
     heights = row.sought(turned)
-    for name, sense in (("φ greatest", 1.0), ("φ least", -1.0)):
+    for name, sense in (("Δφ greatest", 1.0), ("Δφ least", -1.0)):
         high = np.nan_to_num(sense * heights, nan=-math.inf)
         top = int(np.argmax(high))
         ties = np.abs(turned - turned[top])[high > high[top] - TIED * np.nanmax(np.abs(heights), initial=0.0)]

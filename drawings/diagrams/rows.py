@@ -31,7 +31,7 @@ TRAVEL, VELOCITY, ACCELERATION = KEYS = ("travel", "velocity", "acceleration")  
 SLIDING, TURNING = ("S", "v", "a"), ("ψ", "ω", "ε")
 AHEAD = ("Δψ", "Δω", "ε")  # of an output that turns fully: what it is ahead of an even turn
 STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
-GREATEST, LEAST = "φ greatest", "φ least"
+GREATEST, LEAST = "Δφ greatest", "Δφ least"
 NOUGHT = 1e-9  # of what the row above would make it: a rounding, which no scale is told of
 
 
@@ -216,7 +216,7 @@ class DiagramsPlate(RowPlate[DiagramRow]):
 
     def title(self, row: DiagramRow) -> str:
         """Give the title of a row: its letter over the crank angle."""
-        return f"{row.letter}(φ)"
+        return f"{row.letter}(Δφ)"
 
     def said(self, row: DiagramRow) -> Iterator[str]:
         """Tell by how much the chords are off, or that the row shows nothing."""
@@ -278,7 +278,7 @@ class DiagramsFrame(RowFrame[DiagramRow]):
             *(graph.dot(peak.turned, peak.value, RING) for peak in peaks(row, plate.axis)),
         )
         up = f"{row.letter}, {plate.drafting.word(row.unit)}"
-        ends = graph.ends((plate.length, "φ"), (row.span[1], up))
+        ends = graph.ends((plate.length, "Δφ"), (row.span[1], up))
         return Part(graph.name, lines, (*ends, *self._turned(row, graph), *self._numbers(row, graph)))
 
     def _turned(self, row: DiagramRow, graph: Graph) -> Iterator[Letter]:

@@ -29,7 +29,7 @@ from plans.model.run import Account
 from plans.study import Study
 
 LOOP, EQUATIONS, SKETCH = "loop", "loop-equations", "flywheel_sketch"
-TURNED = ("φ slowest", "φ fastest")
+TURNED = ("Δφ slowest", "Δφ fastest")
 TANGENTS, SEGMENTS, ANGLES, CUTS = ("ψmin", "ψmax"), ("o1l", "o1k"), ("ψ_{min}", "ψ_{max}"), ("l", "k")
 RESULTS, POSITIONS = "results", "positions"
 DIGITS, FEW, FINE, FINER = 4, 3, 5, 6  # of numbers in notes; of per cents there; in equations; of results
@@ -243,7 +243,7 @@ class _FullTurn:
         """Give the numbers of the notes, by the names of their quantities; which of them are told the words decide."""
         for name, value, slack in chain(self._task(), self._reasons(), self._achieved(), self._sizes()):
             digits = FEW if name in ("J_fly off", "rim added") else DIGITS
-            period = 360.0 if name.startswith("φ") else 0.0
+            period = 360.0 if name.startswith("Δφ") else 0.0
             yield Expected(Kind.PHRASE, NOTES, name, value, slack, may_lack=True, digits=digits, period=period)
 
     def _task(self) -> Iterator[tuple[str, float, float]]:
@@ -263,7 +263,7 @@ class _FullTurn:
         excess, energy = fast.surplus - slow.surplus, KNOWN * float(np.abs(cycle.surplus).max())
         share, most = excess / (task.speed**2 * task.delta), _greatest(cycle, fast.turned, slow.turned)
         tied = math.inf if self._ties(wheel) else 0.0  # rounding alone decides which corner is touched
-        yield from (("φ fastest", math.degrees(fast.turned), tied), ("φ slowest", math.degrees(slow.turned), tied))
+        yield from (("Δφ fastest", math.degrees(fast.turned), tied), ("Δφ slowest", math.degrees(slow.turned), tied))
         yield from (("A excess", excess, 2 * energy + tied), ("M_us most", most, KNOWN * abs(most) + tied))
         rest, off = wheel.whole - share, self.slack + 2 * energy / (task.speed**2 * task.delta) + tied
         yield from (("J_0 of loads", share, off), (f"J_0 of links {'−' if rest < 0 else '+'}", abs(rest), off))

@@ -198,7 +198,7 @@ def graph_part(shown: StripGraph, strips: DrawnStrips, axes: Axes, drafting: Dra
         *(stroke for trace in shown.traces for stroke in _curve(trace, shown, graph)),
     )
     up = f"{drafting.letter(shown.axis or shown.letter)}, {drafting.word(shown.unit)}"
-    ends = graph.ends((TURN, "φ"), (shown.span[1], up))
+    ends = graph.ends((TURN, "Δφ"), (shown.span[1], up))
     numbers = (graph.number(turned[k], names[k], values[k]) for k in numbered)
     return Part(shown.name, lines, (*ends, *_letters(shown, axes, drafting), *numbers))
 

@@ -214,7 +214,7 @@ def _plain(name: str) -> str:
 
 APART = 1.6  # sizes of a number from one numbered point to the next
 SAME = 1e-9  # rad: angles that differ by less are one edge
-TURNED = ("φ slowest", "φ fastest")  # what the angle at a point of touch is called, as in the notes
+TURNED = ("Δφ slowest", "Δφ fastest")  # what the angle at a point of touch is called, as in the notes
 TOUCH = 1.1  # mm, radius of a point that a tangent touches
 
 

@@ -104,7 +104,7 @@ class DynamicsNotes(NamedTuple):
         low, high = wheel.touches
         excess = high.surplus - low.surplus
         share = excess / (self.task.speed**2 * self.task.delta)
-        said = {"fast": self._angle("φ fastest", high.turned), "slow": self._angle("φ slowest", low.turned)}
+        said = {"fast": self._angle("Δφ fastest", high.turned), "slow": self._angle("Δφ slowest", low.turned)}
         said |= {"excess": self._slot("A excess", excess), "whole": self._slot("J_0", wheel.whole)}
         said |= {"most": self._slot("M_us most", resisting(cycle, high.turned, low.turned))}
         if abs(wheel.whole - share) <= NOTES_NOISE * wheel.whole:  # the links have one inertia at both angles

@@ -31,7 +31,7 @@ def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
 
 def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[str]:
     """Tell moments on both sides of each edge, works, energy, inertia, and the speed with the flywheel."""
-    heads = ["φ, °", "M−, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
+    heads = ["Δφ, °", "M−, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
     before = np.roll(cycle.moments[:, 1], 1)
     sides = np.append(before, before[0]), np.append(cycle.moments[:, 0], cycle.moments[0, 0])
     columns = [np.degrees(cycle.turned), *sides, -cycle.work, cycle.surplus, cycle.inertia, cycle.varying]
@@ -44,7 +44,7 @@ def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[s
 
 def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:
     """Tell both tangents: slope, where they touch, what they cut off, as drawn and exactly."""
-    heads = ["", "tan ψ, J/(kg*m2)", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_{1}l, J", "o_{1}k, J"]
+    heads = ["", "tan ψ, J/(kg*m2)", "Δφ, °", "ΔJ, kg*m2", "ΔT, J", "o_{1}l, J", "o_{1}k, J"]
     yield from header(united(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
     numbers = np.array([_tangent(wheel, k) for _, wheel in roads for k in range(2)])

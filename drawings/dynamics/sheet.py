@@ -46,7 +46,7 @@ from plans.study import Study
 RESULTS, POSITIONS = "results", "positions"
 COLUMNS = ("by plan", "by analysis", "true error")  # strips and chords are out by what the exact curve is not
 QUANTITIES = (
-    ("φ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"),
+    ("Δφ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"),
     ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
 )  # fmt: skip
 REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
