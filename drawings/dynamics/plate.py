@@ -180,11 +180,11 @@ def measure(plate: Plate) -> Picture:
     wide, high = TURN * plate.wide, TURN * plate.high
     between = len(plate.rows) * (plate.over + plate.under)
     margins = Margins(sum(plate.beside) / 2, plate.below, between)
-    least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
+    least = max(LONG * plate.hand.letter, longest(plate)) * max(plate.wide, plate.high)
     return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least, open=False)
 
 
-def _longest(plate: Plate) -> float:
+def longest(plate: Plate) -> float:
     """Give the length of the axis of angles beside whose end the captions of the graphs have room, mm."""
     drafting = plate.drafting
     scales = drafting.scale(Scale(0.0025, "J", "kg*m2"), Scale(0.025, "φ", "rad"))

@@ -11,8 +11,8 @@ from itertools import product
 from drawings.dynamics import graphs
 from drawings.dynamics.graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, StripGraph, graph_part
 from drawings.dynamics.loop import NAME, TAIL, height, loop_part, write
-from drawings.dynamics.plate import TITLE, WIDE, Plate
-from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption, wide
+from drawings.dynamics.plate import TITLE, WIDE, Plate, longest
+from drawings.kinds.axes import BETWEEN, BEYOND, Axes, Part, Parts, caption, wide
 from drawings.kinds.row_frame import coarser, level, stacked
 from drawings.kinds.working import TANGENTS, Workings, amount
 from drawings.layout.picture import Spot
@@ -185,9 +185,10 @@ class PlateFrame:
             part = graph_part(shown, plate.strips, axes, drafting)
             scales = joined(";  ", (drafting.scale(axes.up), self._more(name) or drafting.scale(axes.across)))
             over = self._over(name)
+            over = over._replace(left=over.left + self._stacked * BETWEEN)  # the lower line is clear of the axis
             if name != SURPLUS:  # its caption is level with that of the loop
                 over = over._replace(top=axes.on(0.0, shown.span[1]).imag + plate.over)
-            head = caption(drafting.word(TITLES[name]), scales, over, plate.hand)
+            head = caption(drafting.word(TITLES[name]), scales, over, plate.hand, self._stacked)
             yield part._replace(lines=(telling(name, head), *part.lines))
             if name == MOMENTS:
                 yield graphs.pole_part(plate.cycle, axes, self.integration[2], plate.hand)
@@ -217,9 +218,14 @@ class PlateFrame:
         """Write the title of what stands beside the graphs, level with that of a row, and its scales."""
         drafting, hand, right = self.plate.drafting, self.plate.hand, self.spot.box.right
         words = drafting.word(title), drafting.scale(*scales)
-        left = min(self.loop_left + TITLE * hand.letter, right - wide(*words, hand))
-        head = caption(*words, self._over(row)._replace(left=left, right=right), hand)
+        left = min(self.loop_left + TITLE * hand.letter, right - wide(*words, hand, self._stacked))
+        head = caption(*words, self._over(row)._replace(left=left, right=right), hand, self._stacked)
         return part._replace(lines=(head, *part.lines))
+
+    @property
+    def _stacked(self) -> bool:
+        """Whether captions on one line have no room: the plate is smaller than can well be read."""
+        return self.length < longest(self.plate)
 
     def _over(self, row: str) -> Field:
         """Give the field of a row with the paper over it."""

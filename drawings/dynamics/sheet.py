@@ -238,10 +238,10 @@ class _DynamicsSheet:
         exhibits = [self._exhibit(shown, self._least if way.whole else None) for shown in plates]
         yield from exhibits[:1]
         yield from self._loads()
-        yield self._caption(self._values(way.most))
         yield from exhibits[1:]
         if self.machine.drawn.cycle is not None and not (way.whole and self._whole.told):
             yield self._caption(self._results())
+        yield self._caption(self._values(way.most))
         yield from self._wheel()
         yield from self._bare()
         yield from self._run()

@@ -39,7 +39,7 @@ def measure(run: MachineRun, drafting: Drafting) -> Picture:
 def draw(run: MachineRun, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw it in its spot: the speed over time, the ends of its stages measurable, the mean of the steady motion."""
     hand, long, most = drafting.hand, float(run.t[-1]), float(run.omega.max())
-    axes = standing(room, spot, (0.0, most), ("ω", "rad/s"), drafting, under=1.0)
+    axes = standing(room, spot, (0.0, most), ("ω", "rad/s"), drafting)
     graph = Graph(NAME, axes, hand)
     lines = (
         heading(spot.box, drafting.word("tachogram"), drafting.scale(spot.scale, axes.up), hand),

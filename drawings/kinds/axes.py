@@ -20,6 +20,7 @@ from plans.model.motion import Floats
 
 LEFT, RIGHT, OVER, UNDER = math.pi, 0.0, math.pi / 2, -math.pi / 2
 BETWEEN = 3.0  # mm from a part's title to its scales
+STACKED = 1.6  # sizes of a text from a title to the scales under it
 
 
 class Letter(NamedTuple):
@@ -66,16 +67,20 @@ class Parts(NamedTuple):
         return *self.still, *(group for part in self.parts for group in part.letter(labels))
 
 
-def caption(title: str, scales: str, field: Field, hand: Hand) -> Group:
-    """Write a part's title and its scales on one line at the top of a field, in its middle if it is no longer."""
-    start = complex(max(field.centre.real - wide(title, scales, hand) / 2, field.left), field.top - hand.title)
-    then = start + text_width(Text(0j, title, hand.title)) + BETWEEN
+def caption(title: str, scales: str, field: Field, hand: Hand, stacked: bool = False) -> Group:
+    """Write a part's title and its scales at the top of a field, in its middle if they are no longer.
+
+    They stand on one line, or stacked one above the other.
+    """
+    start = complex(max(field.centre.real - wide(title, scales, hand, stacked) / 2, field.left), field.top - hand.title)
+    then = start + (-STACKED * 1j * hand.text if stacked else text_width(Text(0j, title, hand.title)) + BETWEEN)
     return Group((Text(start, title, hand.title, "start", True), Text(then, scales, hand.text, "start", True)))
 
 
-def wide(title: str, scales: str, hand: Hand) -> float:
+def wide(title: str, scales: str, hand: Hand, stacked: bool = False) -> float:
     """Give the length of a caption, mm."""
-    return text_width(Text(0j, title, hand.title)) + BETWEEN + text_width(Text(0j, scales, hand.text))
+    both = text_width(Text(0j, title, hand.title)), text_width(Text(0j, scales, hand.text))
+    return max(both) if stacked else sum(both) + BETWEEN
 
 
 class Pole(NamedTuple):

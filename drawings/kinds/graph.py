@@ -47,18 +47,16 @@ def standing(
     up: tuple[str, str],
     drafting: Drafting,
     stated: float = 0.0,
-    under: float = 0.5,
 ) -> Axes:
     """Stand axes in a spot: ordinates at the largest standard scale for their span, or at a stated one.
 
-    `up` is the letter and the unit of the ordinates. Of the height that their scale leaves the share `under` lies below
-    the graph.
+    `up` is the letter and the unit of the ordinates. What height their scale leaves lies below: a graph hangs from its
+    heading.
     """
-    room, (low, high) = room.filling(spot), span
+    room, (_, high) = room.filling(spot), span
     tall = room.high / spot.scale.mu
-    scale = Scale(stated, *up) if stated else fitting(high - low, tall, *up, drafting.standard)
-    spare = tall - (high - low) / scale.mu
-    return Axes(room.place(*spot).on(0j) + 1j * (under * spare - low / scale.mu), spot.scale, scale)
+    scale = Scale(stated, *up) if stated else fitting(high - span[0], tall, *up, drafting.standard)
+    return Axes(room.place(*spot).on(0j) + 1j * (tall - high / scale.mu), spot.scale, scale)
 
 
 class Graph(NamedTuple):
