@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from drawings.layout.ink import LETTERED, Ink, padded
 from drawings.lettering.lettering import bounds
@@ -18,6 +18,7 @@ LED = (*range(4, 40, 3), *range(40, 160, 6))  # mm from a point to a label that 
 LEAD_DIRECTIONS = 32  # none of them but every eighth along a crank divided by 12, 24 or 36
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
 SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
+STRAY = 1.0  # cost of a place that is nearer to another point with a label, in mm of distance
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
 
 
@@ -31,22 +32,35 @@ class Labels:
     def __init__(self, ink: Ink, leader: LineStyle, slanted: bool = True) -> None:
         self.ink, self._leader, self._slanted = ink, leader, slanted
 
-    def beside(self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4) -> Stroke:
-        """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad."""
-        label = self.free(point, content, size, gap, prefer)
+    def beside(
+        self,
+        point: complex,
+        content: str,
+        size: float,
+        gap: float,
+        prefer: float = math.pi / 4,
+        others: Sequence[complex] = (),
+    ) -> Stroke:
+        """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad.
+
+        It is to be no nearer to `others`, which have labels of their own, and no leader begins at one.
+        """
+        label = self.free(point, content, size, gap, prefer, others)
         if label is None:  # there is no free place on the whole sheet; a letter is needed all the same
             box = bounds(Text(0j, content, size, "start", self._slanted))
             label = Text(self._near(point, box, gap, prefer), content, size, "start", self._slanted)
             self.ink.draw([label])
         return label
 
-    def free(self, point: complex, content: str, size: float, gap: float, prefer: float) -> Stroke | None:
+    def free(
+        self, point: complex, content: str, size: float, gap: float, prefer: float, others: Sequence[complex] = ()
+    ) -> Stroke | None:
         """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
         box = bounds(Text(0j, content, size, "start", self._slanted))
-        near = self._near(point, box, gap, prefer)
+        near = self._near(point, box, gap, prefer, others)
         label: Stroke = Text(near, content, size, "start", self._slanted)
         if self.ink.under(padded(box, near)):
-            led = self._led(point, box, gap, prefer)
+            led = self._led(point, box, gap, prefer, others) or self._led(point, box, gap, prefer)
             if led is None:
                 return None
             start, end, corner = led
@@ -78,7 +92,7 @@ class Labels:
                     return label
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across))
 
-    def _near(self, point: complex, box: Box, gap: float, prefer: float) -> complex:
+    def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Sequence[complex] = ()) -> complex:
         """Find the freest place beside a point; one that covers nothing is taken before any other."""
         best, cheapest = point, math.inf
         for reach in NEAR:
@@ -90,11 +104,14 @@ class Labels:
                     break
                 corner = _touching(point, box, gap + reach, angle)
                 cost = self.ink.under(padded(box, corner)) + least
+                cost += STRAY * any(_off(box, corner, other) < gap + reach for other in others)
                 if cost < cheapest:
                     best, cheapest = corner, cost
         return best
 
-    def _led(self, point: complex, box: Box, gap: float, prefer: float) -> tuple[complex, complex, complex] | None:
+    def _led(
+        self, point: complex, box: Box, gap: float, prefer: float, others: Sequence[complex] = ()
+    ) -> tuple[complex, complex, complex] | None:
         """Find a free place further off, and the leader to it: from beside the point to the label's nearer edge."""
         best, cheapest = None, math.inf
         for reach in LED:
@@ -107,6 +124,8 @@ class Labels:
                 if self.ink.under(padded(box, corner)):
                     continue
                 start = point + cmath.rect(0.7 * gap, angle)
+                if any(tied(abs(start - other)) < 0.7 * gap for other in others):
+                    continue
                 end = _nearest(box, corner, start)
                 crossed = self.ink.along(start, end)
                 cost = reach + 3 * TURNED * off + CROSSED * crossed
@@ -146,6 +165,13 @@ def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
     spread = direction / max(abs(direction.real), abs(direction.imag))
     centre = point + gap * direction + complex(half.real * spread.real, half.imag * spread.imag)
     return centre - half - complex(left, bottom)
+
+
+def _off(box: Box, corner: complex, spot: complex) -> float:
+    """Give how far a spot is from a shifted box, mm."""
+    left, bottom, right, top = box
+    aside = max(left + corner.real - spot.real, spot.real - right - corner.real, 0.0)
+    return tied(abs(complex(aside, max(bottom + corner.imag - spot.imag, spot.imag - top - corner.imag, 0.0))))
 
 
 def _nearest(box: Box, shift: complex, point: complex) -> complex:
