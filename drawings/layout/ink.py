@@ -224,8 +224,8 @@ def _chains(stroke: Stroke) -> Iterator[Chain]:
 
 
 def _rungs(text: Text) -> Iterator[Chain]:
-    """Lay lines across a text's box, turned as the text is."""
-    left, bottom, right, top = bounds(Text(0j, text.content, text.size, text.anchor, text.slanted))
+    """Lay lines across a text's box, turned as the text is, and as far beyond it as a line may be off its pieces."""
+    left, bottom, right, top = padded(bounds(Text(0j, text.content, text.size, text.anchor, text.slanted)), 0j, SAG)
     turn = cmath.rect(1, math.radians(text.rotation))
     for k in range(RUNGS):
         level = bottom + (top - bottom) * k / (RUNGS - 1)

@@ -87,18 +87,18 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     body, stands = list(pairs.bars()), list(pairs.stands())
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_path(bones, place, hand), *_positions(pairs)]
-    extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
+    extremes, lines, notches = list(_extremes(pairs)), axes(bones, place, hand), list(_notches(bones, place, hand))
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
     grounded = grounds(pairs, ink)
     ink.draw(grounded)
-    ink.draw([*paths, *positions, *extremes, *lines], SHARE)
+    ink.draw([*paths, *positions, *extremes, *lines, *notches], SHARE)
     under: list[tuple[str, Iterable[Stroke]]] = [
         ("paths", paths),
         (OTHERS, positions),
         ("extremes", extremes),
         ("guides", lines),
-        ("notches", _notches(bones, place, hand)),
+        ("notches", notches),
         (TIES, ties(pairs)),
         (TICKS, path_ticks(pairs)),
     ]
