@@ -25,7 +25,6 @@ from drawings.layout.value_table import DIGITS as FIGURES
 from drawings.lettering.words import lowered_bank
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.report.report import agreed
 from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
@@ -137,7 +136,7 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
         *(write(shown.balance, drafting) for write in writers),
         results(comparison, bool(orders), drafting),
     ]
-    notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(orders))
+    notes = BankNotes(shown.balance, drafting).all
     title = drafting.word("bank sheet title")
     there = tuple(written for written in tables if written is not None)
     later = partial(bank_by_hand, comparison.findings)

@@ -25,7 +25,6 @@ from drawings.layout.table import RuledTable
 from drawings.page.page import Drafting, drafting_of, page_of
 from drawings.paper.hand import SIZES
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.report.report import agreed
 from drawings.sheets.documents import letter
 from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import compositions, lay_out, lay_out_each
@@ -85,7 +84,7 @@ def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity]
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
         _results(drawing, exact, by_hand, drafting),
-        (*CamNotes(drawing.found, drafting).all, *agreed(compared, drafting, by_hand)),
+        CamNotes(drawing.found, drafting).all,
     )
 
 

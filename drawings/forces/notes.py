@@ -9,20 +9,21 @@ import numpy as np
 from drawings.forces.letters import force_letter
 from drawings.forces.report import least
 from drawings.lettering.words import Slot, joined, number, numbered, phrase, runs, word
-from drawings.linkage.notes import accord, driving, lengths
+from drawings.linkage.notes import driving, lengths
 from geometry.board import at
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics, told_line
+from plans.forces.worth import worth
 from plans.model.machine import ALWAYS, GEAR, Force, Moment
 from plans.model.motion import NOTHING, Rates
-from plans.quantity import SLIP
+from plans.words.words import term
 
 NBSP = "\N{NO-BREAK SPACE}"
 INDEX = ("friction index", "useful index")  # of powers
 
 
 def notes(statics: Statics, comparison: ForceComparison, position: int, language: str) -> list[str]:
-    """Write what the sheet says in words: what is given, what the lever carries, what friction takes, both roads."""
+    """Write what the sheet says in words: what is given, what the lever carries, what friction takes."""
     rates = Rates(*statics.study.rates.at(position))
     given = [
         driving(statics.study, rates, language),
@@ -35,9 +36,26 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
         word(language, "known lines"),
         *_lever(statics, position, language),
         *_friction(statics, comparison, position, language),
-        *accord(comparison.exact, comparison.motion.kappa, language),
-        word(language, "force hand note", slip=number(SLIP, language)),
+        *_choice(statics, comparison, position, language),
     ]
+
+
+def _choice(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
+    """Say why another position is drawn than that in which the loads do most, and that none has open plans."""
+    if statics.form.sheet.forces or statics.study.form.sheet.position is not None:
+        return
+    rated = worth(statics, comparison.construction)
+    if rated.loaded and rated.hardest != position:
+        yield word(language, "position chosen", position=position, hardest=rated.hardest)
+    flat = [_plan(name, language) for name in rated.flat(position)]
+    if flat:
+        yield word(language, "no open plans", plans=", ".join(flat))
+
+
+def _plan(name: str, language: str) -> str:
+    """Name a plan of a position."""
+    _, _, group = name.partition("-")
+    return word(language, "force plan", group=group) if group else term(language, "plan", name)
 
 
 def _loads(statics: Statics, language: str) -> Iterator[str]:

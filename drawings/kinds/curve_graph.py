@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.kinds.axes import Letter, Part
-from drawings.kinds.graph import DOT, Graph, GraphForm, standing
+from drawings.kinds.graph import DOT, Graph, GraphForm, dashed, leaps, standing
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import every, numbered, text_width
 from drawings.page.page import Drafting
@@ -31,7 +31,8 @@ SPARE = 0.5  # sizes of a number that stay free between two
 DOTTED = 3.0  # radii of a point from one point to the next: nearer ones run into a line
 
 
-ANGLE, WAY = ("φ", "°"), ("s", "m")  # letter and unit of an axis
+ANGLE, WAY = ("φ", "°"), ("s", "m")  # letter and unit of the scale of an axis
+TURNED = "Δφ"  # the angle from position 0 on: φ is that of the crank from the x axis
 
 
 class GraphCurve(NamedTuple):
@@ -112,18 +113,22 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Pa
     graph = Graph(room.name, axes, hand)
     scales = drafting.scale(spot.scale, axes.up)
     scales += "" if curve.before is None else f";  {drafting.word('thin before')}"
-    ordinates, numbers = _ordinates(curve, graph)
+    (ordinates, numbers), jumps = _ordinates(curve, graph), leaps(curve.values)
     lines = (
         heading(spot.box, curve.title, scales, hand),
         *axes.lines((0.0, curve.length), curve.span, hand, room.name if curve.states else ""),
         graph.tick(curve.length, hand.other),
         *ordinates,
         *_before(curve, graph),
-        *_said(curve, graph, curve.states, graph.curve(curve.angles, curve.values, hand.result)),
+        *_said(curve, graph, curve.states, graph.curve(curve.angles, curve.values, hand.result, jumps)),
+        *dashed(graph.places(curve.angles, curve.values), jumps, hand),
     )
     if curve.closed:
         numbers.append(graph.number(curve.length, str(curve.divisions)))  # of no divisions: position 0 again
-    ends = graph.ends((curve.length, curve.axis[0]), (high, f"{curve.letter}, {drafting.word(curve.unit)}"))
+    ends = graph.ends(
+        (curve.length, TURNED if curve.axis == ANGLE else curve.axis[0]),
+        (high, f"{curve.letter}, {drafting.word(curve.unit)}"),
+    )
     return Part(room.name, lines, (*ends, *_parted(numbers)))
 
 

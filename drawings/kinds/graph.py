@@ -17,10 +17,14 @@ from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Po
 from drawings.paper.walk import apart, stating
 from drawings.symbols.figure import Subject, around
 from drawings.symbols.symbols import TICK, fit_dashes
-from plans.model.motion import Floats
+from plans.model.motion import Complexes, Floats
 
 DOT = 0.7  # mm, radius of a point of a curve
 LEAST = 0.05  # mm: a shorter ordinate is a point
+SEEN, JUMP = (
+    0.01,
+    8.0,
+)  # of the largest value, and times the steps beside it: no smooth curve changes so from step to step
 BESIDE = 0.6  # mm from the end of a tick to its number
 
 
@@ -112,9 +116,9 @@ class Graph(NamedTuple):
         """Give the places of values on paper."""
         return tuple(self.axes.on(*spot) for spot in zip(x.tolist(), y.tolist(), strict=True))
 
-    def curve(self, x: Floats, y: Floats, style: LineStyle) -> Iterator[Stroke]:
-        """Draw a curve, broken at its gaps."""
-        for run in stretches(y):
+    def curve(self, x: Floats, y: Floats, style: LineStyle, jumps: Sequence[int] = ()) -> Iterator[Stroke]:
+        """Draw a curve, broken at its gaps and jumps."""
+        for run in stretches(y, jumps):
             part = slice(run[0], run[-1] + 1)
             yield from fit_dashes([Polyline(self.places(x[part], y[part]), False, style)])
 
@@ -134,13 +138,31 @@ class Graph(NamedTuple):
         return Letter(self.axes.on(x), text, self.hand.number, cmath.phase(away), TICK + BESIDE)
 
 
-def stretches(values: Floats) -> Iterator[Sequence[int]]:
-    """Give the runs of places between the gaps of dense values, two places long at least.
+def leaps(values: Floats | Complexes) -> list[int]:
+    """Give the places after which dense values jump (скачок): where one step is many times those on either side of it.
+
+    >>> leaps(np.array([0.0, 0.1, 0.2, 5.0, 5.1, 5.2])), leaps(np.array([0.0, 1.0, 2.0, 4.0]))
+    ([2], [])
+    """
+    steps = np.abs(np.diff(values))
+    around = np.pad(steps, 1, constant_values=np.nan)
+    seen = steps > SEEN * np.nanmax(np.abs(values), initial=0.0)
+    return [int(k) for k in np.flatnonzero(seen & (steps > JUMP * np.fmax(around[:-2], around[2:])))]
+
+
+def dashed(places: Sequence[complex], jumps: Sequence[int], hand: Hand) -> Iterator[Stroke]:
+    """Draw the jumps of a curve in dashed lines, from the places before them to those behind."""
+    return fit_dashes(Line(places[k], places[k + 1], hand.path) for k in jumps)
+
+
+def stretches(values: Floats, jumps: Sequence[int] = ()) -> Iterator[Sequence[int]]:
+    """Give the runs of places between the gaps and the jumps of dense values, two places long at least.
 
     >>> [list(run) for run in stretches(np.array([1.0, 2.0, np.nan, 3.0, 4.0, np.nan, 5.0]))]
     [[0, 1], [3, 4]]
     """
     gaps = np.flatnonzero(np.isnan(values))
-    for run in np.split(np.arange(len(values)), sorted({*gaps.tolist(), *(gaps + 1).tolist()})):
+    ends = sorted({*gaps.tolist(), *(gaps + 1).tolist(), *(k + 1 for k in jumps)})
+    for run in np.split(np.arange(len(values)), ends):
         if len(run) > 1:
             yield [int(k) for k in run]

@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.kinds.axes import Letter, Part
 from drawings.kinds.curve_graph import DOTTED, SPARE
-from drawings.kinds.graph import DOT, LEAST, stretches
+from drawings.kinds.graph import DOT, LEAST, dashed, leaps, stretches
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import numbered, text_width
 from drawings.page.page import Drafting
@@ -130,7 +130,10 @@ def _title(shown: Hodograph, drafting: Drafting) -> str:
 
 
 def _curve(shown: Hodograph, place: Place, hand: Hand) -> list[Stroke]:
-    """Draw the curve of the ends: closed where it has no gap."""
-    runs = list(stretches(shown.values.real))
+    """Draw the curve of the ends: closed where it has no gap, dashed where it jumps."""
+    jumps = leaps(shown.values)
+    runs = list(stretches(shown.values.real, jumps))
     whole = len(runs) == 1 and len(runs[0]) == len(shown.values)
-    return [Polyline(tuple(place.on(complex(shown.values[k])) for k in run), whole, hand.result) for run in runs]
+    places = [place.on(complex(value)) for value in shown.values]
+    curves = (Polyline(tuple(places[k] for k in run), whole, hand.result) for run in runs)
+    return [*curves, *dashed(places, jumps, hand)]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
 
 from drawings.lettering.words import Slot, fixed, joined, number, phrase, runs, slotted, span, word
-from drawings.report.report import TableSubject, share
+from drawings.report.report import TableSubject
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.ram import law
 from plans.linkage.study import LinkageStudy
@@ -18,23 +18,18 @@ from plans.linkage.travel import EQUAL, frame_slide
 from plans.model.dyad import Assur, formula, mechanism_class
 from plans.model.machine import ways
 from plans.model.mechanism import Mechanism, Output, Ram
-from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Floats, Motion, Order, Rates
-from plans.quantity import SLIP, Quantity
+from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates
 from plans.study import Study
 from plans.words import words
 from plans.words.words import Message, message
 from plans.words.words import said as worded
 from plans.words.words import word as plain_word
 
-ALIKE = 1 - 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
 
-def notes(study: LinkageStudy, comparison: MotionComparison, language: str, by_hand: bool = True) -> list[str]:
-    """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement.
-
-    What a hand makes of it is said where a table has its column.
-    """
+def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> list[str]:
+    """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps."""
     mechanism = study.mechanism
     said = [
         word(
@@ -52,19 +47,7 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str, by_h
         if low != high:
             ends = {end: slotted("", f"{end} {group.label}", angle) for end, angle in (("low", low), ("high", high))}
             said.append(phrase(language, "pressure", group=group.label, **ends))
-    said += [*_gaps(comparison, language), *_why(study, comparison)]
-    both = accord(comparison.findings, comparison.kappa, language)
-    return [*said, *both, *([word(language, "hand note", slip=number(SLIP, language))] if both and by_hand else [])]
-
-
-def accord(findings: Sequence[Quantity], kappa: Floats, language: str) -> list[str]:
-    """Say once how far plan and analysis are apart, and where the mechanism is worst conditioned; nothing of gaps."""
-    known = np.flatnonzero(np.isfinite(kappa))
-    if not len(known):
-        return []
-    worst = next(int(k) for k in known if kappa[k] >= ALIKE * np.max(kappa[known]))
-    text = number(float(kappa[worst]), language, 2)
-    return [word(language, "accord", share=share(findings), position=worst, kappa=text)]
+    return [*said, *_gaps(comparison, language), *_why(study, comparison)]
 
 
 def driving(study: LinkageStudy, rates: Rates, language: str) -> str:

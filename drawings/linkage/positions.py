@@ -104,10 +104,7 @@ def plans(
 
 
 def force_positions(statics: Statics, comparison: ForceComparison) -> tuple[int, ...]:
-    """Give the positions whose forces are drawn: the scene's own, or the one that the machine is worked out for.
-
-    That is one in which its useful loads act, those with plans before all others, of the largest balancing moment.
-    """
+    """Give the positions whose forces are drawn: the scene's own, or the one that is worth most to draw."""
     study = statics.study
     roads = comparison.analysis, comparison.construction
     gone = {gap.position: gap for road in roads for gap in road.gaps}
@@ -125,22 +122,18 @@ def force_positions(statics: Statics, comparison: ForceComparison) -> tuple[int,
             refused = message("refused.no_forces", **where, positions=", ".join(map(str, have[:CHOICES])))
             raise SheetError(placed(f"{study.scene.file}:{line}:{column}", refused))
     asked = position_asked(study)
-    return wanted or (asked if asked in have else _hardest(statics, comparison, have),)
+    return wanted or (asked if asked in have else _worthiest(statics, comparison, have),)
 
 
-def _hardest(statics: Statics, comparison: ForceComparison, have: Collection[int]) -> int:
-    """Give the position of the largest balancing moment, where loads act if they act anywhere."""
-    loading, (newton, torque) = statics.drafts().loading, comparison.construction.nothing_over
-    count = len(statics.study.turn)
-    loaded, possible, plans = (np.zeros(count, dtype=bool) for _ in range(3))
-    for load in loading.forces:
-        loaded |= load.useful & (np.abs(load.force) > newton)
-    for twist in loading.moments:
-        loaded |= twist.useful & (np.abs(twist.moment) > torque)
+def _worthiest(statics: Statics, comparison: ForceComparison, have: Collection[int]) -> int:
+    """Give the position whose forces are worth most to draw, of those with plans before all others (see `worth`)."""
+    from plans.forces.worth import worth  # noqa: PLC0415  (only a scene with force sheets needs it)
+
+    sizes = worth(statics, comparison.construction).sizes
+    possible, plans = np.zeros((2, len(sizes)), dtype=bool)
     possible[list(have)] = True
     plans[list(statics.study.form.sheet.plans)] = True
-    moments = np.where(possible, np.abs(comparison.construction.balancing.moment), np.nan)
-    return _best(moments, loaded & (plans if (plans & loaded & possible).any() else True), possible)
+    return _best(sizes, plans & possible & (sizes > 0.0), possible)
 
 
 def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:
@@ -204,7 +197,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     def facts(names: Collection[str]) -> dict[str, Any]:
         return {**facts_of(linkage, shown, names), "plans": [], "vectors": []}
 
-    words = tuple(notes(linkage, comparison, drafting.language, by_hand=False))
+    words = tuple(notes(linkage, comparison, drafting.language))
     return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), (figure,), (), words, facts)])
 
 

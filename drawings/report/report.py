@@ -182,14 +182,6 @@ def report_of(technique: str) -> Report:
 NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
 
 
-def agreed(findings: Sequence[Quantity], drafting: Drafting, by_hand: bool = True) -> Iterator[str]:
-    """Say how far construction and analysis are apart, and what the column of the hand tells; nothing of nothing."""
-    if findings:
-        yield drafting.word("accord of roads", share=share(findings))
-        if by_hand:
-            yield drafting.word("polygon hand note", slip=drafting.number(SLIP))
-
-
 def share(findings: Sequence[Quantity]) -> str:
     """Write the least power of ten of the largest values that no difference is beyond."""
     shares = [_apart(finding) for finding in findings if finding.largest > 0]
@@ -268,6 +260,7 @@ def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
         *(line for chapter in chapters for line in chapter.subject),
         *(line for chapter in chapters for line in chapter.values),
         *_comparison(study.comparisons, language),
+        *([word(language, "report.by_hand", slip=number(SLIP, language))] if any(leaves.values()) else []),
         *(line for chapter in chapters for line in chapter.conditions),
         *_conclusion(study, language),
         *((chapter(language, "left_out"), *left_out) if left_out else ()),

@@ -14,7 +14,6 @@ from drawings.layout.value_table import COLUMNS, value_row
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.strokes import Group, Leaf
-from drawings.report.report import agreed
 from drawings.rotor import across, along
 from drawings.rotor.due import expected
 from drawings.rotor.polygon import RotorView, rotor_view
@@ -113,7 +112,7 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
         *captions(figure.working(drafting) for figure in polygons),
     )
     tables = (masses(rotor.rotor, rotor.balance, drafting),)
-    said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(compared(comparison), drafting)
+    said = RotorNotes(rotor.rotor, rotor.balance, drafting).all
     title = drafting.word("rotor sheet title")
     return lay_out(
         scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=partial(by_hand, comparison.findings))]

@@ -226,6 +226,18 @@ def accelerations(velocities: Plan, groups: Sequence[Assur], rates: Rates | None
     return plan
 
 
+def openness(corners: Sequence[npt.NDArray[np.complex128]]) -> npt.NDArray[np.float64]:
+    """Give how open figures are by their corners, a row each over the positions: 2ab/(a^2 + b^2) of their ellipse.
+
+    >>> openness([np.array([0j, 0j]), np.array([1 + 0j, 1 + 0j]), np.array([1j, 2 + 0j])]).round(6).tolist()
+    [0.866025, 0.0]
+    """
+    spread = np.array(corners) - np.mean(corners, axis=0)
+    size, along = (np.abs(spread) ** 2).mean(axis=0), np.abs((spread**2).mean(axis=0))
+    with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN, and a plan at rest is no figure
+        return np.where(size > 0.0, np.sqrt(np.maximum(1.0 - (along / size) ** 2, 0.0)), 0.0)
+
+
 UNIT = Rates(np.ones(1), np.ones(1))  # by which a pattern is drawn whose rates vary
 
 

@@ -1,0 +1,69 @@
+"""What a position is worth drawing for its forces: loads that do work, plans that are open (выбор положения)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.forces.friction import useful_power
+from plans.forces.statics import Statics
+from plans.linkage.motion_plans import openness
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import ACCELERATIONS, VELOCITIES, Floats
+
+FLAT = 0.1  # openness: of a plan that is flatter a hand sees one line, and a polygon is laid in lanes
+PLACES = 6  # of shares: far over the last bits of a processor, which decide nothing
+
+
+class PositionWorth(NamedTuple):
+    """What the positions are worth: the work that is done there, and how open each plan is; rows over the positions."""
+
+    loaded: bool  # does any useful load do work?
+    done: Floats  # the power of the useful loads as a share of its greatest; of a machine without any |M_bal|
+    open: dict[str, Floats]  # by the names of plans, "velocities" or "forces-4-5": those that are open anywhere
+
+    @property
+    def sizes(self) -> Floats:
+        """What the positions are worth: the share of the work by the geometric mean of how open the plans are.
+
+        At a dead centre no load does work, and one plan that is a line makes the whole mean nothing. A plan that is a
+        line wherever loads act, as that of a rod without mass is, tells no position from another: it is not counted.
+        """
+        rows = [self.done, *self.open.values()]
+        mean = np.prod(rows[1:], axis=0) ** (1.0 / max(len(rows) - 1, 1))
+        return np.asarray(np.round(rows[0] * mean, PLACES))
+
+    def flat(self, position: int) -> tuple[str, ...]:
+        """Name the plans that are lines in a position."""
+        return tuple(name for name, row in self.open.items() if row[position] < FLAT)
+
+    @property
+    def hardest(self) -> int:
+        """The position in which the loads do most."""
+        return int(np.nanargmax(self.done))
+
+
+def worth(statics: Statics, forces: Kinetostatics) -> PositionWorth:
+    """Rate the positions of a machine by the construction; NaN where there are no forces."""
+    study, moments = statics.study, np.abs(forces.balancing.moment)
+    motion = study.motion(2)
+    power = np.where(np.isnan(moments), np.nan, useful_power(study.mechanism, motion, statics.loading(motion)))
+    loaded = bool(np.nanmax(power, initial=0.0) > 0.0)
+    sizes = power if loaded else moments
+    done = np.round(sizes / (np.nanmax(sizes, initial=0.0) or 1.0), PLACES)
+    rows = {name: np.where(np.isnan(done), np.nan, row) for name, row in _plans(statics)}
+    return PositionWorth(loaded, done, {name: row for name, row in rows.items() if np.any(row[done > 0.0] >= FLAT)})
+
+
+def _plans(statics: Statics) -> Iterator[tuple[str, Floats]]:
+    """Give how open the plans of velocities, accelerations and of the forces of each group are."""
+    motion = statics.study.motion(2).points.values()
+    rest = np.zeros(len(statics.study.turn), dtype=complex)
+    yield VELOCITIES.plan, openness([rest, *(point.v for point in motion)])
+    yield ACCELERATIONS.plan, openness([rest, *(point.a for point in motion)])
+    for cut in statics.drafts().plans.plan.cuts:
+        if cut.group is not None and cut.sides:
+            corners = (np.asarray(side.end.point) for side in cut.sides)
+            yield f"forces-{cut.label}", openness([np.broadcast_to(corner, rest.shape) for corner in corners])
