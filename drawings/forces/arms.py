@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from drawings.forces.letters import BALANCE, PAIR, letter_of
 from drawings.kinds.outlines import is_centre
 from drawings.kinds.polygon import ShownVector
+from drawings.layout.parallel_offsets import Segment, merging
 from drawings.lettering.words import letter as by_language
 from drawings.lettering.words import with_index
-from drawings.page.page import Drafting
-from drawings.paper.walk import tied
+from drawings.page.page import Drafting, Field
+from drawings.paper.walk import tied, tied_spot
+from drawings.symbols.figure import Arm
 from geometry.board import Mark, at
 from plans.forces.cut import CutGroup, ForcePlan, MomentEquation
 from plans.model.motion import NOTHING
@@ -116,6 +118,36 @@ def _one_line(arm: Leverage, other: Leverage) -> bool:
     """Tell whether two forces have one line of action and one point of moments."""
     near = NOTHING * abs(arm.at - arm.pivot)
     return arm.about == other.about and abs(arm.foot - other.foot) <= near and arm.dimensioned
+
+
+BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
+# What speaks against a place: that it runs along a line, out of the figure, and how far it is from its own.
+ON_FORCE, OUTSIDE, FURTHER = 4, 3, 0.2
+
+
+def aside(arms: Iterable[Arm], lines: Iterable[Segment], box: Field | None) -> list[Arm]:
+    """Draw each arm at the nearest place where it runs along no line and none of those before it."""
+    taken, kept = list(lines), list[Arm]()
+    for arm in arms:
+        kept.append(_aside(arm, taken, box))
+        taken.append(kept[-1].ends)
+    return kept
+
+
+def _aside(arm: Arm, lines: Sequence[Segment], box: Field | None) -> Arm:
+    def cost(trial: Arm) -> float:
+        over = ON_FORCE * sum(merging(trial.ends, other) for other in lines)
+        outside = OUTSIDE * sum(box is not None and not within(end, box) for end in trial.ends)
+        return over + outside + FURTHER * abs(trial.aside) / BESIDE
+
+    steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))
+    return min((arm._replace(aside=step) for step in steps), key=cost)
+
+
+def within(spot: complex, box: Field) -> bool:
+    """Tell whether a place is in a box."""
+    spot = tied_spot(spot)
+    return box.left <= spot.real <= box.right and box.bottom <= spot.imag <= box.top
 
 
 POLE = "p"

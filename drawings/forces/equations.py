@@ -168,7 +168,6 @@ def _lengths(arms: Mapping[str, str], unit: str, drafting: Drafting) -> WrittenE
 
 NAME = "equations-lever"
 ARM = 4  # digits of an arm
-NARROWEST = 20.0  # sizes of the letters: in a narrower column every term has a line of its own
 WIDEST = "0,08888"  # of an arm before it is known how large the lever is drawn
 
 
@@ -182,9 +181,7 @@ class LeverEquation(NamedTuple):
 
     def block(self) -> TextBlock:
         """Measure it with the widest numbers, for the scale of the lever is not known yet."""
-        name, sizes = self._passage(None).block()
-        broad = [size for size in sizes if size[0] >= NARROWEST * self.drafting.hand.text]
-        return TextBlock(name, tuple(broad) or sizes[-1:])
+        return self._passage(None).block()
 
     def write(self, box: Field, spot: Spot | None = None) -> Group:
         """Write it with the arms in mm at the lever's scale; without a lever on its sheet, in true units."""

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from drawings.forces.arms import LeverTerm, leverages, terms
+from drawings.forces.arms import ON_FORCE, OUTSIDE, LeverTerm, aside, leverages, terms, within
 from drawings.forces.letters import BALANCE, LOAD, PAIR, letter_of
 from drawings.forces.polygon import ZERO
 from drawings.kinds.polygon import ShownVector
@@ -37,10 +37,8 @@ from plans.study import Study
 PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
 AFTER = 2.0  # mm between two forces that follow one another on one line of action
-BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
-FURTHER = 0.2  # what each of them costs
 # What speaks against a place of a force: that it runs along another, out of the figure, is away from its image.
-ON_FORCE, OUTSIDE, AWAY = 4, 3, 2
+AWAY = 2
 STANDS = 12  # directions tried for the stand of the pole
 BOTH, PARALLEL = 2, 0.1  # of forces on one line through an image one comes and one goes; parallel to 3 degrees
 SAME = 0.5  # mm: places nearer than this are one
@@ -75,15 +73,10 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
     def cost(arrow: ForceArrow) -> int:
         ends = arrow.start, arrow.tip
         over = ON_FORCE * sum(merging(ends, other) for other in taken.forces)
-        over += OUTSIDE * (not _within(arrow.free, taken.box))
+        over += OUTSIDE * (not within(arrow.free, taken.box))
         return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * (abs(arrow.at - image) > SAME)
 
     return min(tries, key=cost)
-
-
-def _within(spot: complex, box: Field) -> bool:
-    spot = tied_spot(spot)
-    return box.left <= spot.real <= box.right and box.bottom <= spot.imag <= box.top
 
 
 def _reach(pushes: Sequence[ShownVector]) -> float:
@@ -96,28 +89,14 @@ def _reach(pushes: Sequence[ShownVector]) -> float:
 
 def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) -> list[Arm]:
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
-    subject, lines = Subject(PLAN, SYMBOL, column), [*taken.rods, *taken.forces]
-    kept = []
-    for term in sorted((term for term in terms if term.dimensioned), key=lambda term: tied(place.length(term.length))):
-        arm = to_scale(term.arm, place.on(0j), place.on(term.at), term.direction, place.scale, subject)
-        if arm.length < LEAST_ARM:
-            continue
-        arm = _aside(arm, lines, taken.box)
-        lines.append(arm.ends)
-        kept.append(arm)
-    return kept
-
-
-def _aside(arm: Arm, lines: Sequence[Segment], box: Field) -> Arm:
-    """Give the nearest place of an arm where its line runs along no other."""
-
-    def cost(trial: Arm) -> float:
-        over = ON_FORCE * sum(merging(trial.ends, other) for other in lines)
-        outside = OUTSIDE * sum(not _within(end, box) for end in trial.ends)
-        return over + outside + FURTHER * abs(trial.aside) / BESIDE
-
-    steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))
-    return min((arm._replace(aside=step) for step in steps), key=cost)
+    subject = Subject(PLAN, SYMBOL, column)
+    every = (
+        to_scale(term.arm, place.on(0j), place.on(term.at), term.direction, place.scale, subject)
+        for term in terms
+        if term.dimensioned
+    )
+    kept = sorted((arm for arm in every if arm.length >= LEAST_ARM), key=lambda arm: tied(arm.length))
+    return aside(kept, [*taken.rods, *taken.forces], taken.box)
 
 
 def _downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
 
-from drawings.forces.arms import Leverage, leverages
+from drawings.forces.arms import Leverage, aside, leverages
 from drawings.forces.letters import KNOWN, PRESSING, letter_of
 from drawings.forces.scheme import UNSIZED, Scheme, coupled, drawn_circles, drawn_springs, fan, lengths, scheme
 from drawings.kinds.polygon import ShownVector
@@ -25,7 +25,7 @@ from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Kind, Line, Statement, Stroke, Text
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, ForceArrow, Gear, not_to_scale
 from drawings.symbols.figure import LINE, Arm, Dimension, Subject, heading, plain_name, to_scale
 from drawings.symbols.symbols import BLOCK, MASS, fit_dashes
@@ -104,7 +104,15 @@ class SchemeLayout:
 
     @cached_property
     def arms(self) -> list[Arm]:
-        """The arms to scale, measurable."""
+        """The arms to scale, measurable, the longest last: none lies on a force."""
+        forces = (
+            ends for arrow in self.arrows for ends in ((arrow.start, arrow.tip), (arrow.lead or arrow.at, arrow.at))
+        )
+        return aside(sorted(self._bare, key=lambda arm: tied(arm.length)), forces, self.box)
+
+    @cached_property
+    def _bare(self) -> list[Arm]:
+        """The arms on their perpendiculars."""
         subject = Subject(self._plan, "h", self.shown.column)
         on, scale = self.place.on, self.place.scale
         return [
@@ -171,7 +179,7 @@ class SchemeLayout:
         """What arrows keep clear of, with what crossing it costs."""
         thick = [(stroke, BAR) for stroke in self.links]
         marks = [(mark, BAR) for mark in self.marks]
-        thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
+        thin = [(Line(arm.about, arm.foot), THIN) for arm in self._bare]
         thin += [(Line(*ends), THIN) for shift in self.shifts for ends in shift.lines]
         wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.draw(self.hand)[:1]]
         return [*thick, *marks, *thin, *wheel, *((group, THIN) for group in self.attached)]
@@ -222,10 +230,13 @@ class SchemeLayout:
         return any(max(reach) <= size for reach, size in zip(corners, sizes, strict=True))
 
     def _arm(self, arm: Arm) -> tuple[Stroke, ...]:
-        """Draw an arm: its perpendicular, which comes last, says from which place it begins."""
+        """Draw an arm: its perpendicular, or the line to one that is aside, says from which place it begins."""
         said = Statement(Kind.POINT, self._plan, plain_name(arm.letter), self.shown.column, self.place.scale.mu)
-        *lines, last = arm.draw(self.hand)
-        return *lines, stating(said, last) if isinstance(last, Group) else last
+        strokes = list(arm.draw(self.hand))
+        first = 1 if arm.aside else -1  # the line from the point to an arm aside of it, or the arm
+        if isinstance(strokes[-1], Group):
+            strokes[first] = stating(said, strokes[first])
+        return tuple(strokes)
 
     def _stated(self, kind: Kind, mark: Dimension | ForceArrow | CoupleArc) -> Stroke:
         """Draw what a force, a moment or a distance of the scheme is."""

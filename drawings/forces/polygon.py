@@ -34,13 +34,14 @@ DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its 
 def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int) -> tuple[ForcePolygon, ...]:
     """Give the details of a force plan: of each run of sides that are not seen where it is drawn at its least size.
 
-    One in which all would be seen at the usual size has none.
+    One in which all would be seen at the usual size has none; of a lone one the sheet lists the name.
     `before` details of other plans have the first letters.
     """
     least = SEEN * max(room.wide, room.high) / room.least if room.least else 0.0
     letters = drafting.word("detail letters")
     sides = [force for force in shown.forces if force.kind != WHOLE]
-    runs = [run for run in _runs(sides, least) if min(abs(sides[k].value) for k in run) < least / USUAL]
+    hidden = (run for run in _runs(sides, least) if min(abs(sides[k].value) for k in run) < least / USUAL)
+    runs = [run for run in hidden if len(run) > 1]
     named = zip(letters[before:], runs, strict=False)
     return tuple(
         shown._replace(forces=tuple(sides[k] for k in run), rays=tuple(_stubs(sides, run)), detail=letter)

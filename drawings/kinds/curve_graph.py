@@ -125,10 +125,8 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Pa
     )
     if curve.closed:
         numbers.append(graph.number(curve.length, str(curve.divisions)))  # of no divisions: position 0 again
-    ends = graph.ends(
-        (curve.length, TURNED if curve.axis == ANGLE else curve.axis[0]),
-        (high, f"{curve.letter}, {drafting.word(curve.unit)}"),
-    )
+    across = TURNED if curve.axis == ANGLE else curve.axis[0]
+    ends = graph.ends((curve.length, across), (high, f"{curve.letter}, {drafting.word(curve.unit)}"))
     return Part(room.name, lines, (*ends, *_parted(numbers)))
 
 

@@ -20,7 +20,7 @@ UNKNOWN, DIRECTION, FULL = 0, 1, 2  # lines under a term: nothing known, its dir
 # under a term, and the step from line to line, which leaves a raised index clear of the lines above it.
 ASCENT, UNDER, STEP = 1.3, 0.62, 2.5
 APART = 0.8  # mm between two lines under a term: the least that GOST 2.303-68 allows
-NARROWEST = 12  # sizes: a narrower column of equations is not read as lines any more
+NARROWEST = 24  # sizes: in a narrower column every term has a line of its own
 LAPSE = 0.35  # gap on either side of a sign, in sizes
 DESCENT = 1.0  # sizes below the last line of writing
 
