@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from drawings.diagrams.rows import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
+from drawings.kinds.graph import TURNED
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.lettering import every
 from drawings.lettering.words import fixed, number
@@ -72,7 +73,7 @@ def output_table(diagrams: DiagramsStudy, drafting: Drafting) -> RuledTable:
     found = diagrams.drawn
     letters = SLIDING if diagrams.course.travel.sliding else TURNING
     units = [drafting.word(unit) for unit in diagrams.units]
-    heads = ("Δφ, °", *(f"{letter}, {unit}" for letter, unit in zip(letters, units, strict=True)))
+    heads = (f"{TURNED}, °", *(f"{letter}, {unit}" for letter, unit in zip(letters, units, strict=True)))
     ruled = table(list(_rows(diagrams, found, drafting)), drafting.word("position head"), heads, drafting.hand.text)
     return ruled._replace(name=NAME)
 
@@ -152,7 +153,7 @@ def _values(found: Diagrams, findings: Sequence[Quantity], language: str) -> Ite
     yield chapter(language, "diagrams")
     chosen = [findings[k] for k in TOLD]
     columns = [np.degrees(found.axis.turned), *(_column(finding, len(found.axis.numbers)) for finding in chosen)]
-    heads = ["Δφ, °", *(heading(finding, language) for finding in chosen)]
+    heads = [f"{TURNED}, °", *(heading(finding, language) for finding in chosen)]
     yield from tabled(heads, columns, language, ABSENT)
     yield ""
     yield from _errors(found, chosen, language)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.kinds.axes import OVER, UNDER, Letter, Part, Parts, Plot
-from drawings.kinds.graph import Graph
+from drawings.kinds.graph import TURNED, Graph
 from drawings.kinds.row_frame import Proportions, RowFrame, RowPlate
 from drawings.kinds.smooth import smooth
 from drawings.kinds.working import SCALES, Workings, amount
@@ -215,8 +215,8 @@ class DiagramsPlate(RowPlate[DiagramRow]):
         return f"H_1 = 55.55 {self.drafting.word('mm')}"
 
     def title(self, row: DiagramRow) -> str:
-        """Give the title of a row: its letter over the crank angle."""
-        return f"{row.letter}(Δφ)"
+        """Give the title of a row: its letter over the angle that the crank has turned."""
+        return f"{row.letter}({TURNED})"
 
     def said(self, row: DiagramRow) -> Iterator[str]:
         """Tell by how much the chords are off, or that the row shows nothing."""
@@ -278,7 +278,7 @@ class DiagramsFrame(RowFrame[DiagramRow]):
             *(graph.dot(peak.turned, peak.value, RING) for peak in peaks(row, plate.axis)),
         )
         up = f"{row.letter}, {plate.drafting.word(row.unit)}"
-        ends = graph.ends((plate.length, "Δφ"), (row.span[1], up))
+        ends = graph.ends((plate.length, TURNED), (row.span[1], up))
         return Part(graph.name, lines, (*ends, *self._turned(row, graph), *self._numbers(row, graph)))
 
     def _turned(self, row: DiagramRow, graph: Graph) -> Iterator[Letter]:

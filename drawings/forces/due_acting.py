@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.expected import Expected, measured
-from drawings.lettering.words import letter, with_index, word
+from drawings.lettering.words import letter, with_index
 from drawings.paper.strokes import Kind
 from plans.forces.bill import ActingForce, ForceBill, LoadedPosition
 from plans.forces.cut import CutGroup, MomentEquation
@@ -202,11 +202,9 @@ def lettered(statics: Statics, name: str) -> str:
 
 
 def named(statics: Statics, comparison: ForceComparison) -> Iterator[tuple[str, Quantity]]:
-    """Give the findings of forces, each with what its row of the table is lettered: R_34, M_bal (by lever)."""
-    for found in comparison.of("forces"):
-        name, _, how = found.name.partition(" ")
-        by = f" ({word(statics.study.language, f'by {how}')})" if how else ""
-        yield f"{lettered(statics, name)}{by}", found
+    """Give the findings of forces that the table tells, each with what its row is lettered: R_34, M_bal."""
+    every = (found for found in comparison.of("forces") if " " not in found.name)
+    yield from ((lettered(statics, found.name), found) for found in every)
 
 
 def unbraced(markup: str) -> str:

@@ -35,6 +35,7 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
         *given,
         word(language, "known lines"),
         *_lever(statics, position, language),
+        *([word(language, "turned from 0")] if statics.study.mechanism.drive.turns else []),
         *_friction(statics, comparison, position, language),
         *_choice(statics, comparison, position, language),
     ]

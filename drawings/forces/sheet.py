@@ -65,19 +65,20 @@ def of_forces(scene: Scene) -> None:
 
 def label(finding: Quantity, language: str, reactions: str) -> str:
     """Name a finding of the forces as the sheet does, with its unit: "R_{34}, N"."""
-    name, _, how = finding.name.partition(" ")
-    letter = force_letter(name, language, reactions)
-    by = f" ({word(language, f'by {how}')})" if how else ""
-    return f"{letter}{by}, {word(language, finding.unit)}"
+    return f"{force_letter(finding.name, language, reactions)}, {word(language, finding.unit)}"
 
 
 def rows(comparison: ForceComparison, position: int, language: str, reactions: str) -> list[TableRow]:
-    """Give the rows of one position; what is zero over the whole turn has none."""
+    """Give the rows of one position; what is zero over the whole turn has none.
+
+    The ways to find the balancing moment beside the force plans stand in the report.
+    """
     nothing = dict(zip(("N", "N*m"), comparison.construction.nothing_over, strict=True))
     return [
         value_row(finding, label(finding, language, reactions), (position,), language)
         for finding in comparison.of("forces")
-        if np.any(np.abs(comparison.construction.counted(finding.construction)) > nothing[finding.unit])
+        if " " not in finding.name
+        and np.any(np.abs(comparison.construction.counted(finding.construction)) > nothing[finding.unit])
     ]
 
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.kinds.axes import Letter, Part
-from drawings.kinds.graph import DOT, Graph, GraphForm, dashed, leaps, standing
+from drawings.kinds.graph import DOT, TURNED, Graph, GraphForm, dashed, leaps, standing
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import every, numbered, text_width
 from drawings.page.page import Drafting
@@ -32,7 +32,6 @@ DOTTED = 3.0  # radii of a point from one point to the next: nearer ones run int
 
 
 ANGLE, WAY = ("φ", "°"), ("s", "m")  # letter and unit of the scale of an axis
-TURNED = "Δφ"  # the angle from position 0 on: φ is that of the crank from the x axis
 
 
 class GraphCurve(NamedTuple):

@@ -22,6 +22,7 @@ from plans.model.motion import Complexes, Floats
 DOT = 0.7  # mm, radius of a point of a curve
 LEAST = 0.05  # mm: a shorter ordinate is a point
 SEEN, JUMP = 0.01, 8.0  # of the largest value, and times the steps beside it: a smooth curve changes less in a step
+TURNED = "Δφ"  # what the crank has turned from the first position of a graph on; φ is its angle from the x axis
 BESIDE = 0.6  # mm from the end of a tick to its number
 
 

@@ -248,7 +248,7 @@ class _Own:
 
     def _is_told(self, key: Key) -> bool:
         """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""
-        return self.sought[1] != "values" or "(" in self.labels[key[0]].plain
+        return self.sought[1] != "values"
 
     def _scales(self, sheet: Original) -> Iterator[tuple[str, float]]:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
