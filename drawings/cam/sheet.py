@@ -17,9 +17,9 @@ from drawings.cam.notes import CamNotes
 from drawings.cam.pressure_graph import PressureView
 from drawings.cam.profile_view import profile_view
 from drawings.cam.size_view import SizeView
-from drawings.cyclogram.notes import settings_of
 from drawings.kinds import bar_chart, circular_chart
 from drawings.kinds.bar_chart import Chart
+from drawings.layout.contents import Composition
 from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
 from drawings.page.page import Drafting, drafting_of, page_of
@@ -27,7 +27,7 @@ from drawings.paper.hand import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.documents import letter
 from drawings.sheets.kind import GRAPH, PLAN, SheetKind
-from drawings.sheets.leaves import compositions, lay_out, lay_out_each
+from drawings.sheets.leaves import compositions, lay_out_each
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.cam.numbers import cam_by_hand, readings, results
 from plans.cam.quantities import of_cam
@@ -54,8 +54,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         (drawing, exact, of_cam(comparison, drawing.cam.name))
         for drawing, exact in zip(cams, comparison.analysis.cams, strict=True)
     ]
-    shared = [] if CYCLOGRAM in scene.sheets else charts([drawing.cam for drawing in cams], drafting)
-    return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
+    shared = [] if CYCLOGRAM in scene.sheets else charts(scene, [drawing.cam for drawing in cams])
+    return lay_out_each([*((scene, _draft(*pair, drafting)) for pair in pairs), *shared])
 
 
 class _CamContents(NamedTuple):
@@ -126,13 +126,26 @@ def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Draf
     return size_view.sizes(ours, theirs, by_hand, drafting)
 
 
-def charts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:
-    """Give the draft of the charts; a cam alone has its phases on its own sheet."""
+def charts(scene: Scene, cams: Sequence[Cam]) -> list[tuple[Scene, Draft]]:
+    """Give the charts, on the smallest format that takes them; a cam alone has its phases on its own sheet."""
     turning = [cam for cam in cams if not cam.translates]
     if len(turning) < 2:
         return []
-    said, title = tuple(settings_of(turning, drafting)), drafting.word("cyclogram sheet title")
-    return [Draft("cam", title, tuple(_charts(turning, drafting)), (), said, partial(figures_facts, cam=ALL_CAMS))]
+    drafts = [(small, _chart_draft(turning, drafting_of(small))) for small in (*_formats(scene), scene)]
+    return [next((pair for pair in drafts if len(_composed(*pair)) == 1), drafts[-1])]
+
+
+def _chart_draft(cams: Sequence[Cam], drafting: Drafting) -> Draft:
+    facts = partial(figures_facts, cam=ALL_CAMS)
+    return Draft("cam", drafting.word("cyclogram sheet title"), tuple(_charts(cams, drafting)), (), (), facts)
+
+
+def _composed(scene: Scene, draft: Draft) -> Sequence[Composition]:
+    """Give the sheets that a draft takes; none where there is not even room for its heading."""
+    try:
+        return compositions(scene, draft)
+    except SheetError:
+        return ()
 
 
 def _charts(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
@@ -188,13 +201,11 @@ def _lies(scene: Scene) -> bool:
 
 def _true(scene: Scene, draft: Draft) -> bool:
     """Tell whether one sheet takes a draft with its figure at its own size, or larger."""
-    try:
-        composed, *further = compositions(scene, draft)
-    except SheetError:  # there is not even room for its heading
-        return False
+    composed = _composed(scene, draft)
     (room,) = (show.panel.item for show in draft.shows if isinstance(show.panel.item, Picture))
     natural = max(room.wide, room.high) * TRUE
-    return not further and room.extent(composed.spots[room.name].scale) >= max(natural, room.least) * SMALLER
+    large = max(natural, room.least) * SMALLER
+    return len(composed) == 1 and room.extent(composed[0].spots[room.name].scale) >= large
 
 
 def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:

@@ -111,7 +111,8 @@ def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> I
             ends = [pairs.place.on(complex(places[found.number(named)])) for named in (extreme, role)]
             first, last = sorted(ends, key=lambda pin: (tied(pin.real), pin.imag))
             station, other = found.of(role)[0], found.of(extreme)[0]
-            text = length(abs(station.place - other.place), drafting.language)
+            size = length(abs(station.place - other.place), drafting.language)
+            text = drafting.word("cyclogram overrun size", size=size)
             strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)
             ink.draw([*strokes, *(_frame(stroke) for stroke in strokes if isinstance(stroke, Text))])
             yield from strokes

@@ -17,7 +17,7 @@ from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.study import CyclogramStudy
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
-from plans.model.cyclogram import BEGIN, END, Cyclogram
+from plans.model.cyclogram import Cyclogram
 from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS
 from plans.study import Study
@@ -26,7 +26,6 @@ from plans.study import Study
 CHARACTERISTIC, TABLE = "characteristic", "stations"
 FAR = 1e-9  # of the mechanism's size: both roads agree in a place far better
 ANGLES, LENGTHS, WHOLE = 1e-5, 1e-3, 360.0  # degrees and mm that both roads may differ by; a turn
-INFINITE = "∞"
 
 
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
@@ -63,12 +62,9 @@ def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
 
 
 def _table(study: Study, found: Cyclogram) -> Iterator[Expected]:
-    """Give the cells of the table: place of the tool, turn of the shaft by both roads, how sharp it is."""
+    """Give the cells of the table: place of the tool, turn of the shaft."""
     word = drafting_of(study.scene).word
     for k, position in enumerate(found.positions):
         row = f"{k}  {word(f'role {position.role}')}"
         gone = position.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
-        turned, rests = math.degrees(position.turned), position.role in (BEGIN, END)
-        values = [(gone, LENGTHS), *[(turned, ANGLES, WHOLE)] * 2, INFINITE if rests else (position.condition, FAR)]
-        *first, condition = cells(TABLE, row, values)
-        yield from (*first, condition._replace(digits=3))
+        yield from cells(TABLE, row, [(gone, LENGTHS), (math.degrees(position.turned), ANGLES, WHOLE)])

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from drawings.kinds.course import decimals, degrees, label
 from drawings.page.page import Drafting
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
@@ -18,12 +19,11 @@ class CyclogramNotes(NamedTuple):
     found: Cyclogram
     cams: tuple[Cam, ...]
     drafting: Drafting
-    digits: int = 7
 
     @property
     def all(self) -> tuple[str, ...]:
-        """All notes in their order."""
-        return *self.machine(), *self.window(), *self.settings(), *self.reading()
+        """All notes of the sheet in their order; phases and settings stand in its chart."""
+        return *self.machine(), *self.window(), *self.reading()
 
     def machine(self) -> Iterator[str]:
         """Tell the stroke, its angles, and the pressure angle where it is extreme."""
@@ -31,12 +31,13 @@ class CyclogramNotes(NamedTuple):
         work, idle = (self._degrees(math.pi + sign * found.overlap) for sign in self._signs())
         strokes = {"work": work, "idle": idle, "theta": self._degrees(found.overlap)}
         if found.sliding:
-            yield self.drafting.word("cyclogram stroke", stroke=self._number(1000 * found.stroke), **strokes)
+            stroke = decimals(1000 * found.stroke, self.drafting)
+            yield self.drafting.word("cyclogram stroke", stroke=stroke, **strokes)
         else:
             yield self.drafting.word("cyclogram swing", stroke=self._degrees(found.stroke), **strokes)
         extreme = [(k, position.angle) for k, position in enumerate(found.positions) if position.role == PRESSURE]
         if extreme:
-            angles = ",  ".join(f"α_{{{k}}} = {self._degrees(angle or 0.0)}°" for k, angle in extreme)
+            angles = ",  ".join(f"α_{{{k}}} = {self._degrees(angle or 0.0)}" for k, angle in extreme)
             yield self.drafting.word("cyclogram pressure", angles=angles)
 
     def _signs(self) -> tuple[int, int]:
@@ -49,36 +50,31 @@ class CyclogramNotes(NamedTuple):
         window = self.found.window
         start, end = (LEAVE, ENTRY) if self.found.of(LEAVE) else (EXIT, BACK)
         numbers = {"start": self.found.number(start), "end": self.found.number(end)}
-        angles = {"leaves": self._degrees(window.start), "comes": self._degrees(within(window.end))}
+        leaves, comes = window.start, within(window.end)
+        angles = {"leaves": self._degrees(leaves), "comes": self._degrees(comes)}
         angles |= {"rise": self._degrees(window.angle), "rest": self._degrees(window.rest)}
+        angles["sum"] = "φ_1 − φ_2" if comes > leaves else "360° − (φ_2 − φ_1)"
         yield self.drafting.letter(self.drafting.word("cyclogram window", **numbers, **angles))
 
     def settings(self) -> Iterator[str]:
         """Tell the phases and the setting angle of each cam; without cams that of one which rises in the window."""
         if not self.cams:
             yield self.drafting.word("cyclogram set", setting=self._degrees(self.found.window.start))
-        yield from settings_of(self.cams, self.drafting, self.digits)
+        yield from settings_of(self.cams, self.drafting)
 
     def reading(self) -> Iterator[str]:
-        """Say from where angles are counted, how sharply they are known, and what was not notched."""
+        """Say from where angles are counted, and what was not notched."""
         if self.found.sense < 0:
             yield self.drafting.word("cyclogram clockwise")
-        yield self.drafting.word("cyclogram condition")
         if not all(position.notched for position in self.found.positions):
             yield self.drafting.word("cyclogram by trial")
 
     def _degrees(self, angle: float) -> str:
-        return self._number(math.degrees(angle))
-
-    def _number(self, value: float) -> str:
-        return self.drafting.number(value, self.digits)
+        return degrees(angle, self.drafting)
 
 
-def settings_of(cams: Sequence[Cam], drafting: Drafting, digits: int = 7) -> Iterator[str]:
+def settings_of(cams: Sequence[Cam], drafting: Drafting) -> Iterator[str]:
     """Tell the phases and the setting angle of each cam of a shaft."""
     for row in rows_of_cams(cams):
-        angles = (drafting.number(math.degrees(span.end - span.start), digits) for span in row.spans)
-        spans = (f"φ_{{{span.label}}} = {angle}°" for span, angle in zip(row.spans, angles, strict=True))
-        setting = drafting.number(math.degrees(within(row.setting or 0.0)), digits)
-        said = drafting.word("cyclogram cam set", phases=",  ".join(spans), name=row.name, setting=setting)
-        yield drafting.letter(said)
+        phases, setting = (label(span, drafting) for span in row.spans), degrees(within(row.setting or 0.0), drafting)
+        yield drafting.word("cyclogram cam set", phases=",  ".join(phases), name=row.name, setting=setting)

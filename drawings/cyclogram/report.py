@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.cyclogram.notes import CyclogramNotes
+from drawings.cyclogram.sheet import HEADS, SWINGS, cells, name
 from drawings.page.page import Drafting, drafting_of
-from drawings.report.formula import DIGITS, Chapters, entry, plain
-from drawings.report.report import Report, chapter
-from plans.cyclogram.quantities import CyclogramComparison
+from drawings.report.formula import Chapters, entry, plain
+from drawings.report.report import Report, chapter, header, row
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
+from plans.model.cyclogram import BEGIN, END, Cyclogram, Position
 from plans.study import Study
-from plans.words.words import Message, message, word
+from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 
-SHARE = 3  # digits
+TIMES = 3  # digits of a condition
 
 
 def headline(study: Study) -> str:
@@ -37,25 +37,28 @@ def remarks(study: Study) -> list[Message]:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the cyclogram and its characteristic positions."""
     drafting = drafting_of(study.scene)
-    title, notes = chapter(drafting.language, CYCLOGRAM), _notes(study, drafting).all
-    lines = [*map(entry, notes), "", *_positions(study, drafting)]
-    return Chapters(values=[title, *lines])
+    title, said = chapter(drafting.language, CYCLOGRAM), _notes(study, drafting)
+    notes = *said.machine(), *said.window(), *said.settings(), *said.reading()
+    return Chapters(values=[title, *map(entry, notes), "", *_positions(study, drafting)])
 
 
 def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
-    """Give a line for each characteristic position, by both roads."""
-    comparison = study.of(CyclogramComparison)
-    pairs = zip(comparison.construction.positions, comparison.analysis.positions, strict=True)
-    for number, (stage, other) in enumerate(pairs):
-        angles = {"plan": stage.turned, "analysis": other.turned}
-        texts = {name: drafting.number(math.degrees(angle), DIGITS) for name, angle in angles.items()}
-        texts |= {"role": drafting.word(f"role {stage.role}"), "share": drafting.number(stage.share, SHARE)}
-        yield word(drafting.language, "report.characteristic", position=number, **texts)
+    """Give the table of the characteristic positions, with how sharp each is."""
+    found = study.of(CyclogramStudy).cyclogram
+    heads = "characteristic position", *(HEADS if found.sliding else SWINGS), "condition"
+    yield from header([drafting.word(head) for head in heads])
+    yield from (row(_cells(k, position, found, drafting)) for k, position in enumerate(found.positions))
+    yield f"\n{drafting.word('cyclogram condition')}"
+
+
+def _cells(k: int, position: Position, found: Cyclogram, drafting: Drafting) -> list[str]:
+    condition = "∞" if position.role in (BEGIN, END) else drafting.number(position.condition, TIMES)
+    return [name(k, position, drafting), *cells(position, found, drafting), condition]
 
 
 def _notes(study: Study, drafting: Drafting) -> CyclogramNotes:
     found = study.of(CyclogramStudy)
-    return CyclogramNotes(found.cyclogram, found.cams, drafting, DIGITS)
+    return CyclogramNotes(found.cyclogram, found.cams, drafting)
 
 
 REPORT = Report(chapters, headline, remarks)

@@ -12,6 +12,7 @@ from drawings.cyclogram.due import expected
 from drawings.cyclogram.notes import CyclogramNotes
 from drawings.kinds import bar_chart, circular_chart
 from drawings.kinds.bar_chart import Chart
+from drawings.kinds.course import PLACES
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
@@ -24,43 +25,32 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figu
 from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.rows import rows_of
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
-from plans.model.cyclogram import BEGIN, END, Cyclogram, Position
+from plans.model.cyclogram import Cyclogram, Position
 from plans.study import Study
 
 NAME = "stations"
-PLACES = 5  # decimals of a degree: what is left of an angle by any protractor, and a thousand times more
-LENGTHS = 3  # decimals of a millimetre, or of a degree of a swing
-TIMES = 3  # digits of a condition
-HEADS = ("S, mm", "φ by plan, °", "φ by analysis, °", "condition")
-SWINGS = ("ψ, °", "φ by plan, °", "φ by analysis, °", "condition")
-INFINITE = "∞"
+HEADS, SWINGS = ("S, mm", "φ, °"), ("ψ, °", "φ, °")
 
 
 def characteristic(comparison: CyclogramComparison, drafting: Drafting) -> RuledTable:
-    """Tell all characteristic positions by both roads."""
-    found, other = comparison.construction, comparison.analysis
-    pairs = zip(found.positions, other.positions, strict=True)
-    lines = [_row(k, position, theirs, found, drafting) for k, (position, theirs) in enumerate(pairs)]
+    """Tell all characteristic positions, in whose two decimals the roads agree."""
+    found = comparison.construction
+    rows = enumerate(found.positions)
+    lines = [TableRow(name(k, position, drafting), cells(position, found, drafting)) for k, position in rows]
     heads = tuple(drafting.word(head) for head in (HEADS if found.sliding else SWINGS))
     return table(lines, drafting.word("characteristic position"), heads, drafting.hand.text)._replace(name=NAME)
 
 
-def _row(k: int, position: Position, other: Position, found: Cyclogram, drafting: Drafting) -> TableRow:
-    language = drafting.language
+def cells(position: Position, found: Cyclogram, drafting: Drafting) -> tuple[str, ...]:
+    """Write where the tool is in a characteristic position, in mm or of a swing in degrees, and the shaft's turn."""
     gone = position.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
-    turned = (fixed(round(math.degrees(road.turned), PLACES) % 360, language, PLACES) for road in (position, other))
-    cells = fixed(gone, language, LENGTHS), *turned, condition(position, drafting)
-    return TableRow(name(k, position, drafting), cells)
+    turned = round(math.degrees(position.turned), PLACES) % 360
+    return tuple(fixed(value, drafting.language, PLACES) for value in (gone, turned))
 
 
 def name(k: int, position: Position, drafting: Drafting) -> str:
     """Write the number of a position and what it is."""
     return f"{k}  {drafting.word(f'role {position.role}')}"
-
-
-def condition(position: Position, drafting: Drafting) -> str:
-    """Write how many times a share of the stroke moves a share of the turn: without bound where the tool stands."""
-    return INFINITE if position.role in (BEGIN, END) else drafting.number(position.condition, TIMES)
 
 
 FOREMOST = 1.5  # the plan is the figure from which angles are read

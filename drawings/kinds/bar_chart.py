@@ -16,11 +16,12 @@ from drawings.lettering.lettering import text_reach, text_width
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Anchor, Group, Line, Stroke, Text
+from drawings.paper.walk import tied
 from drawings.symbols.figure import Subject, around, heading
 from drawings.symbols.symbols import TICK, arrowhead, fit_dashes
-from plans.model.cyclogram import TURN, BarRow, within
+from plans.model.cyclogram import TURN, BarRow, Period, within
 
-NAME, TITLE = "bars", "cyclogram bars"
+NAME, TITLE, TURNED = "bars", "cyclogram bars", "cyclogram turned"
 ROWS, SETTING = "rows", "set."  # the group of its bars; the names of setting angles begin so
 SYMBOL, UNIT = "φ", "rad"
 # In radians of the abscissa: a row, where in it the course runs, a level of setting angles.
@@ -65,6 +66,7 @@ class Bar(NamedTuple):
     name: str
     foot: float
     stretch: Stretch
+    told: bool  # whether it bears its span's angle, which stands once: of a span that is cut, on the longer part
 
     def height(self, level: float) -> float:
         """Give the ordinate of a level over the row's lower line."""
@@ -98,7 +100,7 @@ def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> BarFigu
     """Draw it in its spot, at the left side of its room: right of it stands the letter of the abscissa."""
     place = room.place(*spot)
     place = place._replace(origin=place.origin - (room.margins.side - BESIDE))
-    title = heading(spot.box, drafting.word(TITLE), drafting.scale(spot.scale), drafting.hand)
+    title = heading(spot.box, drafting.word(TITLE), drafting.scale(spot.scale), drafting.hand, drafting.word(TURNED))
     return BarFigure(chart, place, title, drafting)
 
 
@@ -141,8 +143,8 @@ class BarFigure(ChartFigure):
     def _bars(self) -> Iterator[Bar]:
         """Give the stretches of all rows."""
         for k, row in enumerate(self.chart.rows, 1):
-            bars = (stretch for span in row.spans for stretch in stretches(span, self.chart.begin))
-            yield from (Bar(f"{k}.{number}", -ROW * k, stretch) for number, stretch in enumerate(bars, 1))
+            bars = ((stretch, told) for span in row.spans for stretch, told in _told_once(span, self.chart.begin))
+            yield from (Bar(f"{k}.{number}", -ROW * k, *bar) for number, bar in enumerate(bars, 1))
 
     def _grid(self) -> Iterator[Stroke]:
         """Rule the rows, and the column of their names."""
@@ -203,12 +205,19 @@ class BarFigure(ChartFigure):
         """Give the letters that have room over the line of a stretch, from below: its angle, what is done; or none."""
         stretch = bar.stretch
         room = self.place.length(stretch.end - stretch.start) - 2 * BESIDE
-        texts = course.angle(stretch.span, self.drafting), course.doing(stretch.span, self.drafting)
-        angle, doing = (self._wide(text) <= room for text in texts)
+        doing = course.doing(stretch.span, self.drafting)
+        two, one = (course.angle(stretch.span, self.drafting), doing), (self._whole(bar),)
         # of a small chart two lines have no room in a row
         high = self.place.length(bar.foot + ROW - bar.top.imag) - OVER
         fit = int((high + (STEP - 1) * self.hand.number) / (STEP * self.hand.number))
-        return texts if angle and doing and fit > 1 else texts[1:] if doing and fit else ()
+        # a phase has its letter and its angle in a line, as a dimension has
+        ways = ((one, two) if stretch.span.label else (two, one)) if bar.told else (one,)
+        return next((way for way in ways if len(way) <= fit and max(map(self._wide, way)) <= room), ())
+
+    def _whole(self, bar: Bar) -> str:
+        """Write in a line what is done in a stretch, with its angle where that is told here."""
+        write = course.label if bar.told else course.doing
+        return write(bar.stretch.span, self.drafting)
 
     def _settings(self) -> Iterator[Stroke]:
         """Dimension the setting angles under the abscissa from where φ is 0, each on a level of its own."""
@@ -218,7 +227,7 @@ class BarFigure(ChartFigure):
             ends = tuple(complex(x, chart.bottom - LEVEL * k) for x in (zero, chart.at(row.setting or 0.0)))
             data = Subject(NAME, SYMBOL, None).data("vector", f"{SETTING}{k}", ends[1] - ends[0], self.place.scale)
             start, end = (self.place.on(spot) - 1j * (under + hand.number) for spot in ends)
-            text = f"{course.name(row, self.drafting)}: {self._setting(row)}"
+            text = self._told(row, abs(end - start))
             heads = (arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol))
             yield Group((Line(start, end, hand.drafted),), "", data, Text(0j, text).plain)
             yield from (head for head in heads if head is not None)
@@ -234,11 +243,14 @@ class BarFigure(ChartFigure):
         left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - self.hand.number / 2)
         return self._text(left, text, "end")
 
-    def _setting(self, row: BarRow) -> str:
-        """Write a setting angle; of one that stands before 0 what it lacks of a whole turn."""
+    def _told(self, row: BarRow, room: float) -> str:
+        """Write whose setting angle it is, in words where they have room; of one before 0 what it lacks of a turn."""
         text, back = course.setting(row, self.drafting), self.chart.at(0.0) - self.chart.at(row.setting or 0.0)
-        lack = self.drafting.number(math.degrees(back), course.DIGITS)
-        return text if back <= 0 else f"{text} = 360° − {lack}°"
+        if back > 0:
+            text = f"{text} = 360° − {course.degrees(back, self.drafting)}"
+        name = course.name(row, self.drafting)
+        full = self.drafting.word("cyclogram set angle", name=name, angle=text)
+        return full if self._wide(full) + 2 * BESIDE <= room else f"{name}: {text}"
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         """Number the positions; a turn ends where it begins."""
@@ -251,7 +263,7 @@ class BarFigure(ChartFigure):
         """Letter the bars whose letters have no room over them."""
         for bar in self._bars():
             if not self._label(bar):
-                text, spot = course.doing(bar.stretch.span, self.drafting), self.place.on(sum(bar.ends) / 2)
+                text, spot = self._whole(bar), self.place.on(sum(bar.ends) / 2)
                 yield labels.beside(spot, text, self.hand.number, BESIDE, math.pi / 2)
 
     def _outside(self, labels: Labels) -> Iterator[Stroke]:
@@ -260,6 +272,13 @@ class BarFigure(ChartFigure):
             if not self._named(row):
                 spot, name = self._on(-NAMES, -ROW * (k + 0.5)), course.name(row, self.drafting)
                 yield labels.beside(spot, name, self.hand.number, BESIDE, math.pi)
+
+
+def _told_once(span: Period, begin: float) -> list[tuple[Stretch, bool]]:
+    """Cut a span where the chart begins, and say which part bears its angle: the longest."""
+    parts = stretches(span, begin)
+    longest = max(parts, key=lambda part: tied(part.end - part.start))
+    return [(part, part is longest) for part in parts]
 
 
 def _column(rows: Sequence[BarRow], drafting: Drafting) -> float:

@@ -123,7 +123,7 @@ class CircleFigure(ChartFigure):
             low, high = sorted((sense * span.start, sense * span.end))
             style = self.hand.result if course.moves(span) else self.hand.drafted
             yield Arc(self.place.on(0j), self.place.length(inner + BAND * RING), low, high, style)
-            text, shown = course.label(span, self.drafting), ring.stated(span)
+            text, shown = course.doing(span, self.drafting), ring.stated(span)
             if self._fits(shown, text, ring.radius):
                 yield self._along(text, shown, ring.radius)
         if ring.named is not None:
@@ -157,7 +157,7 @@ class CircleFigure(ChartFigure):
         """Letter the spans whose letters have no room along their ring."""
         for ring in self._rings:
             for span in ring.row.spans:
-                text = course.label(span, self.drafting)
+                text = course.doing(span, self.drafting)
                 if not self._fits(ring.stated(span), text, ring.radius):
                     yield self._beside(labels, text, ring.radius, (span.start + span.end) / 2)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
+from drawings.lettering.words import fixed
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import LineStyle
@@ -12,7 +13,7 @@ from plans.cyclogram import rows as r
 from plans.model.cam import DWELL, RETURN, RISE
 from plans.model.cyclogram import BarRow, Period, pieces, within
 
-DIGITS = 5
+PLACES = 2  # decimals of a degree: what a dimension of an angle has
 
 
 class SpanLevels(NamedTuple):
@@ -74,9 +75,19 @@ def doing(span: Period, drafting: Drafting) -> str:
     return drafting.letter(f"φ_{{{span.label}}}") if span.label else drafting.word(f"cyclogram {span.kind}")
 
 
+def degrees(angle: float, drafting: Drafting) -> str:
+    """Write an angle rad of a cyclogram in degrees: of two decimals those that are not zero."""
+    return f"{decimals(math.degrees(angle), drafting)}°"
+
+
+def decimals(value: float, drafting: Drafting) -> str:
+    """Write a value of a cyclogram: of two decimals those that are not zero."""
+    return fixed(value, drafting.language, PLACES).rstrip("0").rstrip(".,")
+
+
 def angle(span: Period, drafting: Drafting) -> str:
     """Write the angle of a span in degrees."""
-    return f"{drafting.number(math.degrees(span.end - span.start), DIGITS)}°"
+    return degrees(span.end - span.start, drafting)
 
 
 def label(span: Period, drafting: Drafting) -> str:
@@ -92,6 +103,6 @@ def name(row: BarRow, drafting: Drafting) -> str:
 
 
 def setting(row: BarRow, drafting: Drafting) -> str:
-    """Write the setting angle of a row."""
+    """Write the setting angle of a row with its letter (угол установки)."""
     assert row.setting is not None  # only what has one is asked
-    return f"{drafting.number(math.degrees(within(row.setting)), DIGITS)}°"
+    return drafting.word("cyclogram setting", angle=degrees(within(row.setting), drafting))

@@ -156,12 +156,18 @@ ROWS = {
         ["its point reverses"],
     ),
     # Cyclograms
-    "the positions of a tool by both roads": Row(
+    "the positions of a tool": Row(
         scene_text("shaper", "overrun = 0.1\nbreaks = [0.6, 0.75]\n" + CAM),
         [
-            "position 8, overrun begins, at 0.1 of the stroke: φ = 306.88° by plan, 306.88° by analysis",
-            r"$\varphi_{\text{rise}}$ = 360° − ($\varphi_{2}$ − $\varphi_{1}$) = 74.577°",
+            "| 8  overrun begins | 48.00 | 306.88 | 0.415 |",
+            r"$\varphi_{\text{rise}}$ = 360° − ($\varphi_{2}$ − $\varphi_{1}$) = 74.58°",
+            "set at 306.88°",
         ],
+    ),
+    "a window within one turn": Row(
+        gallery("press-cycle", "cyclogram"),
+        [r"$\varphi_{\text{у}}$ = $\varphi_{1}$ − $\varphi_{2}$ = 105,79°"],
+        ["360° − ($"],
     ),
     # Motion of a machine
     "heavy enough without a flywheel": Row(
