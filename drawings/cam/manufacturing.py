@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.cam.hub import KeyedBore, bore, keyway_place
+from drawings.cam.hub import notes as hub_notes
 from drawings.cam.inversion import pushed
 from drawings.cam.profile_view import SHOWN, SYMBOL, UNIT, ProfileView, curves, lettered, profile_view
 from drawings.layout.labels import Labels
@@ -25,21 +27,11 @@ from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import TurnArrow, fit, pole
 from plans.cam.course import FollowerCourse, WorkshopTurns, stations
 from plans.cam.profile.profile import profile
-from plans.model.cam import DWELL, GROOVE, MM, Cam, Phase
-from plans.model.cam_motion import CamFound, Contour, Points
+from plans.model.cam import DWELL, MM, Cam, Phase
+from plans.model.cam_motion import CamFound, Points
 from plans.model.motion import Floats
 
 PLAN, QUANTITY = "manufacturing", "l"
-
-
-def grooved(found: CamFound) -> bool:
-    """Tell whether a mill as broad as the groove makes it, so that the path of its centre is told."""
-    return found.cam.closure == GROOVE and found.roller > 0
-
-
-def made(found: CamFound, at: Contour) -> Points:
-    """Give the points that a workshop is told, m, (N,): of the working profile, of a groove those of its middle."""
-    return at.pitch if grooved(found) else at.profile
 
 
 class Manufacture(NamedTuple):
@@ -72,7 +64,7 @@ def manufacture(found: CamFound) -> Manufacture:
     """Give what the drawing of a cam to be made shows of one that the construction found."""
     turns = stations(found.cam)
     at = profile(FollowerCourse(found.cam), found.sizes, found.roller, turns.turned).contour
-    return Manufacture(profile_view(found), turns, made(found, at))
+    return Manufacture(profile_view(found), turns, found.made(at))
 
 
 def zero(shown: Manufacture) -> complex:
@@ -89,7 +81,7 @@ def angles(shown: Manufacture) -> Floats:
 def dwells(shown: Manufacture) -> Iterator[tuple[Phase, float]]:
     """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
     contour = shown.found.contour
-    spots = made(shown.found, contour)
+    spots = shown.found.made(contour)
     for phase in shown.cam.phases:
         if phase.kind == DWELL:
             yield phase, float(abs(spots[int(np.argmin(abs(contour.turned - phase.start)))]))
@@ -130,9 +122,14 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
         *_radii(shown, place, drafting),
         *curves(view, PLAN, place, hand),
         *_rows(shown, place, hand),
+        *(hub.lines(hand) if (hub := _bore(shown, place)) else ()),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
     return LetteredFigure(PLAN, lines, partial(_letters, shown, place, drafting))
+
+
+def _bore(shown: Manufacture, place: Place) -> KeyedBore | None:
+    return bore(PLAN, shown.found, shown.view.curve, place)
 
 
 def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
@@ -149,6 +146,8 @@ def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Label
         spot = place.on(complex(shown.spots[k]))
         towards = math.pi / 2 if translates else cmath.phase(spot - zero)
         yield labels.beside(spot, label(shown, name, drafting), hand.number, BESIDE, towards)
+    if hub := _bore(shown, place):
+        yield from hub.letters(drafting, labels)
     yield from lettered(shown.view, place, drafting, labels)
 
 
@@ -165,7 +164,8 @@ def _axes(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Line(left, right, fit(hand.axis, abs(right - left)))
         return
     centre, end = place.on(0j), _end(shown, place, hand)
-    along = zero(shown) * PAST * hand.symbol
+    past = place.length(shown.cam.hub.bore / 2) if shown.cam.hub else 0.0
+    along = zero(shown) * (past + PAST * hand.symbol)
     for start, stop in ((centre - along, end), (centre - 1j * along, centre + 1j * along)):
         yield Line(start, stop, fit(hand.axis, abs(stop - start)))
 
@@ -225,13 +225,16 @@ def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     """Say what a workshop must know beside the curve."""
     cam = shown.cam
     yield drafting.word(_moves(shown))
-    curve = drafting.word("mill path" if grooved(shown.found) else "profile told")
-    yield drafting.word("plane datum" if cam.translates else "polar datum", curve=curve)
+    curve = drafting.word("mill path" if shown.found.grooved else "profile told")
+    if cam.translates:
+        yield drafting.word("plane datum", curve=curve)
+    else:
+        yield drafting.phrase("polar datum", curve=curve, keyway=keyway_place(cam.hub, drafting, cam.name))
     if shown.found.roller:
         yield drafting.letter(_roller(shown, drafting))
     if not cam.translates:
         yield from _dwells(shown, drafting)
-        yield drafting.word("bore of cam")
+        yield from hub_notes(shown.found, drafting)
     yield drafting.word("drawn pieces", tolerance=drafting.number(MM * cam.tolerance))
     wrong = dict.fromkeys(flaw.kind for flaw in shown.found.flaws if flaw.kind in SHOWN)
     if wrong:
@@ -246,7 +249,7 @@ def _moves(shown: Manufacture) -> str:
 
 def _roller(shown: Manufacture, drafting: Drafting) -> str:
     radius = Slot(f"r_rol {shown.cam.name}", MM * shown.found.roller, DIGITS)
-    if not grooved(shown.found):
+    if not shown.found.grooved:
         return drafting.phrase("roller of cam", radius=radius)
     breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.found.roller, DIGITS)
     return drafting.phrase("groove of cam", radius=radius, breadth=breadth)

@@ -14,11 +14,12 @@ from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import sizing
 from plans.cam.course import FollowerCourse, positions
 from plans.cam.diagrams import THREE, LawDiagrams, law_diagrams
+from plans.cam.hub import wall
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
 from plans.model.cam import Cam
-from plans.model.cam_motion import CamError, CamFound, CamSizes, Contour, large_roller, pivot_passed
+from plans.model.cam_motion import CamError, CamFound, CamSizes, Contour, large_roller, pivot_passed, thin_wall
 from plans.model.cyclogram import Window
 from plans.model.motion import Floats
 from plans.scene.faults import Path, dotted
@@ -66,12 +67,14 @@ class CamDrawing:
         return found
 
     def _refuse(self, found: CamFound) -> None:
-        """Refuse a roller that is larger than the cam, and a rocker whose pivot the profile passes."""
+        """Refuse a roller larger than the cam, a rocker whose pivot the profile passes, a bore without a wall."""
         if not self.cam.translates and found.roller >= found.sizes.base:
             bears = [found.sizes.base, *(extreme.value for extreme in (found.sharpest,) if extreme)]
             raise large_roller(self.cam, found.roller, found.sizes.base, min(bears))
         if self.cam.flat and self.cam.rocks and not found.flaws:
             self._clear(found.sizes)
+        if self.cam.hub is not None and (left := wall(found)) < self.cam.hub.wall:
+            raise thin_wall(self.cam, left, self.cam.hub.wall)
 
     @contextmanager
     def _placing(self) -> Iterator[None]:

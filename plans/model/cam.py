@@ -141,6 +141,22 @@ class FollowerLoad(NamedTuple):
     stiffness: float = 0.0
 
 
+class Hub(NamedTuple):
+    """How a cam sits on its shaft (посадка на вал): the bore, and the keyway in the hub; m.
+
+    `depth` goes out from the bore (t_2); a keyway of no width is none. `angle`, rad, is that of the keyway's axis from
+    the zero ray, against the rotation.
+    """
+
+    bore: float  # diameter
+    width: float
+    depth: float
+    angle: float = 0.0
+    length: float | None = None  # along the shaft
+    standard: bool = False  # whether width and depth are those of the standard for the bore
+    wall: float = 0.0  # the least that must be left to the profile
+
+
 LEAST_BASE = 1e-3  # of the follower's way: where the limits ask for a smaller R0, they ask for no cam
 NO_LIMITS, NO_SIZES = Limits(), GivenSizes()
 BOOK_LIMITS = {TRANSLATING: math.radians(30), ROCKING: math.radians(45)}  # 5.9.3
@@ -163,6 +179,7 @@ class Cam:
     translates: bool = False  # the cam itself
     divisions: int = 8  # parts of a phase that moves the follower
     load: FollowerLoad | None = None
+    hub: Hub | None = None
     angles: tuple[Fraction, ...] = ()  # of the phases in degrees, exact; empty of a cam that translates
     coordinates: int = 360  # parts of the turn at which the profile is told by coordinates
     tolerance: float = 1e-7  # m: how far a drawn piece of the profile may be from the exact one

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.errors import ConstructionError
-from plans.model.cam import MM, Cam, Limits
+from plans.model.cam import GROOVE, MM, Cam, Limits
 from plans.model.motion import Floats
 from plans.words.words import Message, message
 
@@ -93,6 +93,15 @@ def large_roller(cam: Cam, roller: float, base: float, most: float) -> CamError:
     """Say that the roller reaches over the cam's centre, and which one the curvature bears, m."""
     sizes = {"roller": _mm(roller), "base": _mm(base), "most": _mm(most)}
     return CamError(message("refused.cam_roller", name=cam.name, **sizes), "sizes", "roller")
+
+
+def thin_wall(cam: Cam, wall: float, least: float) -> CamError:
+    """Say that bore and keyway leave too little of the cam to its profile, m."""
+    assert cam.hub is not None
+    hub, kind = cam.hub, "refused.cam_wall" if wall > 0 else "refused.cam_bore"
+    keyway = message("refused.cam_keyway", width=_mm(hub.width), depth=_mm(hub.depth)) if hub.width else ""
+    left = {"wall": _mm(abs(wall)), "least": _mm(least), "more": _mm(least - wall)}
+    return CamError(message(kind, name=cam.name, bore=_mm(hub.bore), keyway=keyway, **left), "hub", "bore")
 
 
 def no_radius(cam: Cam) -> CamError:
@@ -228,3 +237,12 @@ class CamFound:
     # curvature.
     mending: float | None = None
     advised: CamSizes | None = None  # that would keep it to them, where it does not; None: it does, or no sizes do
+
+    @property
+    def grooved(self) -> bool:
+        """Whether a mill as broad as the groove makes the cam, so that the path of its centre is told."""
+        return self.cam.closure == GROOVE and self.roller > 0
+
+    def made(self, at: Contour) -> Points:
+        """Give the points that a workshop is told, m, (N,): of the working profile, of a groove those of its middle."""
+        return at.pitch if self.grooved else at.profile

@@ -103,6 +103,8 @@ CAMS = (
     ("tappet-cam", "[cam.limits]", '[cam.sizes]\nbase = "35 mm"\n[cam.limits]', "{min} = −"),
     ("rocker-cam", 'speed = "240 rpm"', "", ""),
     ("tappet-cam", 'end = "flat"', 'end = "flat"\nreach = "20 mm"', "off the face"),
+    ("tappet-cam", 'length = "45 мм"', "angle = 75", "middle of the keyway at θ = 75°"),
+    ("rocker-cam", "[cam.limits]", '[cam.hub]\nbore = "18 mm"\nwidth = 0\n[cam.limits]', "without a keyway"),
     ("feed-cam", "[cam.limits]", '[cam.sizes]\nbase = "50 mm"\noffset = "-8 mm"\n[cam.limits]', "e = −8"),
     ("feed-cam", "[cam.limits]", '[cam.sizes]\nbase = "50 mm"\noffset = "0.4 mm"\n[cam.limits]', "e = 0.4"),
     ("rocker-cam", 'law = "sine"', 'law = "constant velocity"', "Corner at φ = 120°"),

@@ -12,6 +12,7 @@ from plans.analytic.cam.findings import cam_found as analysed
 from plans.analytic.cam.sizes import sizes
 from plans.cam.centre.sizes import sizing
 from plans.cam.course import FollowerCourse, positions
+from plans.cam.hub import wall
 from plans.cam.profile.findings import cam_found
 from plans.cam.study import CamStudy
 from plans.model.cam import (
@@ -24,6 +25,7 @@ from plans.model.cam import (
     TRANSLATING,
     Cam,
     GivenSizes,
+    Hub,
     Limits,
 )
 from plans.model.cam_motion import CamError, CamFound, CamSizes
@@ -80,3 +82,24 @@ def test_a_roller_over_the_centre_is_refused():
     least = draw(replace(one, roller=0.01), CamSizes(0.05)).sharpest
     assert least is not None and dict(refused.value.message.parts)["most"] == f"{1000 * min(least.value, 0.05):.6g}"
     assert CamStudy([replace(one, roller=0.049)]).found
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_wall_is_left_over_bore_and_keyway(sense):
+    """Where the cam dwells its rim is a circle, and the corners of a keyway are nearest to it."""
+    base, bore, width, depth = 0.05, 0.03, 0.008, 0.0033
+    resting = math.radians(300)  # of the zero ray, against the rotation: in the middle of the last dwell
+
+    def keyed(bore: float, depth: float, angle: float) -> Cam:
+        hub = Hub(bore, width, depth, angle, wall=depth)
+        return replace(limited(TRANSLATING, FORCE, 30, 30, sense), given=GivenSizes(base, 0.0), roller=0.0, hub=hub)
+
+    left = base - math.hypot(bore / 2 + depth, width / 2)
+    assert wall(draw(keyed(bore, depth, resting), CamSizes(base))) == pytest.approx(
+        left, abs=1e-7
+    )  # a quarter of a degree
+    on_the_rise = wall(draw(keyed(bore, depth, math.radians(50)), CamSizes(base)))
+    assert left < on_the_rise < base - bore / 2 + 1e-12  # there the bore itself is nearest
+    for deeper, told in ((left / 2, "leaves a wall of"), (left + 0.001, "breaks through")):
+        with pytest.raises(CamError, match=told):
+            CamStudy([keyed(bore, depth + deeper, resting)]).found  # noqa: B018

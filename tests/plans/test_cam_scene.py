@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from plans.cam.reading.keyways import KEYWAYS
 from plans.cam.reading.phase_form import AccelerationShape, cancelled
 from plans.model.cam import RETURN, RISE, Cam, Law
 from plans.scene.faults import Fault, SceneError
@@ -270,3 +271,30 @@ def test_a_roller_in_metres_is_a_slip(follower: str, roller: str, expected: list
     (fault,) = refused(*scene)
     assert [fault.kind] == expected
     assert '"10 mm"' in fault.advice
+
+
+# GOST 23360-78: height of the key, and depth in the shaft, mm, of the keys for ever thicker shafts.
+KEYS = (
+    "2 1.2, 3 1.8, 4 2.5, 5 3, 6 3.5, 7 4, 8 5, 8 5, 9 5.5, 10 6, 11 7, 12 7.5, 14 9, 14 9, 16 10, 18 11, 20 12, "
+    "22 13, 25 15, 28 17"
+)
+
+
+def test_a_key_has_room_above_it_in_the_hub() -> None:
+    """Both keyways together are deeper than the key is high, by 0.2 to 0.4 mm, more for a larger one."""
+    keys = [[Fraction(size) for size in key.split()] for key in KEYS.split(", ")]
+    room = [Fraction(row.depth) + shaft - high for row, (high, shaft) in zip(KEYWAYS, keys, strict=True)]
+    assert room == sorted(room) and {*room} == {Fraction(1, 5), Fraction(3, 10), Fraction(2, 5)}
+    assert all(row.most == other.above and row.width < other.width for row, other in pairwise(KEYWAYS))
+
+
+def test_a_keyway_is_that_of_the_bore_where_none_is_given() -> None:
+    for bore, told, width, depth, standard in (
+        (30, "", 8, 3.3, True),  # over 22 to 30 mm
+        (31, "", 10, 3.3, True),
+        (30, 'width = "7 mm"\n', 7, 3.3, False),
+        (5, "width = 0\n", 0, 0, False),
+    ):
+        hub = cam_of(FOLLOWER, f'[cam.hub]\nbore = "{bore} mm"\n{told}', PHASES).hub
+        assert hub is not None and hub.standard == standard
+        assert (1000 * hub.width, 1000 * hub.depth) == pytest.approx((width, depth))

@@ -12,8 +12,9 @@ from typing import NamedTuple
 from plans.cam.reading.entry import CamEntry, Exact, misplaced, pace_of, proportions, shown
 from plans.cam.reading.fields import CYCLOGRAM, REST, TURNING_STIFFNESS
 from plans.cam.reading.form import AGAINST, CamForm
+from plans.cam.reading.keyways import keyway, standard
 from plans.cam.reading.laws import PhaseWay, law_of, ways_of
-from plans.model.cam import DWELL, NO_LIMITS, Cam, Follower, FollowerLoad, GivenSizes, Limits, Phase
+from plans.model.cam import DWELL, NO_LIMITS, Cam, Follower, FollowerLoad, GivenSizes, Hub, Limits, Phase
 from plans.model.cyclogram import Window
 from plans.scene import units
 from plans.scene.faults import Fault, Path, SceneError
@@ -21,6 +22,7 @@ from plans.scene.scene import Meaning, Scene
 from plans.scene.units import within
 
 WHOLE = Fraction(360)
+MM = Decimal(1000)  # of a metre
 SNAPPED = Fraction(1, 10**6)  # degrees: so near a whole turn a sum is taken for one, and that is said
 RADIANS = Fraction("6.283185307179586"), Fraction(1, 100)  # a whole turn, and how near it angles in radians are
 
@@ -167,6 +169,7 @@ def _cam(entry: CamEntry, window: Window | None) -> Cam | None:
         divisions=form.divisions,
         coordinates=form.coordinates,
         load=load,
+        hub=_hub(entry),
         angles=() if entry.translates else turns,
     )
 
@@ -237,6 +240,26 @@ def _setting(entry: CamEntry, window: Window | None, phases: Sequence[Phase]) ->
 def _asking(entry: CamEntry) -> list[bool]:
     """Tell of each phase that is made whether it takes its angle from the cyclogram."""
     return [phase.angle == CYCLOGRAM for phase in entry.form.phases if phase.angle != 0]
+
+
+def _hub(entry: CamEntry) -> Hub | None:
+    """Give the hub; what of its keyway is not given by the standard for the bore."""
+    hub = entry.form.hub
+    if hub is None:
+        return None
+    usual = keyway(MM * hub.bore)
+    width = usual.width / MM if hub.width is None else hub.width
+    depth = Decimal(0) if not width else usual.depth / MM if hub.depth is None else hub.depth
+    by_rule = standard(MM * hub.bore) and (MM * width, MM * depth) == (usual.width, usual.depth)
+    return Hub(
+        float(hub.bore),
+        float(width),
+        float(depth),
+        math.radians(float(hub.angle)),
+        _float(hub.length),
+        by_rule,
+        float(depth or usual.depth / MM),  # over a keyway is left what it takes
+    )
 
 
 def _load(entry: CamEntry) -> FollowerLoad | None:

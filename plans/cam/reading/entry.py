@@ -11,6 +11,7 @@ from typing import Protocol, cast
 
 from plans.cam.reading.fields import CYCLOGRAM, Measure
 from plans.cam.reading.form import CamTable
+from plans.cam.reading.keyways import LEAST, MOST, standard
 from plans.model.cam import DWELL, FLAT, ROCKING, ROLLER
 from plans.scene import units
 from plans.scene.faults import Fault, Path, Wrong
@@ -168,6 +169,7 @@ def misplaced(entry: CamEntry) -> None:
     _phases(entry)
     _sizes(entry)
     _load(entry)
+    _hub(entry)
     if entry.translates and entry.flat:
         entry.fault(("follower", "end"), "flat_translating")
 
@@ -206,6 +208,21 @@ def _sizes(entry: CamEntry) -> None:
         entry.spare(("centre",), given, "rocking", "sizes")
     if not entry.flat:
         entry.spare(("curvature",), entry.form.limits.given, "flat", "limits")
+
+
+def _hub(entry: CamEntry) -> None:
+    hub = entry.form.hub
+    if entry.translates:
+        entry.spare(("hub",), entry.form.given, "turning")
+    elif hub is not None and hub.width != 0:
+        needs = [name for name in ("width", "depth") if getattr(hub, name) is None]
+        if needs and not standard(1000 * hub.bore):
+            ends = {"least": LEAST, "most": MOST, "names": " = ..., ".join(needs)}
+            entry.fault(("hub", "bore"), "no_keyway", bore=_mm(hub.bore), **ends)
+        elif hub.width is not None and hub.width >= hub.bore:
+            entry.fault(("hub", "width"), "broad_keyway", bore=_mm(hub.bore), width=_mm(hub.width))
+    elif hub is not None:
+        entry.spare(("depth", "angle"), hub.given, "keyed", "hub")
 
 
 def _load(entry: CamEntry) -> None:

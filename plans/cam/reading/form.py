@@ -167,6 +167,35 @@ class LoadTable(Table):
     )
 
 
+class HubTable(Table):
+    """How a cam that turns sits on its shaft."""
+
+    bore: Decimal = key(
+        f.LENGTH,
+        meaning="Diameter of the bore (отверстие), m.",
+        missing=Missing("diameter of the bore", 'bore = "30 mm"', 1),
+        also=("d", "diameter", "shaft"),
+    )
+    width: Decimal | None = key(
+        c.SIZE,
+        None,
+        meaning="Width b of the keyway (шпоночный паз), m; default: by GOST 23360 and ISO 773 for the bore; 0: none.",
+        also=("b", "key", "keyway"),
+    )
+    depth: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Depth t2 of the keyway in the hub, m; default: by the standard.",
+        also=("t", "t2", "t_2"),
+    )
+    angle: Decimal = key(
+        f.ANGLE,
+        Decimal(0),
+        meaning="Of the keyway's axis from the zero ray of the profile, degrees against the rotation.",
+    )
+    length: Decimal | None = key(f.LENGTH, None, meaning="Of the hub along the shaft (длина ступицы), m.")
+
+
 class CamTable(Table):
     """A cam: its follower, phases, limits, sizes, load, and how it stands on the shaft."""
 
@@ -211,6 +240,12 @@ class CamTable(Table):
         missing=Missing("list of phases", PHASE, [SPARE_PHASE]),
     )
     load: LoadTable | None = key(table(LoadTable), None, meaning="What the follower bears; its mass needs a speed.")
+
+    hub: HubTable | None = key(
+        table(HubTable),
+        None,
+        meaning="Bore and keyway (ступица) of a cam that turns, on the sheet profile; default: none is drawn.",
+    )
 
 
 class CamForm(TechniqueForm):

@@ -1,0 +1,128 @@
+"""Bore and keyway of a cam on the drawing that it is made by, and what is said of them (отверстие и шпоночный паз)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Place
+from drawings.lettering.words import Slot, joined, telling
+from drawings.page.page import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Kind, Line, Statement, Stroke
+from drawings.paper.walk import stating
+from drawings.symbols.figure import Dimension
+from drawings.symbols.symbols import fit
+from plans.cam.hub import keyed, wall
+from plans.model.cam import MM, Hub
+from plans.model.cam_motion import CamFound, Contour
+
+OFF, FAR = 6.0, 12.0  # mm from bore and keyway to the lines of their dimensions: of what is small nearer
+PAST = 5.0  # mm that the keyway's axis goes past it
+BESIDE = 0.8  # mm from a dimension line to its letters
+DIGITS = 5
+
+
+class KeyedBore(NamedTuple):
+    """A bore with its keyway as a figure shows it: the figure's name, the hub, its keyway's unit direction from O."""
+
+    plan: str
+    hub: Hub
+    key: complex
+    place: Place
+
+    @property
+    def zero(self) -> complex:
+        """The place of O, mm."""
+        return self.place.on(0j)
+
+    @property
+    def corners(self) -> tuple[complex, ...]:
+        """Where the keyway's sides leave the bore, and its corners between them, mm."""
+        hub, half = self.hub, self.hub.width / 2
+        foot, end = math.sqrt((hub.bore / 2) ** 2 - half**2), hub.bore / 2 + hub.depth
+        local = complex(foot, -half), complex(end, -half), complex(end, half), complex(foot, half)
+        return tuple(self.place.on(spot * self.key) for spot in local)
+
+    def dimensions(self, hand: Hand) -> Iterator[tuple[str, Dimension]]:
+        """Give the dimensions with the letters of what they are: bore, width of the keyway, bore with keyway."""
+        radius, key, zero = self.place.length(self.hub.bore / 2), self.key, self.zero
+        far = (radius + FAR * hand.symbol) * key
+        yield "⌀", self._dimension("bore", zero - 1j * radius * key, zero + 1j * radius * key, -far)
+        if self.hub.width:
+            _, first, last, _ = self.corners
+            end = zero + (radius + self.place.length(self.hub.depth)) * key
+            yield "b = ", self._dimension("keyway", first, last, OFF * hand.symbol * key)
+            yield "d + t_2 = ", self._dimension("over keyway", zero - radius * key, end, 1j * far)
+
+    def _dimension(self, name: str, start: complex, end: complex, off: complex) -> Dimension:
+        return Dimension("", start, end, off, Statement(Kind.LENGTH, self.plan, name, scale=self.place.scale.mu))
+
+    def lines(self, hand: Hand) -> Iterator[Stroke]:
+        """Draw the bore, the keyway with its axis, and their dimensions."""
+        start, first, last, end = self.corners
+        radius, turn = abs(start - self.zero), cmath.phase(self.key)
+        half = math.asin(self.hub.width / self.hub.bore)
+        yield Arc(self.zero, radius, turn + half, turn + 2 * math.pi - half, hand.result)
+        if self.hub.width:
+            # each side tells by its corner where the keyway is
+            for side, (corner, foot) in enumerate(((first, start), (last, end))):
+                states = Statement(Kind.POINT, self.plan, f"keyway {side}")
+                yield stating(states, Line(corner, foot, hand.result))
+            yield Line(first, last, hand.result)
+            axis = (first + last) / 2 + PAST * hand.symbol * self.key
+            yield Line(self.zero, axis, fit(hand.axis, abs(axis - self.zero)))
+        for _, dimension in self.dimensions(hand):
+            yield from dimension.draw(hand)
+
+    def letters(self, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+        """Write the sizes beside their dimension lines, in millimetres of the cam."""
+        for (letter, dimension), size in zip(self.dimensions(drafting.hand), self.sizes, strict=False):
+            text = joined("", (letter, drafting.slot(size)))
+            towards = cmath.phase(dimension.off)
+            yield telling(self.plan, labels.beside(dimension.middle, text, drafting.hand.number, BESIDE, towards))
+
+    @property
+    def sizes(self) -> Sequence[Slot]:
+        """The sizes that are dimensioned, mm."""
+        hub = self.hub
+        sizes = {"bore": hub.bore, "keyway": hub.width, "over keyway": hub.bore + hub.depth}
+        return [Slot(name, MM * size, DIGITS) for name, size in sizes.items()]
+
+
+def bore(plan: str, found: CamFound, at: Contour, place: Place) -> KeyedBore | None:
+    """Give the bore of a cam that has one, the first of the contour's points being on the zero ray."""
+    hub = found.cam.hub
+    return KeyedBore(plan, hub, keyed(found, at), place) if hub is not None else None
+
+
+def notes(found: CamFound, drafting: Drafting) -> Iterator[str]:
+    """Say how the cam sits on its shaft, and what is left of it to its profile."""
+    hub = found.cam.hub
+    if hub is None:
+        yield drafting.word("bore of cam")
+        return
+
+    def slot(name: str, size: float, unit: float = MM) -> Slot:
+        return Slot(f"{name} {found.cam.name}", unit * size, DIGITS)
+
+    sizes = {"bore": slot("bore", hub.bore), "wall": slot("wall", wall(found))}
+    if hub.width:
+        sizes |= {"width": slot("keyway", hub.width), "depth": slot("keyway depth", hub.depth)}
+    kind = "standard keyway" if hub.standard else "keyway" if hub.width else "no keyway"
+    yield drafting.phrase(f"cam {kind}", **sizes)
+    if hub.length is not None:
+        yield drafting.phrase("cam hub length", length=slot("hub length", hub.length))
+
+
+def keyway_place(hub: Hub | None, drafting: Drafting, name: str) -> str:
+    """Say where the keyway's axis lies beside the zero ray; nothing of a bore without a keyway."""
+    if hub is None or (hub.width and not hub.angle):
+        return drafting.word("keyway at zero")
+    angle = Slot(f"keyway angle {name}", float(np.degrees(hub.angle)), DIGITS)
+    return drafting.phrase("keyway at", angle=angle) if hub.width else ""
