@@ -11,6 +11,7 @@ from typing import Any, Final, NamedTuple, TypeAlias
 
 from drawings.checks.expected import Expected
 from drawings.checks.hold import MARKS
+from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Key, Kind
 from drawings.paper.walk import groups
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
@@ -88,7 +89,6 @@ RECORDS: Final[Mapping[str, str]] = MappingProxyType(
 CURVES: Final[Mapping[str, str]] = MappingProxyType(
     {
         "dynamics": "drawings.grading.curves.dynamics_figures:figures_of_dynamics",
-        "bank": "drawings.grading.curves.diagram_figures:figures_of_arms",
         "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
         "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
         "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
@@ -123,6 +123,18 @@ class VectorAsked(NamedTuple):
         """The corners of a polygon that a free vector is laid between, if it is a side of one."""
         side = self.found.side if self.found is not None else None
         return None if side is None else (side.start.name, side.end.name)
+
+    @property
+    def auxiliary(self) -> bool:
+        """Whether it has no name but those of its ends: nobody need draw it apart."""
+        return self.name == " ".join(self.letters)
+
+    def twins(self, plan: PlanAsked, mu: float) -> list[VectorAsked]:
+        """Give the other vectors of its plan that lie on it, to a scale of true units a mm."""
+        return [
+            other for other in plan.vectors
+            if other is not self and other.start == self.start and abs(other.true - self.true) <= SEEN * mu
+        ]  # fmt: skip
 
     @property
     def diagonal(self) -> bool:

@@ -24,7 +24,6 @@ CLOSED = 2 * math.sqrt(2) * 4 * SLIP
 # mm: a letter that is farther from what it names, is not seen to be its own; a leader reaches so far.
 NEAR = 25.0
 BESIDE = 3.0  # mm by which a letter must be nearer to what is another's: lanes are so far apart
-UPRIGHT = 1e-3  # rad, by which an upright sheet may be turned
 
 
 def written_scale(sheet: SeenSheet, asked: PlanAsked) -> float | None:
@@ -67,14 +66,14 @@ def _same(written: float, stated: float) -> bool:
 
 def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """List the faults of how a plan is drawn."""
-    upright = abs(plan.turn - 1) <= UPRIGHT  # a p that lies on its side is read as a d, or a b
-    if not plan.written and (upright or plan.lettered):
+    if not plan.written:
         yield _of(plan, verdict.UNSCALED)
+    if plan.headless:
+        yield _of(plan, verdict.HEADLESS)._replace(of=", ".join(plan.headless))
     gaps = (*_open(plan), *open_sides(plan, CLOSED))
     yield from gaps
     opened = {gap.name for gap in gaps}
-    if upright:
-        yield from (letter for letter in _letters(labels, plan) if letter.name not in opened)
+    yield from (letter for letter in _letters(labels, plan) if letter.name not in opened)
     yield from _outside(leaf, plan)
 
 

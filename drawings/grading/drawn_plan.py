@@ -13,7 +13,6 @@ from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SEEN
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.reading.measure import Measured
-from drawings.reading.transform import Affine
 from geometry.board import Mark
 from plans.linkage.plan import POLES
 
@@ -42,9 +41,10 @@ class DrawnPlan:
     scale: float
     places: Mapping[str, complex]  # where each letter lies, mm
     written: bool = True  # whether its scale stands on the sheet
-    turn: complex = 1 + 0j  # what lays it upright again, of a page that was turned
     lettered: bool = False  # whether it was found by its letters alone
     doubled: tuple[str, ...] = ()  # the letters between which arrows go both ways
+    headless: tuple[str, ...] = ()  # the vectors whose arrows have no heads
+    plain: bool = False  # whether none of its letters is read
 
     @property
     def lacking(self) -> list[VectorAsked]:
@@ -63,15 +63,21 @@ class DrawnPlan:
 
     def is_small(self, vector: VectorAsked) -> bool:
         """Tell whether a vector is too short on paper to be found by its letter."""
-        return self.lettered and bool(vector.letter) and abs(vector.true) < 2 * SEEN * self.scale
+        return self.lettered and abs(vector.true) < (2 if vector.letter else 1) * SEEN * self.scale
+
+    def is_covered(self, vector: VectorAsked) -> bool:
+        """Tell whether a vector that lacks lies on another one that lacks, which hangs together with more."""
+        ends = [letter for other in self.asked.vectors for letter in other.letters]
+        others = (other for other in vector.twins(self.asked, self.scale) if other.letters not in self.arrows)
+        return any(ends.count(other.end) > ends.count(vector.end) for other in others if vector.start)
 
     @property
     def unread(self) -> Verdict | None:
-        """What is said of a plan whose arrows nothing but letters tells, and these not of all of them."""
-        lost = [vector.name for vector in self.lacking if self.lettered and not self.is_small(vector)]
-        kind, names = (verdict.DOUBLED, self.doubled) if self.doubled else (verdict.UNNAMED, lost)
-        plan, position = self.asked.place
-        return Verdict(plan, position, "", kind, of=", ".join(dict.fromkeys(names))) if names else None
+        """What is said of a plan of which no letter is read, or that has arrows both ways."""
+        if not self.doubled and not self.plain:
+            return None
+        kind = verdict.DOUBLED if self.doubled else verdict.UNNAMED
+        return Verdict(*self.asked.place, "", kind, of=", ".join(dict.fromkeys(self.doubled)))
 
     @property
     def fitted(self) -> float:
@@ -93,13 +99,13 @@ class DrawnPlan:
     def value(self, letters: tuple[str, str]) -> complex | None:
         """Give a vector in true units; None of one that is not drawn."""
         arrow = self.arrows.get(letters)
-        return None if arrow is None else arrow.vector * self.scale * self.turn
+        return None if arrow is None else arrow.vector * self.scale
 
     def between(self, start: str, end: str) -> complex | None:
         """Give the vector between the places of two letters, true units."""
         if start not in self.places or end not in self.places:
             return None
-        return (self.places[end] - self.places[start]) * self.scale * self.turn
+        return (self.places[end] - self.places[start]) * self.scale
 
 
 def places_of(arrows: Mapping[tuple[str, str], Arrow]) -> dict[str, complex]:
@@ -120,22 +126,15 @@ def from_marks(asked: PlanAsked, measured: Measured, scale: float | None) -> Dra
     marks = [mark for mark in measured.marks if (mark.plan, mark.position) == asked.place]
     if not marks:
         return None
-    by = measured.moved
-    arrows = {ends_of(mark): _brought(_arrow(mark), by) for mark in marks}
+    arrows = {ends_of(mark): _arrow(mark) for mark in marks}
     hung = {ends_of(mark): arrows[ends_of(mark)] for mark in marks if not is_free(mark)}
-    mu, upright = (scale or marks[0].scale) / abs(by.p), abs(by.p) / by.p
-    return DrawnPlan(asked, arrows, mu, places_of(hung), scale is not None, upright)
+    return DrawnPlan(asked, arrows, scale or marks[0].scale, places_of(hung), scale is not None)
 
 
 def _arrow(mark: MeasuredVector | MeasuredPoint) -> Arrow:
     if isinstance(mark, MeasuredVector):
         return Arrow(mark.start, mark.end)
     return Arrow(mark.at - mark.value / mark.scale, mark.at)
-
-
-def _brought(arrow: Arrow, by: Affine) -> Arrow:
-    """Give an arrow as it lies on a sheet that was moved as a whole."""
-    return Arrow(by(arrow.start), by(arrow.end))
 
 
 LANE = 60.0  # mm: a side that is drawn further beside its place is not there

@@ -17,15 +17,17 @@ from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, fi
 from drawings.grading.curves.form_figure import empty_axes, every_axes
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places, from_marks, lacking_places, scales_beside
+from drawings.grading.form_place import form_places
 from drawings.grading.judgement import Judge
-from drawings.grading.onlooker import Onlooker, figures, legible, segments, spelled_labels
-from drawings.grading.plans_on_form import form_places, plans_on_form, redrawn
+from drawings.grading.onlooker import Onlooker, legible, segments, spelled_labels
+from drawings.grading.plans_on_form import plans_on_form, redrawn
 from drawings.grading.scheme_arrows import arrow_verdicts, once
 from drawings.grading.units import in_millimetres
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
 from drawings.reading.sheet import SeenSheet, see
+from drawings.reading.transform import STAY, Affine
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -85,10 +87,10 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     said = tuple(_verdicts(sheet, found, task, by))
     if not all(math.isfinite(found.off or 0.0) for found in said):
         return Graded(UNREAD, reason=message("grade.unfinite"))
-    paper = sheet.leaf.width, sheet.leaf.height
+    said = tuple(_on_page(found, onlooker.moved) for found in said)
     scene = str(sheet.leaf.metadata.get("scene", ""))
     graded = Graded(
-        PASS, said, paper=paper, scene=scene, drawn=tuple(plan.bare for plan in found.plans), box=onlooker.box
+        PASS, said, paper=onlooker.page, scene=scene, drawn=tuple(plan.bare for plan in found.plans), box=onlooker.box
     )
     if graded.wrong:
         return graded._replace(outcome=FAIL)
@@ -96,13 +98,22 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
 
 
 def _read(source: bytes) -> tuple[SeenSheet, Onlooker]:
-    """See what can be read of a sheet, in mm where its page does not say that its units are others."""
+    """See what can be read of a sheet, in mm where its page does not say its units; laid back if it was moved."""
     onlooker = Onlooker()
     sheet = see(source, onlooker)
     if onlooker.boxless and in_millimetres(sheet.written):
         onlooker = Onlooker(unit=1.0)
         sheet = see(source, onlooker)
+    if sheet.measured.moved != STAY:
+        onlooker = Onlooker(onlooker.unit, sheet.measured.moved)
+        sheet = see(source, onlooker)
     return sheet._replace(leaf=legible(sheet.leaf)), onlooker
+
+
+def _on_page(said: Verdict, moved: Affine) -> Verdict:
+    """Give a verdict with its places as they lie on the student's own page."""
+    at = None if said.at is None else (moved(said.at[0]), moved(said.at[1]))
+    return said._replace(at=at, frames=tuple(tuple(map(moved, frame)) for frame in said.frames))
 
 
 def _is_bare(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask) -> bool:
@@ -128,20 +139,11 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
-    vectors, empty = dict(_vectors(read)), empty_axes(sheet) if task.curves else frozenset()
-    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
+    empty = empty_axes(sheet) if task.curves else frozenset()
+    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, empty)
     drawn = [figure for figures in found.figures.values() for figure in figures]
     shown = BesideTables(read, drawn, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, by, sheet)
-
-
-def _vectors(plans: Sequence[DrawnPlan]) -> Iterator[tuple[str, complex]]:
-    """Give the vectors of plans that are of no position, by their names."""
-    for plan in plans:
-        for vector in plan.asked.vectors if plan.asked.position is None else ():
-            value = plan.value(vector.letters)
-            if value is not None:
-                yield vector.name, value
 
 
 def _missing(plan: PlanAsked) -> Iterator[Verdict]:
@@ -162,10 +164,8 @@ def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]
         return whole
     here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [plan for plan in plans if plan.place not in there and (not here or plan.sheet in here)]
-    by = sheet.measured.moved.p
-    upright = abs(by) / by
     labels, words = spelled_labels(sheet.leaf.groups), list(texts(sheet.leaf.groups))
-    return (*whole, *plans_on_form(left, figures(lines), words, labels, places, upright))
+    return (*whole, *plans_on_form(left, lines, words, labels, places))
 
 
 def _judged(sheet: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:

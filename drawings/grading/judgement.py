@@ -159,7 +159,8 @@ class Judge:
         if not math.isfinite(allowed):
             return self._said(verdict.DEAD, vector)
         if value is None:
-            return self._said(verdict.SMALL if self.drawn.is_small(vector) else verdict.MISSING, vector)
+            covered = verdict.FOLLOWS if self.drawn.is_covered(vector) else verdict.MISSING
+            return self._said(verdict.SMALL if self.drawn.is_small(vector) else covered, vector)
         off = abs(value - vector.true)
         if self._near(vector, value):
             return self._said(verdict.RIGHT, vector, off)

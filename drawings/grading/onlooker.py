@@ -19,7 +19,7 @@ from drawings.paper.walk import flat, groups, texts
 from drawings.reading.alphabet import folded
 from drawings.reading.pathdata import number
 from drawings.reading.sheet import EM, Observer, Opened, without
-from drawings.reading.transform import Viewport
+from drawings.reading.transform import STAY, Affine, Viewport
 from drawings.reading.visibility import LineInk, declarations, length, said
 
 _NAMES = {"pi": "π"}
@@ -66,20 +66,25 @@ class Onlooker(Observer):
     """Sees the elements of a sheet one by one; `heads` are the ends with an arrowhead, of strokes by their ids.
 
     `unit` is how many mm the units of a page are that does not say it, where this is known; `box` is the viewBox that
-    it is given then.
+    it is given then. What was `moved` as a whole, turned or scaled is laid back, on `paper` of its own size.
     """
 
-    def __init__(self, unit: float = 0.0) -> None:
+    def __init__(self, unit: float = 0.0, moved: Affine = STAY) -> None:
         super().__init__()
         self.heads: dict[int, frozenset[str]] = {}
-        self.unit, self.box, self.boxless = unit, "", False
+        self.unit, self.moved, self.box, self.boxless = unit, moved, "", False
+        self.page = 0.0, 0.0
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
         """See the paper that a root lays what is drawn on, in the units that its editor meant."""
         root = boxed_in(attributes, self.unit) if self.unit else stated(attributes)
         self.boxless = "viewBox" not in root
         self.box = "" if "viewBox" in attributes else root.get("viewBox", "")
-        return super().opened(root)
+        self.paper = super().opened(root)
+        self.page = self.paper.width, self.paper.height
+        if self.moved != STAY:
+            self.paper = _laid_back(self.paper, self.moved)
+        return self.paper
 
     def leave(self) -> None:
         """See the innermost element end; what an editor writes in a part of a text is of that text."""
@@ -96,6 +101,15 @@ class Onlooker(Observer):
         if self.open and (heads := _heads(self.open[-1].attributes)):
             self.heads |= {id(part): heads for part in flat(strokes)}
         super()._add(outer, strokes, ink)
+
+
+def _laid_back(paper: Viewport, moved: Affine) -> Viewport:
+    """Give the paper of a sheet that was moved as a whole as it was before: all of the page is on it."""
+    corners = (complex(x, y) for x in (0.0, paper.width) for y in (0.0, paper.height))
+    far = [(corner - moved.t) / moved.p for corner in corners]
+    back = Affine(1 / moved.p, 0j, -moved.t / moved.p)
+    wide, high = max(spot.real for spot in far), max(spot.imag for spot in far)
+    return Viewport(wide, high, back.after(paper.placing), paper.notes)
 
 
 def _begun(text: Opened) -> Mapping[str, str]:

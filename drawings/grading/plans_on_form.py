@@ -5,22 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 from typing import Final, NamedTuple
 
 from drawings.checks.hold import Label, along, distance, off
-from drawings.grading.asked import Place, PlanAsked, VectorAsked
+from drawings.grading.asked import PlanAsked, VectorAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
-from drawings.grading.onlooker import JOINED, Segment, spelled
-from drawings.lettering.lettering import bounds
-from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Text
-from drawings.paper.walk import groups
-from drawings.reading.pathdata import number
+from drawings.grading.form_place import FormPlace, place_of
+from drawings.grading.onlooker import JOINED, Segment, figures, spelled
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import Box, Text
 
 FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
+CLOSE = 8.0  # mm: nor one that is farther from a line without an arrowhead
 HEADING = 80.0  # mm: and a scale from its plan
-LEAST = 2  # arrows of a polygon that is taken for one, and half of them
 UNSURE, SHARE = 8.0, 0.2  # mm within which a letter is as near to another arrow; how far out one is drawn otherwise
+ALIKE = 0.05  # of a vector: an arrow that bears no letter is the one that it is so near to
+TOLD = 2  # vectors more that are right say that two letters stand in each other's place
 BACKWARD = 4.0  # mm that an arrow is farther from the letters of its ends if it is drawn back to front
 NONE: Final = 2 * FAR + UNSURE + BACKWARD  # mm: what an arrow costs that is not there
 
@@ -42,44 +44,147 @@ def _joins(line: Segment | Arrow, start: complex, end: complex) -> bool:
 
 def plans_on_form(
     asked: Sequence[PlanAsked],
-    figures: Sequence[Sequence[Segment]],
+    lines: Sequence[Segment],
     texts: Sequence[Text],
     labels: Mapping[str, Sequence[Label]],
     places: Sequence[FormPlace],
-    turn: complex = 1 + 0j,
 ) -> Iterator[DrawnPlan]:
-    """Find plans by their places: all arrows that are drawn there are of the plan, laid upright by a `turn`."""
+    """Find plans by their places: all arrows that are drawn there are of the plan."""
     expected = {plan.place: plan for plan in asked if plan.lettered}
-    taken: dict[FormPlace, list[Segment]] = {}
-    for joined in figures:
+    taken: dict[FormPlace, list[Segment]] = {place: [] for place in places if place.plan in expected}
+    for joined in figures(lines):
         here = place_of([spot for line in joined for spot in (line.start, line.end)], places)
-        if here is not None and here.plan in expected:
-            taken.setdefault(here, []).extend(joined)
+        if here in taken:
+            taken[here].extend(joined)
+    bare = [line for line in lines if not line.headed]
     for here, arrows in taken.items():
-        plan = expected[here.plan]
-        drawn = _drawn(plan, arrows, texts, labels, here, turn)
-        free = all(vector.letter for vector in plan.vectors)
-        if len(drawn.arrows) >= (max(LEAST, len(plan.vectors) / 2) if free else 1):
+        near = [line for line in bare if here.holds((line.start, line.end))]
+        drawn = _Letters(expected[here.plan], labels, scale_at(here, texts, expected[here.plan])).drawn(arrows, near)
+        if arrows or drawn.arrows:
             yield drawn
 
 
-def _drawn(
-    plan: PlanAsked,
-    arrows: Sequence[Segment],
-    texts: Sequence[Text],
-    labels: Mapping[str, Sequence[Label]],
-    place: FormPlace,
-    turn: complex,
-) -> DrawnPlan:
-    """Give the plan that arrows are."""
-    scale = scale_at(place, texts, plan)
-    found = _matches(plan, arrows, labels, (scale or 0.0) * turn)
-    drawn = {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
-    hung = {letters: match.laid for letters, match in found.items() if letters[0]}
-    bare = DrawnPlan(plan, drawn, 1.0, {}, False)
-    both = tuple(_both_ways([match.arrow for match in found.values()], drawn, arrows))
-    mu, spots = scale or bare.fitted, places_of(hung)
-    return DrawnPlan(plan, drawn, mu, spots, scale is not None, turn, lettered=True, doubled=both)
+class _Match(NamedTuple):
+    """An arrow that may be a vector's: how far its letters are from it, mm, and whether it is drawn back to front."""
+
+    arrow: Segment
+    away: float
+    back: bool = False
+
+    @property
+    def laid(self) -> Arrow:
+        """The arrow from its first letter to its second."""
+        start, end, _ = self.arrow
+        return Arrow(end, start) if self.back else Arrow(start, end)
+
+
+Matches = dict[tuple[str, str], _Match]
+
+
+class _Letters(NamedTuple):
+    """What tells the arrows of a plan: its letters on the sheet, and its scale if one is written."""
+
+    asked: PlanAsked
+    labels: Mapping[str, Sequence[Label]]
+    scale: float | None
+
+    def drawn(self, arrows: Sequence[Segment], bare: Sequence[Segment]) -> DrawnPlan:
+        """Give the plan that arrows are; lines without heads are what lacks, where they bear its letters."""
+        named = self._exchanged(arrows)
+        lines = [line for start, end, _ in bare for line in (Segment(start, end), Segment(end, start))]
+        headless = self._matches([vector for vector in self._named if vector.letters not in named], lines, CLOSE)
+        found = self._left(named | headless, arrows)
+        drawn = {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
+        hung = {letters: match.laid for letters, match in found.items() if letters[0]}
+        mu = self.scale or DrawnPlan(self.asked, drawn, 1.0, {}, False).fitted
+        spots = places_of(hung)
+        both = tuple(_both_ways([match.arrow for match in found.values()], drawn, arrows))
+        bald = tuple(vector.name for vector in self.asked.vectors if vector.letters in headless)
+        drawn |= self._shared(drawn, spots, mu)
+        plain = not named and not headless
+        return DrawnPlan(self.asked, drawn, mu, spots, self.scale is not None, True, both, bald, plain)
+
+    @property
+    def _named(self) -> list[VectorAsked]:
+        return [vector for vector in self.asked.vectors if vector.corners or not vector.letter]
+
+    def _exchanged(self, arrows: Sequence[Segment]) -> Matches:
+        """Match arrows by their letters; where clearly more is right with two letters exchanged, these are."""
+        found = self._matches(self._named, arrows)
+        fits, best = self._right(found), found
+        if self.scale is None or fits == len(self._named):
+            return found
+        letters = dict.fromkeys(spelled(letter) for vector in self._named for letter in _bearers(vector))
+        for first, second in combinations((letter for letter in letters if letter in self.labels), 2):
+            swapped = {**self.labels, first: self.labels[second], second: self.labels[first]}
+            other = self._replace(labels=swapped)._matches(self._named, arrows)
+            if self._right(other) >= max(fits + TOLD, self._right(best) + 1):
+                best = other
+        return best
+
+    def _right(self, found: Matches) -> int:
+        named = {vector.letters: vector for vector in self._named}
+        return sum(self._fits(named[letters], match.arrow) <= 1 for letters, match in found.items())
+
+    def _fits(self, vector: VectorAsked, arrow: Segment) -> float:
+        """Tell how far an arrow is from a vector, as a share of what it may be out and still be told by it."""
+        scale = self.scale or math.nan
+        off = abs((arrow.end - arrow.start) * scale - vector.true)
+        return off / (ALIKE * abs(vector.true) + SEEN * scale)
+
+    def _left(self, found: Matches, arrows: Sequence[Segment]) -> Matches:
+        """Give arrows that bear no letters of their own to the vectors that they are, where these lack."""
+        left = [arrow for arrow in arrows if not any(arrow is match.arrow for match in found.values())]
+        for vector in self._named if found else ():
+            fits = [(self._fits(vector, arrow), arrow) for arrow in left] if vector.letters not in found else []
+            off, arrow = min(fits, key=lambda fit: fit[0], default=(math.inf, None))
+            if arrow is not None and off <= 1:
+                found = found | {vector.letters: _Match(arrow, off)}
+                left = [other for other in left if other is not arrow]
+        return found
+
+    def _shared(
+        self, drawn: Mapping[tuple[str, str], Arrow], spots: Mapping[str, complex], mu: float
+    ) -> Iterator[tuple[tuple[str, str], Arrow]]:
+        """Give arrows that nobody draws: one that lies on another, and between places that other arrows tell."""
+        for vector in self._named:
+            if vector.letters in drawn or not vector.start:
+                continue
+            twin = next((other for other in vector.twins(self.asked, mu) if other.letters in drawn), None)
+            if twin is not None:
+                yield vector.letters, drawn[twin.letters]
+            elif vector.auxiliary and vector.start in spots and vector.end in spots:
+                yield vector.letters, Arrow(spots[vector.start], spots[vector.end])
+
+    def _matches(self, named: Sequence[VectorAsked], arrows: Sequence[Segment], reach: float = FAR) -> Matches:
+        """Give the arrows by their letters: all letters together as close to their arrows as they can be.
+
+        Where letters are as near to one arrow as to another, the one that is drawn rightly has it: nobody is marked
+        down for a letter that can be read in two ways.
+        """
+        rows = [[self._match(vector, arrow, reach) for arrow in arrows] for vector in named]
+        columns = paired([[match.away for match in row] + [NONE] * len(named) for row in rows])
+        pairs = zip(named, rows, columns, strict=True)
+        return {vector.letters: row[k] for vector, row, k in pairs if k < len(arrows) and row[k].away < NONE}
+
+    def _match(self, asked: VectorAsked, arrow: Segment, reach: float) -> _Match:
+        """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
+        off = abs((arrow.end - arrow.start) * (self.scale or 0.0) - asked.true)
+        unsure = UNSURE if self.scale and off > SHARE * abs(asked.true) else 0.0
+        if asked.letter:
+            distances = (_distance(label.place, arrow) for label in self.labels.get(spelled(asked.letter), ()))
+            away = min(distances, default=math.inf)
+            return _Match(arrow, away + unsure if away <= reach else NONE)
+        first, last = (self.labels.get(spelled(letter), ()) for letter in asked.letters)
+        ahead = distance(first, [arrow.start]), distance(last, [arrow.end])
+        behind = distance(first, [arrow.end]), distance(last, [arrow.start])
+        back = sum(behind) + BACKWARD < sum(ahead)
+        far = behind if back else ahead
+        return _Match(arrow, sum(far) + back * BACKWARD + unsure if max(far) <= reach else NONE, back)
+
+
+def _bearers(vector: VectorAsked) -> tuple[str, ...]:
+    return (vector.letter,) if vector.letter else vector.letters
 
 
 def _both_ways(
@@ -90,50 +195,6 @@ def _both_ways(
     for letters, arrow in drawn.items():
         if abs(arrow.vector) > JOINED and any(_joins(other, arrow.end, arrow.start) for other in left):
             yield " ".join(filter(None, letters))
-
-
-class _Match(NamedTuple):
-    """An arrow that may be a vector's: how far its letters are from it, mm, and whether it is drawn back to front."""
-
-    arrow: Segment
-    away: float
-    back: bool
-
-    @property
-    def laid(self) -> Arrow:
-        """The arrow from its first letter to its second."""
-        start, end, _ = self.arrow
-        return Arrow(end, start) if self.back else Arrow(start, end)
-
-
-def _matches(
-    plan: PlanAsked, arrows: Sequence[Segment], labels: Mapping[str, Sequence[Label]], scale: complex
-) -> dict[tuple[str, str], _Match]:
-    """Give the arrows by their letters: all letters together as close to their arrows as they can be.
-
-    Where letters are as near to one arrow as to another, the one that is drawn rightly has it: nobody is marked down
-    for a letter that can be read in two ways.
-    """
-    named = [vector for vector in plan.vectors if vector.corners or not vector.letter]
-    rows = [[_match(vector, arrow, labels, scale) for arrow in arrows] for vector in named]
-    columns = paired([[match.away for match in row] + [NONE] * len(named) for row in rows])
-    pairs = zip(named, rows, columns, strict=True)
-    return {vector.letters: row[k] for vector, row, k in pairs if k < len(arrows) and row[k].away < NONE}
-
-
-def _match(asked: VectorAsked, arrow: Segment, labels: Mapping[str, Sequence[Label]], scale: complex) -> _Match:
-    """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
-    unsure = UNSURE if scale and abs((arrow.end - arrow.start) * scale - asked.true) > SHARE * abs(asked.true) else 0.0
-    if asked.letter:
-        distances = (_distance(label.place, arrow) for label in labels.get(spelled(asked.letter), ()))
-        away = min(distances, default=math.inf)
-        return _Match(arrow, away + unsure if away <= FAR else NONE, False)
-    first, last = (labels.get(spelled(letter), ()) for letter in asked.letters)
-    ahead = distance(first, [arrow.start]), distance(last, [arrow.end])
-    behind = distance(first, [arrow.end]), distance(last, [arrow.start])
-    back = sum(behind) + BACKWARD < sum(ahead)
-    far = behind if back else ahead
-    return _Match(arrow, sum(far) + back * BACKWARD + unsure if max(far) <= FAR else NONE, back)
 
 
 def scale_at(place: FormPlace, texts: Sequence[Text], plan: PlanAsked) -> float | None:
@@ -204,68 +265,3 @@ def _exchange(
     while here:
         owner[here] = owner[before[here]]
         here = before[here]
-
-
-KIND = "place"  # of the data of a group that is the place of a figure
-BESIDE = 25.0  # mm: arrows that lie farther from a place are not of it
-CORNERS = 8  # lines, two to a corner, with which such a group begins
-
-
-class FormPlace(NamedTuple):
-    """The place of a plan on a form: its pole, if it has one, and its corners, mm; its scale, true units a mm."""
-
-    plan: Place
-    pole: complex | None
-    low: complex
-    high: complex
-    scale: float = 1.0
-
-    def away(self, text: Text) -> float:
-        """Give how far a text is from the middle of its upper edge, over which its heading stands; none within it."""
-        left, low, right, high = box = bounds(text)
-        within = self.holds([complex(left + right, low + high) / 2])
-        return 0.0 if within else off(complex((self.low.real + self.high.real) / 2, self.high.imag), box)
-
-    def off(self, spot: complex) -> float:
-        """Give how far a spot is from the place, mm; none within it."""
-        return off(spot, (self.low.real, self.low.imag, self.high.real, self.high.imag))
-
-    def holds(self, spots: Sequence[complex]) -> bool:
-        """Tell whether most of some spots lie within its corners."""
-        return 2 * sum(self.off(spot) == 0 for spot in spots) > len(spots)
-
-
-def form_places(leaf: Leaf) -> tuple[FormPlace, ...]:
-    """Give the places of a form; none of a sheet that is none."""
-    return tuple(_places(leaf))
-
-
-def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace | None:
-    """Give the place in which arrows were drawn: at whose pole one ends, else within whose corners, or hard by them."""
-    begun = [(min(abs(spot - place.pole) for spot in spots), place) for place in places if place.pole is not None]
-    away, nearest = min(begun, key=lambda row: row[0], default=(JOINED + 1.0, None))
-    if away <= JOINED:
-        return nearest
-    middle = sum(spots) / len(spots)
-    beside = min(places, key=lambda place: (not place.holds(spots), place.off(middle)), default=None)
-    return beside if beside is not None and (beside.holds(spots) or beside.off(middle) <= BESIDE) else None
-
-
-def _places(leaf: Leaf) -> Iterator[FormPlace]:
-    for group in groups(leaf.groups):
-        lines = tuple(stroke for stroke in group.strokes if isinstance(stroke, Line))[:CORNERS]
-        if group.data.get("kind") != KIND or not lines:
-            continue
-        left, low, right, high = bounds(Group(lines))
-        poles = [mark for mark in groups(group.strokes) if mark.data.get("kind") == "pole"]
-        data = (poles[0] if poles else group).data
-        plan = data.get("plan", ""), _position(data.get("position", ""))
-        pole = next(
-            (stroke.centre for stroke in (poles[0].strokes if poles else ()) if isinstance(stroke, Circle)), None
-        )
-        scale = number(group.data.get("scale", "1"))
-        yield FormPlace(plan, pole, complex(left, low), complex(right, high), scale)
-
-
-def _position(text: str) -> int | None:
-    return int(text) if text.isascii() and text.removeprefix("-").isdigit() else None

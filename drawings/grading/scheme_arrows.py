@@ -84,7 +84,7 @@ def arrow_verdicts(sheet: SeenSheet, plan: DrawnPlan, by: Allowances) -> Iterato
         if path is None:
             kind = verdict.MISSING
         elif isinstance(way, complex):
-            kind = _of_force(name, path, way / plan.turn, max(by.to(name).slip, sheet.measured.quantum))
+            kind = _of_force(name, path, way, max(by.to(name).slip, sheet.measured.quantum))
         else:
             wrong = verdict.COUPLE if name.startswith(COUPLE) else verdict.REVERSED
             kind = verdict.RIGHT if sense_of(path) == way else wrong

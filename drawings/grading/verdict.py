@@ -31,10 +31,10 @@ UNGROUPED = "ungrouped"  # the arrows of a scheme that an editor has taken apart
 SHIFTED, LEVEL, IDLE, UNDRIVEN = "shifted", "level", "idle", "undriven"
 AXES, EXCHANGED, PHASES = "axes", "exchanged", "phases"
 SIDE, BACKWARDS, BASE = "side", "backwards", "base"
-STRAIGHT, FLYWHEEL, UNSET = "straight", "flywheel", "unset"
+STRAIGHT, FLYWHEEL = "straight", "flywheel"
 # Of how it is drawn.
 UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
-APART = "apart"
+APART, HEADLESS = "apart", "headless"
 UNCLOSED = "unclosed"  # of a polygon
 # Of a cell of a table, or of all of it.
 SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE = "sign", "decade", "degrees", "turns", "twice", "row", "place"
@@ -45,9 +45,9 @@ DOUBLED, UNNAMED = "doubled", "unnamed"
 GOOD: Final = (RIGHT, FOLLOWS)
 OF_PLANS: Final = (
     SCALE, MIRRORED, OPPOSITE, ASKEW,
-    SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE, STRAIGHT, FLYWHEEL, UNSET,
+    SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE, STRAIGHT, FLYWHEEL,
 )  # fmt: skip
-OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
+OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART, HEADLESS)
 UNSEEN: Final = (UNREAD, UNGROUPED, ILLEGIBLE, UNTABLED, DOUBLED, UNNAMED)  # what somebody has to look at himself
 UNGRADED: Final = (DEAD, SMALL, *UNSEEN)
 # By which a quantity is wrong that may keep a share of its points.

@@ -18,7 +18,6 @@ from drawings.lettering.words import word
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, stated, texts
 from drawings.reading.alphabet import folded
-from drawings.reading.transform import Affine
 from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import table_of
 from geometry.board import Reading
@@ -155,7 +154,7 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Tab
         return
     states = ((group.states.key, group) for group in stated(leaf.groups) if group.states is not None)
     by_text = {id(text): expected[key] for key, group in states if key in expected for text in texts((group,))}
-    for table in tables_seen(ruling(leaf, Affine()), {folded(text.plain) for text, _ in corners}):
+    for table in tables_seen(ruling(leaf), {folded(text.plain) for text, _ in corners}):
         cells = {
             key: _Cell(" ".join(text.plain for text in cell.texts), by_text[id(cell.texts[0])], sheet)
             for key, cell in table.cells.items()

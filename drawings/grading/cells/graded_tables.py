@@ -24,7 +24,6 @@ from drawings.paper.strokes import Text
 from drawings.paper.walk import texts
 from drawings.reading.alphabet import folded
 from drawings.reading.sheet import SeenSheet
-from drawings.reading.transform import Affine
 from geometry.board import Mark, Reading
 from geometry.errors import DraftError
 from geometry.replay import redraw
@@ -118,7 +117,6 @@ class CellJudge:
 
     asked: TableAsked
     seen: Mapping[Key, SeenCell]
-    moved: Affine
     by: Allowances
     rough: float  # mm, how finely the sheet is written
     shown: BesideTables
@@ -187,7 +185,7 @@ class CellJudge:
 
     def _said(self, key: Key, kind: str, off: float | None = None, of: str = "") -> Verdict:
         cell, box = self.asked.cells[key], self.seen[key].box
-        left, right, *above = (self.moved(spot) for spot in box.corners)
+        left, right, *above = box.corners
         allowed = None if off is None else cell.allowed(self.by, self.rough)
         said = Verdict(self.asked.name, cell.position, cell.name, kind, off, allowed, cell.unit, of=of)
         return said._replace(at=(left, right), frames=((left, right, *above),))
@@ -231,7 +229,7 @@ def tables_drawn(sheet: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
     found: dict[int, dict[Key, SeenCell]] = {}
     doubled: dict[int, set[Key]] = {}
     parts = Counter[int]()
-    for table in tables_seen(ruling(sheet.leaf, sheet.measured.moved), corners) if asked else ():
+    for table in tables_seen(ruling(sheet.leaf), corners) if asked else ():
         fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], sheet))
         if _fit(table, asked[fits], sheet)[0] > 0:
             cells = found.setdefault(fits, {})
@@ -284,7 +282,7 @@ def table_verdicts(
 ) -> Iterator[Verdict]:
     """Judge the tables of a sheet; what is due of them and not there is missing, or told where that is not sure."""
     for table, cells, _, doubled in found:
-        yield from CellJudge(table, cells, sheet.measured.moved, by, sheet.measured.quantum, shown, doubled).verdicts()
+        yield from CellJudge(table, cells, by, sheet.measured.quantum, shown, doubled).verdicts()
         yield from _missing(table, cells, shown.sheets, sheet)
     there = {found_.asked.sought for found_ in found}
     for table in asked:

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 import re
 from bisect import bisect
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from drawings.lettering.lettering import bounds
-from drawings.paper.strokes import Leaf, Line, Polyline, Run, Stroke, Text
+from drawings.paper.strokes import Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat
 from drawings.reading.alphabet import folded
-from drawings.reading.transform import Affine
 
 LEVEL = 0.2  # mm: a line that is out by more is no line of a table, and two that are nearer are one
 SHORT = 2.0  # mm: no cell is smaller
-EITHER = MappingProxyType({"0": "0", "6": "9", "8": "8", "9": "6"})  # digits that are read on their heads too
 
 
 class CellFrame(NamedTuple):
@@ -54,7 +49,7 @@ class Rule(NamedTuple):
 
 
 class Ruling(NamedTuple):
-    """The lines of a sheet that is laid upright, its texts by their middles, and the middles of its other ink."""
+    """The lines of a sheet, its texts by their middles, and the middles of its other ink."""
 
     levels: tuple[Rule, ...]
     uprights: tuple[Rule, ...]
@@ -86,30 +81,22 @@ class Ruling(NamedTuple):
         return max(rule.high for rule in self.levels if _on(rule, box.low) and rule.passes(box.right))
 
 
-def ruling(leaf: Leaf, moved: Affine) -> Ruling:
-    """Read the ruling of a sheet that was `moved` as a whole."""
+def ruling(leaf: Leaf) -> Ruling:
+    """Read the ruling of a sheet."""
     levels, uprights, strokes = list[Rule](), list[Rule](), list(flat(leaf.groups))
     lines = [(stroke, ends) for stroke in strokes if (ends := _ends(stroke)) is not None]
-    for start, end in ([(spot - moved.t) / moved.p for spot in ends] for _, ends in lines):
+    for _, (start, end) in lines:
         along, middle = end - start, (start + end) / 2
         if abs(along.imag) <= LEVEL and abs(along.real) >= SHORT:
             levels.append(Rule(middle.imag, *sorted((start.real, end.real))))
         elif abs(along.real) <= LEVEL and abs(along.imag) >= SHORT:
             uprights.append(Rule(middle.real, *sorted((start.imag, end.imag))))
     ruled = {id(stroke) for stroke, _ in lines}
-    spots = [((_middle(stroke) - moved.t) / moved.p, stroke) for stroke in strokes if id(stroke) not in ruled]
-    texts = tuple((spot, _upright(stroke, moved)) for spot, stroke in spots if isinstance(stroke, Text))
+    spots = [(_middle(stroke), stroke) for stroke in strokes if id(stroke) not in ruled]
+    texts = tuple((spot, stroke) for spot, stroke in spots if isinstance(stroke, Text))
     return Ruling(
         tuple(levels), tuple(uprights), texts, tuple(spot for spot, stroke in spots if not isinstance(stroke, Text))
     )
-
-
-def _upright(text: Text, moved: Affine) -> Text:
-    """Give a text as it is read on a sheet laid upright: what stands on its head there was read the wrong way round."""
-    off = math.radians(text.rotation) - cmath.phase(moved.p)
-    if math.cos(off) > 0 or not set(text.plain) <= set(EITHER):
-        return text
-    return text._replace(content=(Run("".join(EITHER[sign] for sign in reversed(text.plain))),))
 
 
 def _ends(stroke: Stroke) -> tuple[complex, complex] | None:

@@ -13,10 +13,9 @@ from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, l
 from drawings.cam.pressure_graph import NAME as ANGLES
 from drawings.cam.profile_view import NAME as PROFILE
 from drawings.cam.size_view import NAME as SIZES
-from drawings.cyclogram.due_rows import cam_rows
 from drawings.grading import verdict
 from drawings.grading.curves.cam_courses import DIAGRAM, POINTS, PRESSURE, CamCourses
-from drawings.grading.curves.diagram_figures import bars, rings
+from drawings.grading.curves.diagram_figures import figures_of_cyclogram
 from drawings.grading.curves.dynamics_figures import chords_by_hand
 from drawings.grading.curves.figure_judge import SHORT
 from drawings.grading.curves.figure_records import (
@@ -42,9 +41,7 @@ def figures_of_cam(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     cams = {cam.cam.name: cam for cam in study.comparison("cam").analysis.cams}
     name = sheet.leaf.metadata.get("cam")
     if name == EVERY:
-        turning = [cam.cam for cam in cams.values() if not cam.cam.translates]
-        yield from bars(sheet)
-        yield from rings(sheet, cam_rows(turning), turning[0].sense)
+        yield from figures_of_cyclogram(study, sheet)
     if name is not None and name in cams:
         drawn = _CamSheet(sheet, CamCourses(CamValues(cams[name], study.of(CamStudy).drawings[name])))
         yield from drawn.laws()

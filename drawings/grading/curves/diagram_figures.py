@@ -5,44 +5,28 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.bank.compensators import COMPENSATOR
-from drawings.bank.due import Bank, CompensatorBody
-from drawings.cyclogram.due_rows import BARS, machine_rows
+from drawings.cyclogram.due_rows import BARS
 from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
 from drawings.forces.due_acting import branches
 from drawings.forces.load_diagram import NAME as LOAD
 from drawings.grading import verdict
 from drawings.grading.curves.figure_records import (
-    BEARINGS,
-    CHAIN,
     LENGTHS,
     ORDINATES,
-    POINTS,
     PRICKED,
     FigureAsked,
     Mistake,
     SceneSheet,
-    ValueAsked,
     by_number,
 )
-from drawings.grading.curves.radial_figures import arm_at, written
-from drawings.paper.strokes import Circle
-from drawings.paper.walk import flat, group_named
 from drawings.reading.marks import MeasuredVector
-from plans.bank.harmonics import FORCE, letters
-from plans.bank.study import BankStudy
-from plans.cyclogram.quantities import CyclogramComparison
-from plans.cyclogram.study import CyclogramStudy
 from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
-from plans.model.balance.bank import Compensator
-from plans.model.cyclogram import BarRow
 from plans.model.diagrams import TURN
 from plans.model.machine import Force, Moment
 from plans.model.motion import Complexes, Floats
@@ -184,132 +168,6 @@ class Slope:
         return np.asarray(1j * (self.true + np.gradient(moved, times)))
 
 
-CIRCLE = "circle"  # the name of the chart
-
-
-def rings(sheet: SceneSheet, rows: Sequence[BarRow], sense: int) -> Iterator[FigureAsked]:
-    """Give the bearings at which the spans of some rows begin, mm: to the outer circle of each ring."""
-    group = group_named(sheet.leaf.groups, CIRCLE)
-    radii = [] if group is None else sorted(stroke.radius for stroke in flat((group,)) if isinstance(stroke, Circle))
-    if len(radii) != len(rows) + 1:
-        return
-    found = [
-        (f"{k}.{number}", k, span.start) for k, row in enumerate(rows, 1) for number, span in enumerate(row.spans, 1)
-    ]
-    names, places, turned = zip(*found, strict=True)
-    reach = np.array([radii[len(rows) + 1 - k] for k in places])
-    true = np.asarray(reach * np.exp(1j * sense * np.array(turned)))
-    yield FigureAsked(
-        key=CIRCLE, plan=CIRCLE, sheet=sheet.name, unit="mm", scales={"": 1.0},
-        items=tuple(ValueAsked(name, None, k, name) for k, name in enumerate(names)), true=true,
-        slack=np.zeros(len(true)), error=np.full(len(true), PRICKED), kind=BEARINGS, on_paper=True, rings=places,
-        why=because("ring_turn"),
-        mistakes=(Mistake(verdict.MIRRORED, true.conj()), *_unset(rows, np.array(places), true, sense)),
-    )  # fmt: skip
-
-
-def _unset(
-    rows: Sequence[BarRow], places: np.ndarray[tuple[int, ...], np.dtype[np.intp]], true: Complexes, sense: int
-) -> Iterator[Mistake]:
-    """Give the rings with a row that is not turned by its setting angle, and with all that are not."""
-    turns = np.array([np.exp(-1j * sense * (row.setting or 0.0)) for row in rows])[places - 1]
-    for k in (0, *(k for k, row in enumerate(rows, 1) if row.setting)):
-        yield Mistake(verdict.UNSET, np.asarray(np.where((places == k) | (k == 0), true * turns, true)))
-
-
-def figures_of_cyclogram(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
-    """Give the bars of a machine's cyclogram (row of the table of records)."""
-    found = study.of(CyclogramComparison).analysis
-    rows = machine_rows(found, study.of(CyclogramStudy).cams)
-    yield from bars(sheet)
-    yield from rings(sheet, rows, found.sense)
-
-
-def bars(sheet: SceneSheet) -> Iterator[FigureAsked]:
-    """Give the bars of a cyclogram's rows."""
-    marks = {vector.name: vector for vector in sheet.measured.vectors if vector.plan == BARS}
-    true = {row.name: row.vector for row in sheet.expected.values() if row.figure == BARS and row.name in marks}
-    places = {(name, None): k for k, name in enumerate(true)}
-    paper, mistakes = sheet.ruled(BARS, np.array([marks[name].start for name in true])), tuple(_exchanged(true))
-    yield from sheet.figure(
-        BARS, BARS, places, kind=CHAIN, paper=paper, mistakes=mistakes, called=lambda mark: mark.name
-    )
-
-
-def _exchanged(true: Mapping[str, complex]) -> Iterator[Mistake]:
-    """Give the bars with two that follow one another in a row each as long as the other."""
-    names = list(true)
-    for name, other in pairwise(names):
-        if name.partition(".")[0] == other.partition(".")[0]:
-            values: Complexes = np.array(list(true.values()))
-            k, m = names.index(name), names.index(other)
-            values[k], values[m] = (
-                complex(true[other].real, true[name].imag),
-                complex(true[name].real, true[other].imag),
-            )
-            yield Mistake(verdict.EXCHANGED, values)
-
-
-def figures_of_arms(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
-    """Give the arms of a bank's compensators (row of the table of records)."""
-    expected = Bank(study.of(BankStudy).task, study.comparison("bank"))
-    for compensator in expected.analysis.compensators:
-        layout = _Layout(sheet, f"{COMPENSATOR}-{compensator.asked.order}", expected, compensator)
-        bodies = list(expected.bodies(compensator))
-        yield from layout.arms("", [body for body in bodies if not body.coupled])
-        yield from layout.arms(" couple", [body for body in bodies if body.coupled])
-
-
-@dataclass(frozen=True)
-class _Layout:
-    """The layout of compensators of one order on our own sheet."""
-
-    sheet: SceneSheet
-    plan: str
-    expected: Bank
-    found: Compensator
-
-    def arms(self, part: str, bodies: list[CompensatorBody]) -> Iterator[FigureAsked]:
-        """Give the arms of some masses: to scale where their masses are given, else by their directions."""
-        drawn = {body.name: arm_at(self.sheet.leaf, self.plan, written(body.name)) for body in bodies}
-        shown = [body for body in bodies if drawn[body.name] is not None]
-        scales = self.sheet.scales(self.plan)
-        if not shown or "l" not in scales:
-            return
-        scaled = not part and not self.expected.nominal(self.found, not self.sheet.marks(self.plan))
-        true = np.array([body.way * self._long(body, drawn, scaled) for body in shown])
-        names = tuple(letters(FORCE, body.turns) for body in shown)
-        yield FigureAsked(
-            self.plan + part, self.plan, self.sheet.name, "m" if scaled else "mm", {"l": scales["l"]},
-            tuple(ValueAsked(body.name, None, k, body.name) for k, body in enumerate(shown)), true, np.zeros(len(true)),
-            np.full(len(true), PRICKED), POINTS if scaled else BEARINGS, why=because("compensator_arm"),
-            on_paper=not scaled, arms=tuple(written(body.name) for body in shown),
-            mistakes=(Mistake(verdict.HEAVY, -true), Mistake(verdict.EXCHANGED, true[::-1])),
-            behind=() if part else names, course=None if part else self._course(names, true),
-        )  # fmt: skip
-
-    def _long(self, body: CompensatorBody, drawn: Mapping[str, tuple[complex, complex] | None], scaled: bool) -> float:
-        """Give how long an arm is, m; of one that is not to scale, mm on our own sheet."""
-        if scaled and self.found.asked.mass:
-            return body.moment / self.found.asked.mass
-        start, end = drawn[body.name] or (0j, 1 + 0j)
-        return abs(end - start)
-
-    def _course(self, names: tuple[str, ...], true: Complexes) -> Against:
-        harmonic = self.expected.analysis.forces[self.found.asked.order]
-        turn = self.expected.turn
-        forces = np.array([(harmonic.back if "-" in name else harmonic.ahead) * turn for name in names])
-        return Against(names, forces, true)
-
-
-@dataclass(frozen=True)
-class Against:
-    """The arms of masses against the forces of an order, as these are drawn."""
-
-    names: tuple[str, ...]
-    forces: Complexes
-    true: Complexes
-
-    def __call__(self, drawn: Mapping[str, Complexes]) -> Complexes:
-        """Lay each arm off against its force."""
-        return np.asarray(self.true * np.array([drawn[name][0] for name in self.names]) / self.forces)
+def figures_of_cyclogram(_: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
+    """Give the bars of a cyclogram's rows (row of the table of records)."""
+    yield from sheet.figure(BARS, BARS, called=lambda mark: mark.name)

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.checks.readers import Frame
-from drawings.grading.curves.figure_records import CHAIN, ORDINATES, FigureAsked, Paper
+from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Paper
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.written_number import stated_scales
 from drawings.paper.limits import QUANTUM
@@ -18,7 +18,6 @@ from drawings.paper.strokes import Curve, Line, Polyline, Stroke
 from drawings.paper.walk import flat, group_named, texts
 from drawings.reading.marks import MeasuredVector
 from drawings.reading.sheet import SeenSheet
-from drawings.reading.transform import Affine
 from plans.model.motion import Complexes, Floats
 from plans.quantity import SLIP
 
@@ -134,20 +133,17 @@ def from_marks(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     if not drawn:
         return None
     scale, written = scales_on(asked, sheet)
-    by, arrows = sheet.measured.moved, dict[int, Arrow]()
+    arrows = dict[int, Arrow]()
     values = np.full(len(asked.true), complex(np.nan, np.nan))
     for place, mark in drawn.items():
         ends = (mark.start, mark.end) if isinstance(mark, MeasuredVector) else (mark.at, mark.at)
-        values[place], arrows[place] = mark.value, Arrow(by(ends[0]), by(ends[1]))
+        values[place], arrows[place] = mark.value, Arrow(*ends)
     if asked.kind == ORDINATES and asked.paper is not None:
         mu = asked.scale * _ratio(tuple(scale.values())[-1], asked.scale)
         return _OnAxis(asked, sheet, asked.paper, arrows).read(values, mu, written)
     ratios = [_ratio(scale[letter], mu) for letter, mu in asked.scales.items()]
     values = np.asarray(values.real * ratios[0] + 1j * values.imag * ratios[-1])  # across by the first, up by the last
-    beside = frozenset[int]()
-    if asked.kind == CHAIN and asked.paper is not None:
-        beside = frozenset(_OnAxis(asked, sheet, asked.paper, arrows).beside(values))
-    return DrawnFigure(asked, values, arrows, written, aside=beside)
+    return DrawnFigure(asked, values, arrows, written)
 
 
 def scales_on(asked: FigureAsked, sheet: SeenSheet) -> tuple[Mapping[str, float], bool]:
@@ -173,16 +169,9 @@ def _ratio(written: float, true: float) -> float:
     return 1.0 if abs(written - true) <= 1e-3 * true else written / true
 
 
-def _back(spot: complex, by: Affine) -> complex:
-    return complex((spot - by.t) / by.p)
-
-
 @dataclass(frozen=True)
 class _OnAxis:
-    """A figure by its marks on an axis of paper, which may have been moved with it.
-
-    Places are told as our own sheet lies: what moved the whole sheet, and then the figure on it, is undone.
-    """
+    """A figure by its marks on an axis of paper, which may have been moved with it."""
 
     asked: FigureAsked
     seen: SeenSheet
@@ -190,14 +179,9 @@ class _OnAxis:
     arrows: Mapping[int, Arrow]
 
     @property
-    def by(self) -> Affine:
-        """What moved the whole sheet."""
-        return self.seen.measured.moved
-
-    @property
     def moved(self) -> complex:
         """By how much the figure was moved with its axis, mm: to the axis that its feet are nearest to."""
-        feet = [_back(arrow.start, self.by) - self.paper.feet[place] for place, arrow in self.arrows.items()]
+        feet = [arrow.start - self.paper.feet[place] for place, arrow in self.arrows.items()]
         middle = complex(median(foot.real for foot in feet), median(foot.imag for foot in feet))
         return min([0j, *self._axes()], key=lambda move: (abs(move - middle) > PLACED, abs(move - middle)))
 
@@ -205,24 +189,8 @@ class _OnAxis:
         """Give by how much lines that are as long as the axis, and go its way, are away from it."""
         start, end = self.paper.axis
         for line in flat(self.seen.leaf.groups):
-            if isinstance(line, Line):
-                first, last = _back(line.start, self.by), _back(line.end, self.by)
-                if abs((last - first) - (end - start)) <= SAME:
-                    yield first - start
-
-    def beside(self, values: Complexes) -> Iterator[int]:
-        """Give the bars that begin neither at their places nor where the bar before them in their row ends."""
-        rows, moved = {item.place: item.name.partition(".")[0] for item in self.asked.items}, self.moved
-        off = {
-            place: (_back(arrow.start, self.by) - moved - self.paper.feet[place]).real
-            for place, arrow in self.arrows.items()
-        }
-        for place, aside in off.items():
-            shifts = [0.0]
-            if place - 1 in off and rows[place - 1] == rows[place]:
-                shifts.append(off[place - 1] + (values[place - 1] - self.asked.true[place - 1]).real / self.asked.scale)
-            if min(abs(aside - start) for start in shifts) > PLACED:
-                yield place
+            if isinstance(line, Line) and abs((line.end - line.start) - (end - start)) <= SAME:
+                yield line.start - start
 
     def read(self, values: Complexes, mu: float, written: bool) -> DrawnFigure:
         """Read ordinates from the axis, whatever place they are drawn from, and see whether each is at its place."""
@@ -230,15 +198,14 @@ class _OnAxis:
         along, way, moved = (end - start) / abs(end - start), self.asked.way, self.moved
         beside = {}
         for place, arrow in self.arrows.items():
-            foot, tip = (_back(spot, self.by) - moved - self.paper.feet[place] for spot in arrow)
+            foot, tip = (spot - moved - self.paper.feet[place] for spot in arrow)
             values[place] = way * (tip / way).real * mu
             beside[place] = (foot / along).real
         shift = median(beside.values())
         shift = shift if abs(shift) > PLACED else 0.0
         gone = frozenset[int]()
         if not self.asked.returns:
-            origin = self.by(self.paper.feet[0] + moved)
-            gone = self._off_curve(values, Frame(origin, along * self.by.p, way * self.by.p, 1.0, 1.0), mu, shift)
+            gone = self._off_curve(values, Frame(self.paper.feet[0] + moved, along, way, 1.0, 1.0), mu, shift)
         aside = frozenset(place for place, off in beside.items() if abs(off - shift) > PLACED)
         return DrawnFigure(self.asked, values, self.arrows, written, shift, aside, gone)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import TypeAlias
 
 import numpy as np
@@ -14,7 +13,6 @@ from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.figure_records import BEARINGS, ORDINATES, FigureAsked, Mistake, ValueAsked
 from drawings.grading.curves.form_figure import from_form
-from drawings.grading.curves.radial_figures import from_arms, from_rings
 from drawings.grading.verdict import Verdict
 from drawings.reading.sheet import SeenSheet
 from plans.model.motion import Complexes, Floats
@@ -31,9 +29,8 @@ class FigureJudge:
     It keeps what a student has drawn of those so far, at all their places, and by what factor a whole one is out.
     """
 
-    def __init__(self, asked: Sequence[FigureAsked], vectors: Mapping[str, complex] = MappingProxyType({})) -> None:
-        known = {name: np.array([value]) for name, value in vectors.items()}
-        self.values: dict[str, Complexes] = {figure.key: figure.true for figure in asked} | known
+    def __init__(self, asked: Sequence[FigureAsked]) -> None:
+        self.values: dict[str, Complexes] = {figure.key: figure.true for figure in asked}
         self.wholes: dict[str, Complexes] = {}
         self.factors: dict[str, float] = {}
         self.right = {figure.key for figure in asked}
@@ -247,8 +244,6 @@ def figures_drawn(drawn_sheet: SeenSheet, asked: Sequence[FigureAsked]) -> dict[
 
 
 def _drawn(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
-    if asked.rings or asked.arms:
-        return from_rings(asked, sheet) if asked.rings else from_arms(asked, sheet)
     return from_marks(asked, sheet) or from_form(asked, sheet)
 
 
@@ -265,18 +260,16 @@ def figure_verdicts(
     sheets: Collection[str],
     marked: Collection[str],
     allowed: Callable[[FigureAsked], Floats],
-    vectors: Mapping[str, complex] = MappingProxyType({}),
     empty: Collection[str] = (),
 ) -> Iterator[Verdict]:
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
 
     `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
-    cannot be read. `vectors` are those of plans beside them, by their names, that figures may rest on. On the axes of
-    `empty` ones nothing is drawn.
+    cannot be read. On the axes of `empty` ones nothing is drawn.
     """
     for sheet in dict.fromkeys(figure.sheet for figure in asked):
         figures, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
-        judge, there = FigureJudge(figures, vectors), {figure.asked.key: figure for figure in found}
+        judge, there = FigureJudge(figures), {figure.asked.key: figure for figure in found}
         for figure in figures if found or sheet in sheets else ():
             if figure.key in there and there[figure.key].doubled:
                 yield Verdict(figure.plan, None, "", verdict.DOUBLED, unit=figure.unit)

@@ -36,7 +36,6 @@ Course: TypeAlias = Callable[[Mapping[str, Complexes]], Complexes]
 PRICKED = float(EVEN * np.sqrt(2))
 ORDINATES, POINTS, BEARINGS, LENGTHS = "ordinates", "points", "bearings", "lengths"
 SIZED = (BEARINGS, LENGTHS)  # of which a part alone is held
-CHAIN = "chain"  # vectors each of which begins where the one before it in its row ends
 
 
 Place: TypeAlias = tuple[str, int | None]  # the name and the position of a mark
@@ -111,8 +110,6 @@ class FigureAsked:
     why: Message | None = None
     returns: bool = False  # whether it goes there and back over its axis
     curved: tuple[int, ...] = ()  # the places that one line goes through, and may be read off it
-    arms: tuple[str, ...] = ()  # the letters of masses whose arms it is of
-    rings: tuple[int, ...] = ()  # in which ring each of its bearings is drawn, from the outermost, 1
     units: Mapping[str, str] = field(default_factory=dict)  # of its scales that are neither of its values nor of SI
 
     @property
@@ -232,11 +229,6 @@ class SceneSheet(NamedTuple):
         """Give where a graph lies whose ordinates have some feet: the longest line of it that has all."""
         axis = self._longest(line for line in self._lines(plan) if line.start != line.end and _through(line, feet))
         return None if axis is None else Paper(axis, feet, abscissas)
-
-    def ruled(self, plan: str, feet: Complexes) -> Paper | None:
-        """Give where bars lie that begin at some places: the longest line of their figure is their axis."""
-        axis = self._longest(self._lines(plan))
-        return None if axis is None else Paper(axis, feet, np.zeros(len(feet)))
 
     def _lines(self, plan: str) -> Iterator[Line]:
         group = group_named(self.leaf.groups, plan)

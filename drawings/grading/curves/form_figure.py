@@ -11,7 +11,7 @@ from drawings.checks.readers import Frame
 from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, away, chains, foot, heights
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import Arrow
-from drawings.grading.plans_on_form import form_places
+from drawings.grading.form_place import form_places
 from drawings.grading.written_number import stated_scales
 from drawings.paper.strokes import Group, Line
 from drawings.paper.walk import flat, groups, texts
