@@ -13,6 +13,7 @@ from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle, Run, Stroke, Text
 from drawings.paper.walk import flat
 from drawings.reading import alphabet
+from drawings.reading.alphabet import UNREAD as NO_LETTER
 from drawings.reading.covering import veiled
 from drawings.reading.lettered import PathLetters, any_letters, pen_of_letters, plain_letters, written
 from drawings.reading.marks import KINDS, Nest
@@ -168,6 +169,7 @@ class Observer:
         self.gone: set[int] = set()  # and those that are not painted at all
         self.description, self.lettering = "", "strokes"
         self.paper = Viewport(0.0, 0.0, STAY, ())
+        self.begun: PathLetters | None = None  # the letters of the text that was written last
         self.root = Opened(Nest("svg", STAY, Look(), None), {})
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
@@ -237,15 +239,27 @@ class Observer:
             return False
         said = element.attributes.get(_SAID, outer.attributes.get(_SAID))
         letters = plain_letters(path, element.frame.to_paper, ink.style)
-        if letters is None and said is not None:
+        if letters is None:
             letters = any_letters(path, element.frame.to_paper, ink.style)
         if letters is None or (said is None and not all(glyph.known for glyph in letters.glyphs)):
             return False
         if _SAID in outer.attributes:
             outer.letters.append(letters)
             outer.ink = ink if ink.unseen or not outer.ink.unseen else outer.ink
-        else:
+        elif said is not None or not self._goes_on(outer, letters, ink):
             self._add(outer, (written([letters], said or "", _penned(ink.style)),), ink)
+            self.begun = letters
+        return True
+
+    def _goes_on(self, outer: Opened, letters: PathLetters, ink: LineInk) -> bool:
+        """Take letters of a finer pen as the levels of the text before them, whose group an editor has dissolved."""
+        last = outer.strokes[-1] if outer.strokes else None
+        if not isinstance(last, Text) or self.begun is None or letters.unit >= self.begun.unit or ink.unseen:
+            return False
+        whole = written([self.begun, letters], "", _penned(ink.style))
+        if NO_LETTER in whole.plain:
+            return False
+        outer.strokes[-1], self.begun = whole, None
         return True
 
     def _typeset(self, element: Opened) -> None:

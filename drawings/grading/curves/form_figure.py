@@ -13,7 +13,7 @@ from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.form_place import form_places
 from drawings.grading.written_number import stated_scales
-from drawings.paper.strokes import Group, Line
+from drawings.paper.strokes import Group, Line, Stroke
 from drawings.paper.walk import flat, groups, texts
 from drawings.reading.sheet import SeenSheet
 from plans.model.motion import Complexes, Floats
@@ -21,6 +21,7 @@ from plans.model.motion import Complexes, Floats
 FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
 NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs
 ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
+FLUSH, SHORT = 0.1, 8.0  # mm: how far lines of axes may be off, and no tick is longer
 SHIFTED = 0.3  # of what a graph is out by where it stands, and it is less out a position beside: it is shifted
 
 
@@ -55,26 +56,44 @@ class Blank(NamedTuple):
 
 
 def every_axes(sheet: SeenSheet) -> dict[str, Blank]:
-    """Give all axes of a form by the plans that they are for."""
-    found = (group for group in groups(sheet.leaf.groups) if group.data.get("kind") == AXES)
-    blanks = ((group.data.get("plan", ""), _blank(group)) for group in found)
-    return {plan: blank for plan, blank in blanks if blank is not None}
+    """Give all axes of a form by the plans that they are for; those that an editor has regrouped by their order."""
+    found = [group for group in groups(sheet.leaf.groups) if group.data.get("kind") == AXES]
+    blanks = {group.data.get("plan", ""): _blank(_lines(group.strokes)) for group in found}
+    empty = [plan for plan, blank in blanks.items() if blank is None]
+    loose = list(_loose(_lines(flat(sheet.leaf.groups)))) if empty else []
+    if len(loose) == len(empty):
+        blanks |= dict(zip(empty, loose, strict=True))
+    return {plan: blank for plan, blank in blanks.items() if blank is not None}
 
 
-def _blank(group: Group) -> Blank | None:
-    lines = [line for line in group.strokes if isinstance(line, Line)]
+def _lines(strokes: Iterable[Stroke]) -> list[Line]:
+    return [line for line in strokes if isinstance(line, Line)]
+
+
+def _loose(lines: Sequence[Line]) -> Iterator[Blank]:
+    """Give the axes that lines are: one along, with ticks, and one upright through its left end."""
+    for across in (line for line in lines if abs((line.end - line.start).imag) <= FLUSH):
+        left = min(across.start, across.end, key=lambda spot: spot.real)
+        upright = (line for line in lines if abs(line.start.real - left.real) + abs(line.end.real - left.real) <= FLUSH)
+        middle = (line for line in upright if abs((line.start + line.end).imag / 2 - left.imag) <= PLACED)
+        up = next((line for line in middle if abs(line.end - line.start) > PLACED), None)
+        blank = None if up is None else _blank([across, up, *lines])
+        if blank is not None and len(blank.ticks) > 1 and abs(across.end - across.start) > NEAR / 2:
+            yield blank
+
+
+def _blank(lines: Sequence[Line]) -> Blank | None:
     if not lines:
         return None
-    across = max(lines, key=lambda line: abs((line.end - line.start).real))
-    upright = max(lines, key=lambda line: abs((line.end - line.start).imag))
-    origin = complex(upright.start.real, across.start.imag)
-    ticks = sorted(line.start.real for line in lines if line not in (across, upright) and _is_tick(line, origin))
-    return Blank(origin, max(across.start.real, across.end.real), max(upright.start.imag, upright.end.imag), ticks)
+    across, upright = lines[:2]
+    origin, right = complex(upright.start.real, across.start.imag), max(across.start.real, across.end.real)
+    ticks = sorted(line.start.real for line in lines[2:] if _is_tick(line, origin) and line.start.real < right)
+    return Blank(origin, right, max(upright.start.imag, upright.end.imag), ticks)
 
 
 def _is_tick(line: Line, origin: complex) -> bool:
     """Tell whether a line is a tick of the abscissa."""
-    upright = abs((line.end - line.start).real) <= PLACED
+    upright = abs((line.end - line.start).real) <= PLACED and abs(line.end - line.start) < SHORT
     return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
 
 
