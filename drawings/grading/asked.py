@@ -166,6 +166,11 @@ class PlanAsked(NamedTuple):
         return self.plan, self.position
 
     @property
+    def dotted(self) -> bool:
+        """Whether it is of points alone, as the plan of positions is."""
+        return not any(vector.start or vector.letter for vector in self.vectors)
+
+    @property
     def lettered(self) -> bool:
         """Whether it can be found by its letters: a plan of points, or of arms on a scheme, by data alone."""
         free = all(vector.letter for vector in self.vectors) and any(vector.corners for vector in self.vectors)

@@ -11,7 +11,7 @@ from drawings.grading.onlooker import JOINED
 from drawings.lettering.lettering import bounds
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import flat, groups
-from drawings.reading.pathdata import number
+from drawings.reading.pathdata import number, pair
 
 KIND = "place"  # of the data of a group that is the place of a figure
 BESIDE = 25.0  # mm: arrows that lie farther from a place are not of it
@@ -27,6 +27,7 @@ class FormPlace(NamedTuple):
     low: complex
     high: complex
     scale: float = 1.0
+    value: complex = 0j  # the true coordinates of its pole
 
     def away(self, text: Text) -> float:
         """Give how far a text is from the middle of its upper edge, over which its heading stands; none within it."""
@@ -71,7 +72,8 @@ def _places(leaf: Leaf) -> Iterator[FormPlace]:
         lines = tuple(stroke for stroke in group.strokes if isinstance(stroke, Line))[:CORNERS]
         corners = _box(lines) if lines else None if pole is None else _about(pole, leaf)
         if corners is not None:
-            yield FormPlace(_of((mark or group).data), pole, *corners, number(group.data.get("scale", "1")))
+            scale, value = number(group.data.get("scale", "1")), pair((mark or group).data.get("value", "0 0"))
+            yield FormPlace(_of((mark or group).data), pole, *corners, scale, value)
 
 
 def _of(data: Mapping[str, str]) -> Place:
@@ -87,16 +89,21 @@ def _about(pole: complex, leaf: Leaf) -> tuple[complex, complex]:
     """Give the corners about a pole that an editor has taken out of their group: of each kind the nearest."""
     short = [line for line in flat(leaf.groups) if isinstance(line, Line) and abs(line.end - line.start) <= CORNER]
     ends = [(a, b) for line in short for a, b in ((line.start, line.end), (line.end, line.start))]
-    found = [
-        (spot, complex(other.real - spot.real, up.imag - spot.imag))
+    spots = [
+        spot
         for spot, other in ends if abs((other - spot).imag) < FLAT
         for at, up in ends if abs((up - at).real) < FLAT and abs(at - spot) < FLAT
     ]  # fmt: skip
-    low = [spot for spot, way in found if way.real > 0 < way.imag and spot.real <= pole.real and spot.imag <= pole.imag]
-    high = [
-        spot for spot, way in found if way.real < 0 > way.imag and spot.real >= pole.real and spot.imag >= pole.imag
-    ]
-    return tuple(min(spots, key=lambda spot: abs(spot - pole), default=pole) for spots in (low, high))  # type: ignore[return-value]
+    low = [spot for spot in spots if spot.real <= pole.real and spot.imag <= pole.imag]
+    high = [spot for spot in spots if spot.real >= pole.real and spot.imag >= pole.imag]
+    boxes = [(one, other) for one in low for other in high if _is_boxed(one, other, spots)]
+    return min(boxes, key=lambda box: abs(box[1] - box[0]), default=(pole, pole))
+
+
+def _is_boxed(low: complex, high: complex, spots: Sequence[complex]) -> bool:
+    """Tell whether two corners have the other two of their box."""
+    others = complex(low.real, high.imag), complex(high.real, low.imag)
+    return low.real < high.real and all(any(abs(spot - other) < FLAT for spot in spots) for other in others)
 
 
 def _position(text: str) -> int | None:

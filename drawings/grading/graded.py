@@ -21,6 +21,7 @@ from drawings.grading.form_place import form_places
 from drawings.grading.judgement import Judge
 from drawings.grading.onlooker import Onlooker, legible, segments, spelled_labels
 from drawings.grading.plans_on_form import plans_on_form, redrawn
+from drawings.grading.points_on_form import points_on_form
 from drawings.grading.scheme_arrows import arrow_verdicts, once
 from drawings.grading.units import in_millimetres
 from drawings.grading.verdict import Verdict
@@ -28,6 +29,7 @@ from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
 from drawings.reading.sheet import SeenSheet, see
 from drawings.reading.transform import STAY, Affine
+from plans.model.motion import POSITIONS
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -133,9 +135,12 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
     yield from once(tuple(_judged(sheet, read, by)))
     sheets = {plan.asked.sheet for plan in found.plans} | found.figures.keys() | alone(found.tables, sheet)
     there = {plan.asked.place for plan in found.plans}
+    placed = {place.plan for place in form_places(sheet.leaf)}
     traced = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
     for plan in task.plans:
-        if plan.sheet in sheets and (traced or plan.lettered) and plan.place not in there:
+        # On a form due is only what can surely be read there: arms, views and images of the lever can not.
+        due = plan.lettered or ((plan.plan == POSITIONS.plan and plan.place in placed) if placed else traced)
+        if plan.sheet in sheets and due and plan.place not in there:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
@@ -165,7 +170,14 @@ def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]
     here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [plan for plan in plans if plan.place not in there and (not here or plan.sheet in here)]
     labels, words = spelled_labels(sheet.leaf.groups), list(texts(sheet.leaf.groups))
-    return (*whole, *plans_on_form(left, lines, words, labels, places))
+    where = {place.plan: place for place in places}
+    dotted = (
+        points_on_form(plan, where[plan.place], sheet.leaf, labels)
+        for plan in left
+        if plan.dotted and plan.place in where
+    )
+    points = [plan for plan in dotted if plan is not None]
+    return (*whole, *plans_on_form(left, lines, words, labels, places), *points)
 
 
 def _judged(sheet: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:

@@ -93,10 +93,11 @@ class _Letters(NamedTuple):
         named = self._exchanged(arrows)
         lines = [line for start, end, _ in bare for line in (Segment(start, end), Segment(end, start))]
         headless = self._matches([vector for vector in self._named if vector.letters not in named], lines, CLOSE)
-        found = self._left(named | headless, arrows)
-        drawn = {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
+        found = named | headless
+        mu = self.scale or DrawnPlan(self.asked, _arrows(found), 1.0, {}, False).fitted
+        found = self._replace(scale=mu)._left(found, arrows)
+        drawn = _arrows(found)
         hung = {letters: match.laid for letters, match in found.items() if letters[0]}
-        mu = self.scale or DrawnPlan(self.asked, drawn, 1.0, {}, False).fitted
         spots = places_of(hung)
         both = tuple(_both_ways([match.arrow for match in found.values()], drawn, arrows))
         bald = tuple(vector.name for vector in self.asked.vectors if vector.letters in headless)
@@ -181,6 +182,10 @@ class _Letters(NamedTuple):
         back = sum(behind) + BACKWARD < sum(ahead)
         far = behind if back else ahead
         return _Match(arrow, sum(far) + back * BACKWARD + unsure if max(far) <= reach else NONE, back)
+
+
+def _arrows(found: Matches) -> dict[tuple[str, str], Arrow]:
+    return {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
 
 
 def _bearers(vector: VectorAsked) -> tuple[str, ...]:

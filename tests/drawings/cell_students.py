@@ -15,7 +15,6 @@ from drawings.paper.strokes import Group, Leaf, Stroke
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.reading.alphabet import folded
-from drawings.reading.transform import STAY
 from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import table_of
 from tests.drawings.students import drawn, task
@@ -58,7 +57,7 @@ def _inside(strokes: tuple[Stroke, ...]) -> Iterator[Group]:
 
 def cells_of(leaf: Leaf, table: TableAsked) -> dict[Key, SeenCell]:
     """Give the cells of a table by their keys."""
-    found = tables_seen(ruling(leaf, STAY), {table.corner})
+    found = tables_seen(ruling(leaf), {table.corner})
     return {key: cell for one in found for key, cell in one.cells.items() if key in table.cells}
 
 

@@ -11,8 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, figures_asked
-from drawings.grading.curves.radial_figures import arm_at
-from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 from drawings.redrawn import Original, Originals
 from plans.model.motion import Complexes
@@ -88,55 +87,10 @@ def _group(group: Group, asked: FigureAsked, moves: Complexes, along: float, wit
     if group.data.get("plan") == asked.plan and own in places:
         by = complex(moves[places[own]])
         return group._replace(strokes=tuple(_marked(one, asked, by, along) for one in group.strokes))
-    if asked.rings and group.name.startswith("ring-") and group.name[5:].isdigit():
-        return _ring(group, asked, moves)
-    if asked.arms and group.name == asked.plan:
-        return _arms(group, asked, moves)
     within = within or group.name == asked.plan
     parts = (_group(one, asked, moves, along, within) if isinstance(one, Group) else one for one in group.strokes)
     curved = within and asked.paper is not None
     return group._replace(strokes=tuple(_curve(one, asked, moves, along) if curved else one for one in parts))
-
-
-def _arms(group: Group, asked: FigureAsked, moves: Complexes) -> Group:
-    """Move masses with their arms and letters."""
-    whole = Leaf(0.0, 0.0, (group,))
-    for letter, by in zip(asked.arms, moves.tolist(), strict=True):
-        arm = arm_at(whole, asked.plan, letter)
-        assert arm is not None
-        whole = whole._replace(groups=(_carried(whole.groups[0], arm[1], letter, by),))
-    return whole.groups[0]
-
-
-def _carried(group: Group, mass: complex, letter: str, by: complex) -> Group:
-    def moved(one: Stroke) -> Stroke:
-        match one:
-            case Group():
-                return _carried(one, mass, letter, by)
-            case Circle() if abs(one.centre - mass) < 1e-3:
-                return one._replace(centre=one.centre + by)
-            case Line() if abs(one.end - mass) < 1e-3:
-                return one._replace(end=one.end + by)
-            case Text() if one.plain == letter:
-                return one._replace(at=one.at + by)
-        return one
-
-    return group._replace(strokes=tuple(map(moved, group.strokes)))
-
-
-def _ring(group: Group, asked: FigureAsked, moves: Complexes) -> Group:
-    """Turn the rays of a ring about its centre."""
-    own = iter(np.flatnonzero(np.array(asked.rings) == int(group.name[5:]) + 1).tolist())
-    centre = next(one.centre for one in group.strokes if isinstance(one, Arc))
-
-    def turned(one: Stroke) -> Stroke:
-        place = next(own, None) if isinstance(one, Line) else None
-        if place is None or not isinstance(one, Line):
-            return one
-        ray = cmath.rect(1, cmath.phase((asked.true[place] + moves[place]) / asked.true[place]))
-        return one._replace(start=centre + (one.start - centre) * ray, end=centre + (one.end - centre) * ray)
-
-    return group._replace(strokes=tuple(turned(one) for one in group.strokes))
 
 
 def _marked(one: Stroke, asked: FigureAsked, by: complex, along: float) -> Stroke:
@@ -195,7 +149,6 @@ def _mistaken(asked: FigureAsked, row: Mapping[str, Any], at: list[int], by: flo
         "moved": lambda own: np.asarray(own + way * by * asked.scale),
         "turned": lambda own: np.asarray(own * cmath.rect(1, math.radians(by))),
         "one back": lambda own: -own,
-        "swapped lengths": lambda own: np.asarray(own[::-1].real + 1j * own.imag),
     }
     if row["how"] in every:
         return every[row["how"]]()

@@ -8,7 +8,7 @@ from functools import cache
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.asked import PlanAsked
-from drawings.grading.plans_on_form import FormPlace, form_places
+from drawings.grading.form_place import FormPlace, form_places
 from drawings.paper.strokes import Leaf
 from tests.drawings.students import task, true_places
 from tests.drawings.vector_students import laid, written

@@ -15,11 +15,9 @@ from drawings.forces.due_acting import Branch, branches
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowance, Allowances
-from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts
+from drawings.grading.curves.figure_judge import allowed_of
 from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.curves.form_figure import every_axes
-from drawings.grading.drawn_plan import Arrow
 from drawings.grading.feedback import lines
 from drawings.grading.graded import PASS, UNREAD, grade
 from drawings.grading.sheet_task import SheetTask
@@ -214,18 +212,6 @@ def test_curves_without_marks_and_axes_are_not_read() -> None:
     graded = grade(bare.encode(), SheetTask(curves=own.figures), HAND)
     assert graded.outcome == UNREAD
     assert graded.reason is not None and "plandraft form" in str(graded.reason)
-
-
-@pytest.mark.rest
-def test_a_compensator_follows_the_force_that_the_polygon_was_drawn_with() -> None:
-    asked = curve_task("lanchester").figure("compensator-1")
-    course, forces = asked.course, {"F_I": 150 + 60j, "F_-I": 190 + 0j}
-    assert course is not None
-    values = course({name: np.array([force]) for name, force in forces.items()})
-    drawn = DrawnFigure(asked, values, dict.fromkeys((0, 1), Arrow(0j, 1j)))
-    for vectors, due in ((forces, "follows"), ({}, "wrong")):
-        told = figure_verdicts({asked.sheet: (drawn,)}, (asked,), (), (), lambda one: allowed_of(one, HAND, 0), vectors)
-        assert [(one.name, one.kind) for one in told] == [("m_I", due), ("m_-I", "right")]
 
 
 def test_what_follows_is_told_by_its_name_alone() -> None:

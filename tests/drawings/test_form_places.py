@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from drawings.grading.allowance import Allowances
+from drawings.grading.form_place import FormPlace, form_places, place_of
 from drawings.grading.graded import grade
-from drawings.grading.plans_on_form import FormPlace, form_places, place_of
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Text
 from tests.drawings.form_students import form_leaf, on_form, polygon_on_form

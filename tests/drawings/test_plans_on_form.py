@@ -6,8 +6,9 @@ import pytest
 
 from drawings.grading.asked import PlanAsked, VectorAsked
 from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.form_place import FormPlace
 from drawings.grading.onlooker import Segment, spelled_labels
-from drawings.grading.plans_on_form import FormPlace, plans_on_form
+from drawings.grading.plans_on_form import plans_on_form
 from drawings.paper.strokes import Text
 
 SPOTS = {"π": 0j, "a": 60 + 0j, "n_BA": 60 + 0.6j, "b": 30 + 40j}  # mm from the pole: n_BA is hardly off a
@@ -31,7 +32,9 @@ def read(*own: tuple[list[Segment], list[Text]]) -> list[DrawnPlan]:
     places = [FormPlace(("accelerations", k), None, low, low + 120 + 90j) for k, low in ((2, 60 + 90j), (8, 60 - 60j))]
     words = [text for _, texts in own for text in texts]
     labels = spelled_labels(tuple(words))
-    return list(plans_on_form([plan(2), plan(8, -1j)], [lines for lines, _ in own], words, labels, places))
+    return list(
+        plans_on_form([plan(2), plan(8, -1j)], [line for lines, _ in own for line in lines], words, labels, places)
+    )
 
 
 def test_a_part_too_short_for_a_place_of_its_own_shares_that_of_another() -> None:
@@ -59,8 +62,12 @@ def test_an_arrow_back_to_front_is_that_of_its_letters() -> None:
     assert found.places["b"] == pytest.approx(100 + 100j + SPOTS["b"])
 
 
-def test_a_plan_with_a_letter_too_few_is_not_graded_and_says_what_is_not_found() -> None:
+@pytest.mark.parametrize(("letter", "lacking"), [("b", []), ("πab", ["a_a", "a_n_BA", "a_b", "a_b"])])
+def test_a_letter_too_few_is_told_by_its_arrow_and_of_none_that_is_read_nothing_is_graded(
+    letter: str, lacking: list[str]
+) -> None:
     lines, words = drawn(plan(2), 100 + 100j)
-    (found,) = read((lines, [one for one in words if one.plain != "b"]))
-    assert found.unread is not None
-    assert (found.unread.kind, found.unread.of) == ("unnamed", "a_b")
+    kept = [one for one in words if one.plain not in letter and not (lacking and one.plain != letter)]
+    (found,) = read((lines, kept))
+    assert [one.name for one in found.lacking] == lacking
+    assert (found.unread is not None) == bool(lacking)
