@@ -72,6 +72,14 @@ class Study:
         other._numbers = {key: numbers for key, numbers in self._numbers.items() if key[0] != technique}
         return other
 
+    def exchanged(self, technique: str, made: Made) -> Study:
+        """Give this study with what one technique made exchanged, and all that rests on it to be made anew."""
+        other, kept = copy(self), resting([technique])
+        other._made = {name: one for name, one in self._made.items() if name in kept} | {technique: made}
+        other._compared = {name: one for name, one in self._compared.items() if name in kept and name != technique}
+        other._numbers = {}
+        return other
+
     def construct(self) -> None:
         """Make all that is asked for by construction."""
         for technique in self.techniques:

@@ -49,8 +49,22 @@ def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
             cells = [cell for said in every for cell in said.frames]
             yield every[0]._replace(name="", position=None, frames=frames(cells))
             continue
+        if every[0].plan.startswith(TABLE):
+            yield from _columns(every)
+            continue
         for plan in positions.values():
             yield from [plan[0]._replace(name="")] if all(said.kind == MISSING for said in plan) else plan
+
+
+def _columns(cells: Sequence[Verdict]) -> Iterator[Verdict]:
+    """Give the verdicts on cells with those of a quantity all of whose cells are missing as one."""
+    names: dict[str, list[Verdict]] = {}
+    for said in cells:
+        names.setdefault(said.name.partition(" (")[0], []).append(said)
+    for name, column in names.items():
+        lost = len(column) > 1 and all(said.kind == MISSING for said in column)
+        spots = [cell for said in column for cell in said.frames]
+        yield from [column[0]._replace(name=name, position=None, frames=frames(spots))] if lost else column
 
 
 def plain_name(path: Path) -> str:

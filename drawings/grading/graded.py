@@ -14,6 +14,7 @@ from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.graded_tables import BesideTables, Drawn, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
+from drawings.grading.curves.figure_records import FigureAsked
 from drawings.grading.curves.form_figure import empty_axes, every_axes
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places, from_marks, lacking_places, scales_beside
@@ -29,7 +30,7 @@ from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
 from drawings.reading.sheet import SeenSheet, see
 from drawings.reading.transform import STAY, Affine
-from plans.model.motion import POSITIONS
+from plans.model.motion import POSITIONS, Complexes
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -145,9 +146,10 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
     empty = empty_axes(sheet) if task.curves else frozenset()
-    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, empty)
-    drawn = [figure for figures in found.figures.values() for figure in figures]
-    shown = BesideTables(read, drawn, sheets)
+    figures = list[tuple[FigureAsked, Complexes]]()
+    told = tuple(figure_verdicts(found.figures, task.curves, sheets, marked, allowed, empty, figures))
+    yield from told
+    shown = BesideTables(read, figures, sheets, {one.kind for one in told})
     yield from table_verdicts(found.tables, task.tables, shown, by, sheet)
 
 

@@ -28,7 +28,7 @@ SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
 # Of a curve, or of all of it.
 ASIDE, UNREAD = "aside", "unread"
 UNGROUPED = "ungrouped"  # the arrows of a scheme that an editor has taken apart: not graded
-SHIFTED, LEVEL, IDLE, UNDRIVEN = "shifted", "level", "idle", "undriven"
+SHIFTED, LEVEL, IDLE, UNLOADED, UNDRIVEN = "shifted", "level", "idle", "unloaded", "undriven"
 AXES, EXCHANGED, PHASES = "axes", "exchanged", "phases"
 SIDE, BACKWARDS, BASE = "side", "backwards", "base"
 STRAIGHT, FLYWHEEL = "straight", "flywheel"
@@ -45,7 +45,7 @@ DOUBLED, UNNAMED = "doubled", "unnamed"
 GOOD: Final = (RIGHT, FOLLOWS)
 OF_PLANS: Final = (
     SCALE, MIRRORED, OPPOSITE, ASKEW,
-    SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE, STRAIGHT, FLYWHEEL,
+    SHIFTED, LEVEL, IDLE, UNLOADED, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE, STRAIGHT, FLYWHEEL,
 )  # fmt: skip
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART, HEADLESS)
 UNSEEN: Final = (UNREAD, UNGROUPED, ILLEGIBLE, UNTABLED, DOUBLED, UNNAMED)  # what somebody has to look at himself
@@ -54,7 +54,7 @@ UNGRADED: Final = (DEAD, SMALL, *UNSEEN)
 OF_QUANTITIES: Final = (
     MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, ASIDE,
     INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT, HEAVY, PRODUCT, BEYOND, ORDER,
-    SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE,
+    SIGN, DECADE, DEGREES, TURNS, TWICE, LEVEL, ROW, PLACE,
 )  # fmt: skip
 
 

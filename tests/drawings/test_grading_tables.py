@@ -63,7 +63,7 @@ def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
 @over("how", ["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"])
 def test_tables_are_found_on_a_sheet_that_was_moved_as_a_whole(how: str) -> None:
     own = table_task("shaper")
-    row = next(one for one in MISTAKES if one["says"] == ["v_B (by plan) place 9"])
+    row = next(one for one in MISTAKES if one["says"] == ["v_B (by plan) wrong"])
     corners = tuple(one for one in own.originals.sheets[0].leaf.groups if not one.name.startswith(DRAWN))
     leaf = own.originals.sheets[0].leaf._replace(groups=corners)
     assert said(own, laid(svg(leaf), how)) == []

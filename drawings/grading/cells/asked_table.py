@@ -11,6 +11,7 @@ from drawings.checks.differences import plain
 from drawings.checks.expected import Expected
 from drawings.form.laid import BESIDE
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
+from drawings.grading.altered import Alteration, alterations
 from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
 from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.written_number import SURE, number
@@ -54,6 +55,7 @@ class CellAsked(NamedTuple):
     read: tuple[str, ...] = ()  # the vectors that it is read off, as their letters are seen
     reading: Reading | None = None  # or the rate
     sheet: str = ""  # the sheet of the task that it stands on
+    altered: tuple[tuple[str, float], ...] = ()  # what it would be by mistakes of the whole task
 
     def allowed(self, by: Allowances, rough: float) -> float:
         """Give what it may be out, of a sheet that is written so roughly, mm."""
@@ -61,6 +63,10 @@ class CellAsked(NamedTuple):
         if allowance.share is not None:
             return allowance.share * self.largest + self.printed
         return self._by_hand(allowance, rough) + self.printed
+
+    def is_(self, value: float) -> bool:
+        """Tell whether it tells of a value, as it is printed."""
+        return abs(value - self.true) <= self.printed + ROUNDED * abs(self.true)
 
     def pricked(self, by: Allowances, rough: float, scale: float) -> float:
         """Give what it may be out that is read off a vector of some scale, true units a mm, both ends pricked."""
@@ -125,6 +131,7 @@ class _Cell(NamedTuple):
     plain: str
     expected: Expected
     sheet: Original
+    altered: tuple[tuple[str, Expected], ...] = ()
 
 
 class _TablePart(NamedTuple):
@@ -154,11 +161,12 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Tab
         return
     states = ((group.states.key, group) for group in stated(leaf.groups) if group.states is not None)
     by_text = {id(text): expected[key] for key, group in states if key in expected for text in texts((group,))}
+    others = alterations(originals, sheet)
     for table in tables_seen(ruling(leaf), {folded(text.plain) for text, _ in corners}):
         cells = {
-            key: _Cell(" ".join(text.plain for text in cell.texts), by_text[id(cell.texts[0])], sheet)
+            key: _Cell(" ".join(text.plain for text in cell.texts), due, sheet, _altered(due, others))
             for key, cell in table.cells.items()
-            if cell.texts and id(cell.texts[0]) in by_text
+            if cell.texts and (due := by_text.get(id(cell.texts[0]))) is not None
         }
         yield from ((name, _TablePart(sheet, table, cells)) for text, name in corners if text is table.corner)
 
@@ -212,11 +220,12 @@ class _Own:
             read=read,
             reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
             sheet=self.cells[key].sheet.name,
+            altered=tuple((kind, value) for kind, row in self.cells[key].altered if (value := _due(row)) is not None),
         )
 
     def _printed(self, key: Key, value: float) -> float:
         """Give how far what is printed may be from the value: by its last digit, and by what both roads differ by."""
-        plain, expected, _ = self.cells[key]
+        plain, expected, *_ = self.cells[key]
         written = number((Text(0j, plain),))
         off = abs(written.value - value) if written is not None and value else 0.0
         rough = off <= 0.5 * 10.0 ** (math.floor(math.log10(abs(value) or 1.0)) + 1 - SURE)
@@ -240,10 +249,7 @@ class _Own:
 
     def _value(self, key: Key) -> float | None:
         """Give the number that is due in a cell; of a text, and of what rounding decides, none."""
-        row = self.cells[key].expected if key in self.cells else None
-        if row is None or not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
-            return None
-        return abs(row.value) if isinstance(row.value, complex) else float(row.value)
+        return _due(self.cells[key].expected) if key in self.cells else None
 
     def _is_told(self, key: Key) -> bool:
         """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""
@@ -254,6 +260,16 @@ class _Own:
         if sheet.kind in READ_OFF:
             for mark in sorted(self.originals.read_back(sheet).measured.marks, key=lambda mark: mark.scale):
                 yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
+
+
+def _due(row: Expected) -> float | None:
+    if not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
+        return None
+    return abs(row.value) if isinstance(row.value, complex) else float(row.value)
+
+
+def _altered(row: Expected, others: Sequence[Alteration]) -> tuple[tuple[str, Expected], ...]:
+    return tuple((other.kind, found) for other in others if (found := other.of(row)) is not None)
 
 
 def _bare(plain: str) -> str:

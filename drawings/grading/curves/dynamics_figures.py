@@ -30,6 +30,7 @@ from geometry.calculus import integral
 from geometry.hand_error import SlippingHand, slopes
 from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy
+from plans.model.dynamics import edge_names
 from plans.model.motion import Complexes, Floats
 from plans.study import Study
 from plans.words.words import Message, because
@@ -79,7 +80,7 @@ class _GradedDynamics:
     def graphs(self) -> Iterator[FigureAsked]:
         """Give the graphs over the turn in the order in which they are drawn."""
         turn = TurnCourses(self.expected)
-        yield from self._graph(MOMENTS, mistakes=tuple(self._idle()))
+        yield from self._graph(MOMENTS, mistakes=tuple(self._unloaded()))
         yield from self._graph(WORKS, (MOMENTS,), turn.works, self._works_by_hand)
         yield from self._graph(SURPLUS, (WORKS,), turn.surplus, self._surplus_by_hand, tuple(self._undriven()))
         yield from self._graph(INERTIA)
@@ -102,6 +103,7 @@ class _GradedDynamics:
             error=np.full(len(values), PRICKED) if error is None else error, why=WHY.get(name), behind=behind,
             paper=self.sheet.paper(name, self.expected.cycle.turned), course=course, mistakes=mistakes,
             linear=course is not None and name != SPEEDS, stepped=name == WORKS,
+            edges=edge_names(self.expected.cycle.turned, self.expected.task.divisions),
         )  # fmt: skip
 
     def scale(self, name: str) -> float:
@@ -125,7 +127,7 @@ class _GradedDynamics:
         measured = PRICKED * self.scale(WORKS) / self.scale(SURPLUS) if self.sheet.vectors(WORKS) else 0.0
         return np.full(len(self.expected.cycle.turned), np.hypot(PRICKED, measured))
 
-    def _idle(self) -> Iterator[Mistake]:
+    def _unloaded(self) -> Iterator[Mistake]:
         """Give the graph of moments without what loads have over one of its stretches between jumps."""
         after, before = self.expected.graphs[MOMENTS], self.expected.before
         jumps = np.flatnonzero(np.abs(after - before) > 0.5 * self.scale(MOMENTS))  # mm: a smaller one is not seen
@@ -134,7 +136,7 @@ class _GradedDynamics:
             if high - low < len(after):
                 values = after.copy()
                 values[low:high] = 0.0
-                yield Mistake(verdict.IDLE, np.asarray(1j * values))
+                yield Mistake(verdict.UNLOADED, np.asarray(1j * values))
 
     def _undriven(self) -> Iterator[Mistake]:
         """Give the surplus without what the drive gives."""

@@ -49,6 +49,12 @@ class FigureJudge:
         if not judged.good:
             self.right.discard(asked.key)
 
+    def pass_by(self, asked: FigureAsked) -> None:
+        """Take a figure that is not drawn as it follows from those that are."""
+        if not set(asked.behind) <= self.right and (going_on := self._going_on(asked)):
+            self.values[asked.key] = going_on[0]
+            self.right.discard(asked.key)
+
     def _going_on(self, asked: FigureAsked) -> list[Complexes]:
         """Give what a figure is if it is drawn on from those before it as they are, or as their mistakes say."""
         if asked.course is None or not set(asked.behind) <= self.values.keys():
@@ -261,11 +267,12 @@ def figure_verdicts(
     marked: Collection[str],
     allowed: Callable[[FigureAsked], Floats],
     empty: Collection[str] = (),
+    kept: list[tuple[FigureAsked, Complexes]] | None = None,
 ) -> Iterator[Verdict]:
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
 
     `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
-    cannot be read. On the axes of `empty` ones nothing is drawn.
+    cannot be read. On the axes of `empty` ones nothing is drawn. What all figures are to the student is `kept`.
     """
     for sheet in dict.fromkeys(figure.sheet for figure in asked):
         figures, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
@@ -273,14 +280,19 @@ def figure_verdicts(
         for figure in figures if found or sheet in sheets else ():
             if figure.key in there and there[figure.key].doubled:
                 yield Verdict(figure.plan, None, "", verdict.DOUBLED, unit=figure.unit)
-            elif figure.key in there:
+                continue
+            if figure.key in there:
                 yield from judge.verdicts(there[figure.key], allowed(figure))
-            elif (found and (_is_graph(figure) or not any(drawn.free for drawn in found))) or (
+                continue
+            judge.pass_by(figure)
+            if (found and (_is_graph(figure) or not any(drawn.free for drawn in found))) or (
                 sheet in marked or figure.plan in empty
             ):
                 yield from _missing(figure)
             else:
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
+        if kept is not None:
+            kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]
 
 
 def _is_graph(asked: FigureAsked) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple, TypeAlias
 
@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from drawings.checks.expected import Expected
 from drawings.checks.readers import written_scales
+from drawings.grading.altered import Alteration, alterations
 from drawings.grading.asked import CURVES, named
 from drawings.paper.strokes import Key, Kind, Leaf, Line
 from drawings.paper.walk import flat, group_named
@@ -110,6 +111,7 @@ class FigureAsked:
     why: Message | None = None
     returns: bool = False  # whether it goes there and back over its axis
     curved: tuple[int, ...] = ()  # the places that one line goes through, and may be read off it
+    edges: tuple[str, ...] = ()  # the names of all its places, where not its marks alone have them
     units: Mapping[str, str] = field(default_factory=dict)  # of its scales that are neither of its values nor of SI
 
     @property
@@ -121,6 +123,12 @@ class FigureAsked:
     def largest(self) -> float:
         """The largest of its values that are known, true units: at a dead centre one may be none."""
         return float(np.nanmax(np.abs(self.true), initial=0.0))
+
+    @property
+    def numbers(self) -> dict[str, int]:
+        """The places by their names."""
+        named = {item.name: item.place for item in self.items}
+        return named | {name: k for k, name in enumerate(self.edges)}
 
     @property
     def stated(self) -> dict[str, str]:
@@ -267,7 +275,18 @@ def figures_asked(originals: Originals) -> tuple[FigureAsked, ...]:
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
     if row := CURVES.get(technique_of(sheet.kind)):
-        read = originals.read_back(sheet)
-        yield from named(row)(
-            originals.study, SceneSheet(sheet.name, read.leaf, read.measured, originals.expected(sheet))
-        )
+        read, others = originals.read_back(sheet), alterations(originals, sheet)
+        shown = SceneSheet(sheet.name, read.leaf, read.measured, originals.expected(sheet))
+        for figure in named(row)(originals.study, shown):
+            mistakes = (*(_altered(figure, other) for other in others), *figure.mistakes)
+            yield replace(figure, mistakes=mistakes)
+
+
+def _altered(figure: FigureAsked, other: Alteration) -> Mistake:
+    """Give a figure as it is by a mistake of the whole task; where nothing is known of it, nothing."""
+    values = np.full(len(figure.true), complex(np.nan, np.nan))
+    for name, place in figure.numbers.items():
+        row = other.due.get((Kind.VECTOR, figure.plan, name))
+        if row is not None:
+            values[place] = row.vector
+    return Mistake(other.kind, values)

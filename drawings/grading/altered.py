@@ -1,0 +1,70 @@
+"""Tasks mistaken as a whole: what is due on a sheet if the machine were loaded otherwise (ошибка в условии)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple, TypeVar
+from weakref import WeakKeyDictionary
+
+from drawings.checks.expected import Expected
+from drawings.grading import verdict
+from drawings.paper.strokes import Kind
+from drawings.redrawn import Original, Originals
+from drawings.sheets.kind import sheet_kind
+from plans.forces.statics import Statics
+from plans.model.machine import ALWAYS, Force, Machine, Moment
+from plans.study import Study
+
+KINDS = ("dynamics",)  # of sheets on which all follows from the loads
+L = TypeVar("L", Force, Moment)
+
+
+class Alteration(NamedTuple):
+    """A mistake that changes all that follows from it: its kind, and what is due then, by figures and names."""
+
+    kind: str
+    due: Mapping[tuple[Kind, str, str], Expected]
+
+    def of(self, row: Expected) -> Expected | None:
+        """Give what is due in place of a row; None where nothing of its name is."""
+        return self.due.get((row.kind, row.figure, row.name))
+
+
+_KNOWN: WeakKeyDictionary[Originals, dict[str, tuple[Alteration, ...]]] = WeakKeyDictionary()
+
+
+def alterations(originals: Originals, sheet: Original) -> tuple[Alteration, ...]:
+    """Give what is due on a sheet by the mistakes that are known of a whole task, found once."""
+    if sheet.kind not in KINDS:
+        return ()
+    known = _KNOWN.setdefault(originals, {})
+    if sheet.kind not in known:
+        leaves = [one.leaf for one in originals.sheets if one.kind == sheet.kind]
+        machine = _idle(originals.study.of(Statics).machine)
+        studies = [] if machine is None else [(verdict.IDLE, _bearing(originals.study, machine))]
+        rows = ((kind, sheet_kind(sheet.kind).expected(study, leaves)) for kind, study in studies)
+        known[sheet.kind] = tuple(
+            Alteration(kind, {(row.kind, row.figure, row.name): row for row in due}) for kind, due in rows
+        )
+    return known[sheet.kind]
+
+
+def _bearing(study: Study, machine: Machine) -> Study:
+    """Give the study of a machine with other loads."""
+    return study.exchanged("forces", study.of(Statics).bearing(machine))
+
+
+def _idle(machine: Machine) -> Machine | None:
+    """Load the idle stroke of a machine as the working one; None where no load rests there."""
+    forces, moments = tuple(map(_back, machine.forces)), tuple(map(_back, machine.moments))
+    changed = (forces, moments) != (machine.forces, machine.moments)
+    return replace(machine, forces=forces, moments=moments) if changed else None
+
+
+def _back(load: L) -> L:
+    """Let a load act on both strokes."""
+    diagram = getattr(load, "diagram", None)
+    if diagram is not None and not diagram.back:
+        load = load._replace(diagram=diagram._replace(back=diagram.sizes))  # type: ignore[type-var]
+    return load._replace(during=ALWAYS)
