@@ -26,6 +26,7 @@ ORDER = "order"  # of a harmonic
 # Of a plan as a whole.
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
 # Of a curve, or of all of it.
+INVERTED, FACTOR = "inverted", "factor"
 ASIDE, UNREAD = "aside", "unread"
 UNGROUPED = "ungrouped"  # the arrows of a scheme that an editor has taken apart: not graded
 SHIFTED, LEVEL, IDLE, UNLOADED, UNDRIVEN = "shifted", "level", "idle", "unloaded", "undriven"
@@ -44,7 +45,7 @@ DOUBLED, UNNAMED = "doubled", "unnamed"
 
 GOOD: Final = (RIGHT, FOLLOWS)
 OF_PLANS: Final = (
-    SCALE, MIRRORED, OPPOSITE, ASKEW,
+    SCALE, MIRRORED, OPPOSITE, ASKEW, INVERTED, FACTOR,
     SHIFTED, LEVEL, IDLE, UNLOADED, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE, STRAIGHT, FLYWHEEL,
 )  # fmt: skip
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART, HEADLESS)
@@ -100,6 +101,7 @@ TABLES: Final[Mapping[str, tuple[float, tuple[str, ...]]]] = {
     "keeps": (1.0, OF_QUANTITIES),
     "costs": (MOST, (*OF_PLANS, *OF_DRAWING)),
     "tolerance": (0.0, ()),
+    "caps": (MOST, ()),
 }
 
 
@@ -115,13 +117,14 @@ class Marking:
 
     A quantity is named as it is ("v_B"), or by how its letters begin ("a^k"), or all others by "default"; a
     cell of a table so too, with "table" before ("table v_B", "table v", "table"), or with its table ("table values"):
-    of which nothing is said, it has a quarter of the others.
+    of which nothing is said, it has a quarter of the others. A figure or table loses no more than its cap.
     """
 
     points: Mapping[str, float] = field(default_factory=dict)
     keeps: Mapping[str, float] = field(default_factory=dict)
     costs: Mapping[str, float] = field(default_factory=dict)
     tolerance: Mapping[str, str] = field(default_factory=dict)
+    caps: Mapping[str, float] = field(default_factory=dict)
 
     def most(self, said: Verdict) -> float:
         """Give the points of a quantity; faults of a plan or of drawing have none."""
@@ -135,6 +138,11 @@ class Marking:
         if said.aside:
             return -self.costs.get(said.kind, PLAN_COST if said.kind in OF_PLANS else DRAWING_COST)
         return self.most(said) * (1.0 if said.good else self.keeps.get(said.kind, 0.0))
+
+    def cap(self, plan: str) -> float:
+        """Give what a figure or a table may lose at the most: by its name, by how that begins, or as all others."""
+        keys = (plan, plan.partition("-")[0], plan.partition(" ")[0], OTHERS)
+        return next((self.caps[key] for key in keys if key in self.caps), MOST)
 
 
 def keys_of(said: Verdict) -> Iterator[str]:
@@ -177,8 +185,16 @@ def _held(path: Path, table: str, key: str, value: object) -> None:
 
 def points_of(verdicts: Sequence[Verdict], marking: Marking) -> tuple[float, float]:
     """Give the points that are won, none below zero, and those that there are, to the third decimal."""
-    won, most = (
-        sum((Fraction(str(round(points(said), 6))) for said in verdicts), Fraction())
-        for points in (marking.won, marking.most)
-    )
+    figures: dict[tuple[str, int | None], list[Verdict]] = {}
+    for said in verdicts:
+        position = None if said.plan.startswith(TABLE) else said.position
+        figures.setdefault((said.plan, position), []).append(said)
+    won, most = Fraction(), Fraction()
+    for (plan, _), every in figures.items():
+        there, got = (
+            sum((Fraction(str(round(points(said), 6))) for said in every), Fraction())
+            for points in (marking.most, marking.won)
+        )
+        most += there
+        won += there - min(there - got, Fraction(str(marking.cap(plan))))
     return round(float(max(won, Fraction())), 3), round(float(most), 3)

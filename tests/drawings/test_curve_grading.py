@@ -102,7 +102,7 @@ def blank_leaf(scene: str, plan: str) -> Leaf:
 def test_a_graph_on_the_axes_of_a_form_is_read() -> None:
     own = curve_task("slider-crank")
     due = dict.fromkeys(("travel", "velocity", "acceleration"), 1.0)
-    assert said(own, on_form(own, {**due, "acceleration": -1.0})) == ["diagrams-acceleration opposite"]
+    assert said(own, on_form(own, {**due, "acceleration": -1.0})) == ["diagrams-acceleration inverted"]
     assert said(own, on_form(own, due, scaled=False)) == [f"diagrams-{key} unscaled" for key in sorted(due)]
     lost = grade(on_form(own, {"travel": 1.0}), SheetTask(curves=own.figures), HAND).wrong
     assert {one.kind for one in lost} == {"missing"}
@@ -147,14 +147,14 @@ def test_the_least_radius_of_a_line_is_found_as_far_as_it_lies_out() -> None:
 def test_a_diagram_of_sizes_on_a_form_is_read() -> None:
     own = curve_task("feed-cam")
     sizes = own.figure("sizes").true
-    for times, due in ((1.0, []), (1.2, ["sizes scale"])):
+    for times, due in ((1.0, []), (1.2, ["sizes factor"])):
         assert of("sizes", said(own, line_on_form(own, "sizes", times * sizes))) == due
 
 
 def test_a_load_on_its_axes_on_a_form_is_read_on_either_branch() -> None:
     own = curve_task("slider-crank")
     plan = "load_diagram-F_g"
-    for way, due in ((1.0, []), (-1.0, [f"{plan} opposite"])):
+    for way, due in ((1.0, []), (-1.0, [f"{plan} inverted"])):
         assert of(plan, said(own, load_on_form(own, way))) == due
 
 

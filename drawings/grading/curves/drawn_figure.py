@@ -24,6 +24,7 @@ from plans.quantity import SLIP
 # mm: a curve goes through a place if a hand that slips by four times a fair one's has drawn it so.
 THROUGH = 2 * np.sqrt(2) * 4 * SLIP
 PLACED = 0.7  # mm: what begins, or ends, at a place does so if a fair hand may have pricked it there
+BESIDE = PLACED / 2  # mm to either side of a place, at which a jump that is drawn there shows both its values
 SHARES = np.linspace(0.0, 1.0, 9)  # of a piece of a curve, between which it is straight enough
 SAME = 0.5  # mm: by so much the axis of a sheet that was saved anew may be longer
 
@@ -63,22 +64,33 @@ def _feet(line: Complexes, spots: Complexes) -> Complexes:
     return np.asarray(line[:-1] + np.clip((apart * run.conj()).real / long, 0.0, 1.0) * run)
 
 
-def heights(curve: Complexes, places: Floats) -> Floats:
+def heights(curve: Complexes, places: Floats, due: Floats | None = None) -> Floats:
     """Give how high a curve is over some places, mm, behind a jump; NaN where it does not reach.
 
-    >>> heights(np.array([0j, 1 + 1j, 1 + 3j, 2 + 3j]), np.array([0.5, 1.0, 2.0, 4.0])).tolist()
-    [0.5, 3.0, 3.0, nan]
+    At a jump both values are drawn: where it is known what is due, the nearer one counts.
+
+    >>> curve = np.array([0j, 1 + 1j, 1 + 5j, 2 + 5j])
+    >>> heights(curve, np.array([0.5, 1.0, 2.0, 4.0])).tolist()
+    [0.5, 5.0, 5.0, nan]
+    >>> heights(curve, np.array([0.9, 1.1]), np.array([5.0, 1.0])).round(2).tolist()
+    [5.0, 0.75]
     """
     start, end = curve[:-1], curve[1:]
     turned = end.real < start.real
     low, high = np.where(turned, end, start), np.where(turned, start, end)
-    return np.array([_height(low, high, float(place)) for place in places], dtype=np.float64)
+    found = np.array([[_height(low, high, float(place + by)) for place in places] for by in (0.0, -BESIDE, BESIDE)])
+    if due is None:
+        return np.asarray(found[0])
+    jumps = np.ptp(found, axis=0) > THROUGH
+    nearest = np.nanargmin(np.where(np.isnan(found), np.inf, np.abs(found - due)), axis=0)
+    return np.where(jumps, found[nearest, np.arange(len(places))], found[0])
 
 
 def _height(low: Complexes, high: Complexes, place: float) -> float:
     """Give the height over one place: of the segment that begins there or goes over it, else of one that ends there."""
     over = np.flatnonzero((low.real <= place + 2 * QUANTUM) & (high.real > place + 2 * QUANTUM))
-    ends = np.flatnonzero(np.abs(high.real - place) <= PLACED) if not over.size else over
+    ends = np.flatnonzero(np.minimum(np.abs(high.real - place), np.abs(low.real - place)) <= PLACED)
+    ends = over if over.size else ends
     if not ends.size:
         return float("nan")
     k = int(ends[-1])

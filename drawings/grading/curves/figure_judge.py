@@ -166,13 +166,13 @@ class _Answer:
         """Give what may be wrong with any figure: all the other way, by one factor, from another zero line."""
         there, asked = self.marked, self.asked
         drawn = self.drawn.values[there]
-        yield Mistake(verdict.OPPOSITE, -base), -1.0
+        yield Mistake(verdict.INVERTED, -base), -1.0
         size = float((np.abs(base[there]) ** 2).sum())
         if size and asked.kind != BEARINGS:
             factor = float((drawn * base[there].conj()).real.sum() / size)
             factor = self._larger(base[there]) if self.drawn.lines else factor
             if factor > 0:
-                yield Mistake(verdict.SCALE, factor * base), factor
+                yield Mistake(verdict.FACTOR, factor * base), factor
         if asked.kind == ORDINATES:
             away = asked.way * float(np.median(((drawn - base[there]) / asked.way).real))
             yield Mistake(verdict.LEVEL, base + away), None
@@ -192,12 +192,13 @@ class _Answer:
         apart = (item for item in self.asked.items if item.place in self.drawn.apart)
         yield from (self._said(verdict.APART, item) for item in apart)
         within = self._fits(self.mistake.values) if self.mistake is not None else np.zeros_like(self.near)
-        yield from (self._verdict(item, within) for item in self.asked.items)
+        seen = (item for item in self.asked.items if not (self.drawn.lines and np.isnan(self.drawn.values[item.place])))
+        yield from (self._verdict(item, within) for item in seen)
 
     def _verdict(self, item: ValueAsked, within: Truths) -> Verdict:
         k, value = item.place, self.drawn.values[item.place]
         if np.isnan(value):
-            return self._said(verdict.UNREAD if self.drawn.lines else verdict.MISSING, item)
+            return self._said(verdict.MISSING, item)
         off = float(self.asked.off(self.drawn.values, self.asked.true)[k])
         if k in self.drawn.aside:
             return self._said(verdict.ASIDE, item, off)
@@ -272,7 +273,8 @@ def figure_verdicts(
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
 
     `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
-    cannot be read. On the axes of `empty` ones nothing is drawn. What all figures are to the student is `kept`.
+    cannot be read, nor on a form what has no line of its own there. On the axes of `empty` ones nothing is drawn. What
+    all figures are to the student is `kept`.
     """
     for sheet in dict.fromkeys(figure.sheet for figure in asked):
         figures, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
@@ -289,7 +291,7 @@ def figure_verdicts(
                 sheet in marked or figure.plan in empty
             ):
                 yield from _missing(figure)
-            else:
+            elif _is_graph(figure) or figure.curved or not any(drawn.free for drawn in found):
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
         if kept is not None:
             kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]

@@ -237,11 +237,12 @@ def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | 
     # A graph of inertia stands on its side, its angles up or down.
     ways = (1 + 0j,) if asked.way == 1j else (1j, -1j)
     frames = (Frame(blank.origin, along, asked.way, 1.0, 1.0) for along in ways)
-    found = [curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step)]
+    mu = written.get(tuple(asked.scales)[-1])
+    due = None if mu is None else np.asarray((asked.true / asked.way).real / mu)
+    found = [curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step, due)]
     best = max(found, key=lambda curve: int((~np.isnan(curve.high)).sum()), default=None)
     if best is None or np.isnan(best.high).all():
         return None
-    mu = written.get(tuple(asked.scales)[-1])
     shift, high = _shifted(asked, mu or _fitted(asked, best.high), best)
     values = np.asarray(asked.way * high * (mu or _fitted(asked, high)))
     doubled = any(curve.is_graph and curve.differs(best) for curve in found) and best.is_graph
@@ -256,7 +257,9 @@ def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
     return {k: Arrow(complex(feet[k]), complex(ends[k])) for k in np.flatnonzero(np.isfinite(high)).tolist()}
 
 
-def _read(sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats) -> Iterator[ReadCurve]:
+def _read(
+    sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats, due: Floats | None
+) -> Iterator[ReadCurve]:
     """Give the heights of each curve over the places, mm, and those a position to either side."""
     places = stations - stations[0]
     beside = float(np.median(np.diff(np.unique(places))))
@@ -264,7 +267,7 @@ def _read(sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats) 
         drawn = frame.true(curve)
         if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places[-1] + 2 * beside + PLACED:
             shifts = {by: heights(drawn, places + by) for by in (-beside, beside)}
-            yield ReadCurve(frame, places, heights(drawn, places), shifts, drawn)
+            yield ReadCurve(frame, places, heights(drawn, places, due), shifts, drawn)
 
 
 def _step(blank: Blank, written: Mapping[str, float], turn: float | None) -> float | None:
