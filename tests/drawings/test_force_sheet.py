@@ -127,7 +127,7 @@ def test_worth_is_stable_against_last_bits() -> None:
     """A position with a mirrored twin stays the one that is chosen, whatever the last bit of either says."""
     rows = np.array([0.0, 0.9, 0.9, 0.0])
     for bit in (-1e-12, 1e-12):
-        rated = PositionWorth(True, rows + [0, 0, bit, 0], {"velocities": np.array([0.0, 0.5, 0.5 - bit, 0.0])})
+        rated = PositionWorth(True, np.add(rows, [0, 0, bit, 0]), {"velocities": np.array([0.0, 0.5, 0.5 - bit, 0.0])})
         assert int(np.argmax(rated.sizes)) == 1 and rated.flat(0) == ("velocities",)
 
 
