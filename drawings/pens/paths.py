@@ -233,6 +233,7 @@ def _hundredths(count: int) -> str:
     return f"-{digits}" if count < 0 else f" {digits}"
 
 
+@lru_cache(maxsize=4096)  # letters of a line stand as high
 def _thousandths(place: float) -> str:
     if not abs(place) <= REACH:
         raise SheetError(f"no place on paper: {place} mm")

@@ -109,7 +109,7 @@ _RESERVED = ("sheet", "seal")
 
 def legal(text: str) -> str:
     """Pass text on if XML can carry it unchanged; control characters and halves of characters are refused."""
-    if text.isascii() and text.isprintable():
+    if text.isprintable():
         return text
     for place, sign in enumerate(text):
         if sign not in "\t\n" and not any(ord(sign) in codes for codes in _LEGAL):

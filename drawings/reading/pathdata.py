@@ -6,7 +6,7 @@ import cmath
 import math
 import re
 from collections.abc import Iterable, Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import NamedTuple, TypeAlias
 
 from drawings.paper.limits import NUMERAL_LENGTH, PATH_COMMANDS, REACH, SheetRefused
@@ -113,9 +113,7 @@ GAP = re.compile(rf"[{SPACE}]*(?:,[{SPACE}]*)?")
 NUMERAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 _ARGUMENTS = {"M": 2, "L": 2, "T": 2, "H": 1, "V": 1, "S": 4, "Q": 4, "C": 6, "A": 7, "Z": 0}
-# All numbers of a command at once, each as long as it may be.
 _NUMBER = rf"((?>{NUMERAL.pattern}))(?>{GAP.pattern})"
-_TOGETHER = {letter: re.compile(_NUMBER * count) for letter, count in _ARGUMENTS.items() if letter not in "AZ"}
 _LETTERS = frozenset("MLTHVSQCAZmlthvsqcaz")
 _STRAIGHT = "MLHVZ"
 # Among the seven arguments of an arc two are flags of one digit, which may stand without a gap.
@@ -255,9 +253,14 @@ def _command(path: str, place: int, letter: str) -> tuple[str, int]:
     return letter, place
 
 
+@cache
+def _together(letter: str) -> re.Pattern[str]:
+    """Find all numbers of a command at once, each as long as it may be."""
+    return re.compile(_NUMBER * _ARGUMENTS[letter.upper()])
+
+
 def _arguments(path: str, place: int, letter: str) -> tuple[list[float], int]:
-    together = _TOGETHER.get(letter.upper())
-    found = together.match(path, place) if together else None
+    found = None if letter in "AaZz" else _together(letter).match(path, place)
     if found is not None and found.end() - place <= NUMERAL_LENGTH:
         return [_finite(text) for text in found.groups()], found.end()
     values: list[float] = []

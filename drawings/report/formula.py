@@ -1,4 +1,4 @@
-"""Formulas of a note in Markdown's math, as GitHub and pandoc read it (формулы записки).
+r"""Formulas of a note in Markdown's math, as GitHub and pandoc read it (формулы записки).
 
 What Markdown would take for its own stands in none of them: no asterisk, bar or tilde, no backslash before a
 punctuation mark, and every underscore after a letter or a digit.
@@ -59,7 +59,7 @@ class Formula:
         return text
 
     def segment(self, *images: str) -> str:
-        """Write a distance between images on a plan by their letters: p and a3 as pa_{3}."""
+        r"""Write a distance between images on a plan by their letters: p and a3 as pa_{3}."""
         text = ""
         for image in images:
             apart = " " if re.search(r"\\[a-z]+$", text) else ""
@@ -89,7 +89,7 @@ class Formula:
 
 
 def letter(markup: str, language: str) -> str:
-    """Write a letter with its indices.
+    r"""Write a letter with its indices.
 
     >>> print(letter("R^t_{34}", "ru"), letter("m_{II}", "en"), letter("J_0^*", "en"), letter("R_A'", "en"))
     R_{34}^{\tau} m_{II} J_{0}^{\ast} R_{A}'

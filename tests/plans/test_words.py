@@ -137,7 +137,7 @@ def test_a_language_without_words_is_told_in_english(tmp_path: Path) -> None:
 # Errors that end a command whose scene has a language; a TypeError is a bug of ours, and a fault has words of its own.
 ERRORS = re.compile(r"(Limit|Sheet|Sketch|Structure|File|Draft)Error|SelfCheckFailed|NoExtreme|UnknownMark|UnknownName")
 # What a user cannot bring about, or what no scene is at hand for: the pens' own demands.
-ASIDE = re.compile(r"drawings/(pens|bench)/|plans/bench/|(strokes|extent|words)\.py")
+ASIDE = re.compile(r"drawings/(pens|bench)/|plans/bench/|(strokes|lettering|words)\.py")
 FILES = [path for top in ("plans", "drawings") for path in sorted((ROOT / top).rglob("*.py"))]
 
 
