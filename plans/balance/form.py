@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any
 
-from plans.forces.reading.fields import PER_CENT
 from plans.linkage.reading import fields as g
 from plans.model.balance.linkage import DISC, FORCE, FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE
 from plans.scene import fields as f
@@ -34,8 +33,8 @@ def share(value: object) -> Decimal | str:
     """
     if isinstance(value, str) and value[:1].isalpha():
         return f.choice(value, LEASTS, "share_of_mass")
-    per_cent = PER_CENT.fullmatch(value) if isinstance(value, str) else None
-    found = units.quantity(Decimal(per_cent[1]).scaleb(-2) if per_cent else value, units.NUMBER)
+    per_cent = units.per_cent(value)
+    found = units.quantity(value, units.NUMBER) if per_cent is None else per_cent.scaleb(-2)
     if not 0 <= found <= 1:
         raise wrong("share_of_mass", choices=", ".join(LEASTS), suggestion=message("advice.share_of_mass"))
     return found
@@ -64,7 +63,9 @@ def _likely_aim(value: object) -> str:
 
 _PART: Form = {"type": "number", "minimum": 0, "maximum": 1}
 SHARE_OF_MASS = one(
-    share, lambda: {"anyOf": [_PART, forms.choice(LEASTS), forms.text(PER_CENT.pattern)]}, 'share, "force", "reaction"'
+    share,
+    lambda: {"anyOf": [_PART, forms.choice(LEASTS), forms.text(units.PER_CENT.pattern)]},
+    'share, "force", "reaction"',
 )
 HALF_ANGLE = one(
     half_angle, lambda: forms.quantity(units.ANGLE, exclusiveMinimum=0, exclusiveMaximum=float(STRAIGHT)), "degrees"

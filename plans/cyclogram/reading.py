@@ -43,7 +43,7 @@ ALONG = one(
     lambda: {
         "anyOf": [
             h.SHARE.form(),
-            forms.text(h.PER_CENT.pattern),
+            forms.text(units.PER_CENT.pattern),
             {"type": "string", "pattern": forms.text_with_unit(units.LENGTH)},
         ]
     },

@@ -19,18 +19,12 @@ from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 from plans.scene.units import WORKING
 
-FRACTION = re.compile(r"\s*1\s*/\s*([0-9]+(?:\.[0-9]+)?)\s*")
-PLAIN = re.compile(r"\s*[+-]?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?\s*")
-WRITTEN = r"^\s*1\s*/\s*(?!0+(?:\.0+)?\s*$)[0-9]+(?:\.[0-9]+)?\s*$"  # for editors
+FRACTION = re.compile(r"\s*1\s*/\s*([0-9]+(?:[.,][0-9]+)?)\s*")
+PLAIN = re.compile(rf"\s*{units.WRITTEN}\s*")
+# For editors.
+WRITTEN = rf"^\s*1\s*/\s*(?!0+(?:[.,]0+)?\s*$)[0-9]+(?:[.,][0-9]+)?\s*$|^\s*{units.COMMA}\s*$"
 DIVISIONS_LEAST, DIVISIONS_MOST = 12, 4096
 RATIO_LIMIT = Decimal("1e4")
-TIME = units.UnitKind(
-    "time",
-    "s",
-    {"s": Decimal(1), "ms": Decimal("0.001"), "с": Decimal(1), "мс": Decimal("0.001")},
-    Decimal("1e-9"),
-    Decimal("1e6"),
-)
 
 
 def fluctuation(value: object) -> Decimal:
@@ -50,8 +44,8 @@ def fluctuation(value: object) -> Decimal:
 def _unbroken(text: str) -> Decimal | str:
     """Give "1/80" as a number; a decimal comma and a number in quotes have advice of their own."""
     ratio = FRACTION.fullmatch(text)
-    if ratio and Decimal(ratio[1]):
-        return WORKING.divide(Decimal(1), Decimal(ratio[1]))
+    if ratio and (part := Decimal(ratio[1].replace(",", "."))):
+        return WORKING.divide(Decimal(1), part)
     if ratio or not PLAIN.fullmatch(text):
         raise wrong("fluctuation_written")
     return text
@@ -76,7 +70,10 @@ def ratio(value: object) -> Decimal:
 FLUCTUATION = one(
     fluctuation,
     lambda: {
-        "anyOf": [{"type": "number", "exclusiveMinimum": 0, "maximum": 1}, {"type": "string", "pattern": WRITTEN}]
+        "anyOf": [
+            {"type": "number", "exclusiveMinimum": 0, "maximum": 1},
+            {"type": "string", "pattern": WRITTEN},
+        ]
     },
     'share, or "1/80"',
 )
@@ -85,7 +82,7 @@ RATIO = one(ratio, lambda: forms.quantity(units.NUMBER) | {"not": {"const": 0}},
 INERTIA = f.positive(units.INERTIA)
 MATERIAL = f.positive(units.DENSITY)
 SHARE = f.positive(units.NUMBER)
-STEP = f.positive(TIME)
+STEP = f.positive(units.TIME)
 
 
 SPEED, MOMENT = f.positive(units.SPEED), f.positive(units.MOMENT)

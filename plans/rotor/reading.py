@@ -22,24 +22,7 @@ from plans.scene.tables import Missing, Table, key, table
 from plans.scene.units import WORKING
 from plans.words.words import ALONE, message
 
-STATIC_MOMENT = units.UnitKind(
-    "static moment",
-    "kg*m",
-    {
-        unit: Decimal(size)
-        for size, names in {
-            "1": ("kg*m", "кг*м"),
-            "0.01": ("kg*cm", "кг*см"),
-            "0.001": ("kg*mm", "g*m", "кг*мм", "г*м"),
-            "0.00001": ("g*cm", "г*см"),
-            "0.000001": ("g*mm", "г*мм"),
-        }.items()
-        for unit in names
-    },
-    Decimal("1e-21"),
-    Decimal("1e21"),
-)
-MOMENT, HEAVY = f.not_negative(STATIC_MOMENT), f.positive(units.MASS)
+MOMENT, HEAVY = f.not_negative(units.STATIC_MOMENT), f.positive(units.MASS)
 PLANES_LIMIT = 2  # a rotor needs no more
 BEARINGS = "[A, B]"
 # A line that would do for an unbalanced mass.

@@ -2,35 +2,61 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from plans.scene.faults import Path
-from plans.scene.units import LARGEST, RATE_LIMIT, UnitKind
+from plans.scene.units import COMMA, FACTOR, LARGEST, MEGA, RATE_LIMIT, SYMBOLS, WRITTEN, UnitKind, folded
 from plans.techniques import TECHNIQUES, Technique, techniques
 
 Form = dict[str, Any]
 
 ENTRIES_LIMIT = 1_000  # of any table or list that has no other limit; 60 links have far fewer points, lengths and loads
-NUMBER = r"\s*[+-]?[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?\s*"
+SIGNS = {  # of a unit, as they may be written
+    **{"*": r"\s*[*·⋅]?\s*", "/": r"\s*/\s*", "1": "1", "-1": r"((\^|\*\*)?-1|⁻¹)"},
+    **{"2": r"(2|²|\^2|\*\*2)", "3": r"(3|³|\^3|\*\*3)"},
+}
+LETTERS = "".join(map(chr, (*range(65, 91), *range(97, 123), *range(0x410, 0x450))))  # Latin and Russian ones
 # Any letter of any alphabet, in what the regular expressions of all editors understand: no class of signs in ASCII.
 ANY_LETTER = r"[A-Za-z\u00aa-\uffff]"
 POINT = rf"{ANY_LETTER}[0-9A-Za-z_\u00aa-\uffff]*['\u2032]*"
 
 
 def text_with_unit(kind: UnitKind) -> str:
-    """Give the pattern of a number with a unit; kg·m², kg*m^2 and kg m2 are one unit.
+    """Give the pattern of a number with a unit; kg·m², kg*m^2 and kg m2 are one unit, as are kN, КН and кН.
 
     >>> import re
     >>> from plans.scene import units
-    >>> [bool(re.search(text_with_unit(units.MOMENT), text)) for text in ("3 N·m", "3 N m", "3 N", "3 m*N")]
-    [True, True, False, False]
+    >>> [bool(re.search(text_with_unit(units.MOMENT), text)) for text in ("3 N·m", "3 N m", "3 Н·м", "3 N", "3 m*N")]
+    [True, True, True, False, False]
     """
-    written = [
-        "".join({"*": r"(\s*[*·⋅]\s*|\s+)", "/": r"\s*/\s*", "2": r"(2|²|\^2|\*\*2)"}.get(sign, sign) for sign in unit)
-        for unit in kind.units
-    ]
-    return rf"^{NUMBER}({'|'.join(written)})\s*$"
+    written = [part for form in kind.forms for part in _products(FACTOR.findall(form))]
+    lettered = "|".join(part for part in written if part[0] != "1")
+    counted = "".join(rf"|\s+({part})" for part in written if part[0] == "1")
+    whole = rf"({WRITTEN}(\s*({lettered}){counted})|{COMMA})" if written else COMMA
+    return rf"^\s*{whole}\s*$".replace("(?:", "(")
+
+
+def _products(factors: list[tuple[str, str, str]]) -> Iterator[str]:
+    """Give the patterns of a product of groups; of a group that is a product already, one for each unit."""
+    symbols = [[symbol for row in SYMBOLS[group] for symbol in row.split()[1:]] for _, group, _ in factors]
+    if len(factors) == 1:
+        yield from dict.fromkeys(map(_pattern, symbols[0]))
+    else:
+        groups = ("|".join(dict.fromkeys(map(_pattern, some))) for some in symbols)
+        parts = zip(factors, groups, strict=True)
+        yield "".join(f"{_pattern(sign)}({group}){_pattern(power)}" for (sign, _, power), group in parts)
+
+
+def _pattern(unit: str) -> str:
+    return re.sub(r"-1|.", lambda sign: SIGNS.get(sign[0]) or _letter(sign[0]), unit)
+
+
+def _letter(letter: str) -> str:
+    """Give the pattern of a letter: small or large, of either alphabet; a mega is large."""
+    alike = MEGA if letter in MEGA else "".join(sign for sign in LETTERS if folded(sign) == folded(letter))
+    return f"[{alike}]" if alike else letter
 
 
 def quantity(kind: UnitKind, **bounds: float) -> Form:
@@ -38,8 +64,6 @@ def quantity(kind: UnitKind, **bounds: float) -> Form:
     most = {} if kind.most == LARGEST else {"maximum": float(kind.most)}
     least = {"minimum": -most["maximum"]} if most else {}
     number: Form = {"type": "number", **least, **most, **bounds}
-    if not kind.units:
-        return number
     return {"anyOf": [number, {"type": "string", "pattern": text_with_unit(kind)}]}
 
 

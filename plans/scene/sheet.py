@@ -16,9 +16,9 @@ from plans.scene.tables import Key, Table, key, table
 from plans.techniques import techniques
 from plans.words.words import languages
 
-FACTOR = units.UnitKind("scale factor", "", {}, Decimal("1e-12"), Decimal("1e12"))
+FACTOR = units.UnitKind("scale factor", "", least=Decimal("1e-12"), most=Decimal("1e12"))
 MM = Decimal("0.001")  # m
-PART = r"([0-9]+(?:\.[0-9]+)?)"
+PART = r"([0-9]+(?:[.,][0-9]+)?)"
 RATIO = re.compile(rf"\s*{PART}\s*:\s*{PART}\s*")
 
 
@@ -31,7 +31,7 @@ def length(value: object) -> Decimal:
     if not isinstance(value, str):
         return units.positive(value, FACTOR)
     found = RATIO.fullmatch(value)
-    paper, machine = map(Decimal, found.groups()) if found else (Decimal(0), Decimal(0))
+    paper, machine = (Decimal(part.replace(",", ".")) for part in found.groups()) if found else (Decimal(0), Decimal(0))
     if not (paper and machine):
         raise wrong("scale_ratio")
     return units.positive(units.WORKING.divide(machine, paper) * MM, FACTOR)

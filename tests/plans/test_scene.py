@@ -151,8 +151,8 @@ def test_a_message_shows_twenty_faults_and_counts_the_others() -> None:
 def test_a_fault_is_one_line_that_names_everything() -> None:
     (fault,) = faults(ENGINE, ('OA = "60 mm"', 'OA = "60 kg"'))
     assert str(fault) == (
-        'scene.toml:8:1: mechanism.lengths.OA = "60 kg": expected a unit of length (m, dm, cm, mm), but found kg. '
-        'Fix: write it as "1 m", or a bare number in SI units.'
+        'scene.toml:8:1: mechanism.lengths.OA = "60 kg": expected a unit of length (m, dm, cm, mm and others), but '
+        "found kg. Fix: convert it to one of these units, or write a bare number in m."
     )
 
 

@@ -10,7 +10,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from plans.cam.reading.entry import CamEntry, Exact, misplaced, pace_of, proportions, shown
-from plans.cam.reading.fields import CYCLOGRAM, REST, TURNING_STIFFNESS
+from plans.cam.reading.fields import CYCLOGRAM, REST
 from plans.cam.reading.form import AGAINST, CamForm
 from plans.cam.reading.keyways import keyway, standard
 from plans.cam.reading.laws import PhaseWay, law_of, ways_of
@@ -266,7 +266,7 @@ def _load(entry: CamEntry) -> FollowerLoad | None:
     load = entry.form.load
     if load is None:
         return None
-    force, stiff = (units.MOMENT, TURNING_STIFFNESS) if entry.rocks else (units.FORCE, units.STIFFNESS)
+    force, stiff = (units.MOMENT, units.TURNING_STIFFNESS) if entry.rocks else (units.FORCE, units.STIFFNESS)
     mass, acting = (load.inertia, load.moment) if entry.rocks else (load.mass, load.force)
     preload = entry.quantity(load.preload, force, "load", "preload")
     stiffness = entry.quantity(load.stiffness, stiff, "load", "stiffness")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from decimal import Decimal
 from functools import partial
+from itertools import chain
 from typing import Any, Final, NamedTuple
 
 from geometry.errors import LimitError
@@ -24,22 +25,6 @@ SWING_LIMIT = Decimal(180)  # degrees: a rocker that reaches it has gone through
 PRESSURE_LEAST = Decimal(1)  # degrees: less leaves the diagram of sizes no width; limits in radians are less
 PRESSURE_LIMIT = Decimal(90)  # degrees: there a follower jams without any friction
 
-TURNING_STIFFNESS = UnitKind(
-    "stiffness in turning",
-    "N*m/rad",
-    {
-        "N*m/rad": Decimal(1),
-        "N*mm/rad": Decimal("0.001"),
-        "N*m": Decimal(1),
-        "N*mm": Decimal("0.001"),
-        "Н*м/рад": Decimal(1),
-        "Н*м": Decimal(1),
-        "Н*мм": Decimal("0.001"),
-    },
-    units.MOMENT.least,
-    units.MOMENT.most,
-)
-
 
 class Measure(NamedTuple):
     """A quantity as the file writes it, of one of two kinds: which is known when its cam is."""
@@ -53,8 +38,8 @@ class Measure(NamedTuple):
 
 def _joint(*kinds: UnitKind) -> UnitKind:
     """Give what takes the units of several kinds; sizes of them are not compared."""
-    every: Mapping[str, Decimal] = {unit: size for kind in kinds for unit, size in kind.units.items()}
-    return UnitKind(" or ".join(kind.name for kind in kinds), kinds[0].si, every)
+    forms, listed = (tuple(chain(*parts)) for parts in ((k.forms for k in kinds), (k.listed for k in kinds)))
+    return UnitKind(" or ".join(kind.name for kind in kinds), kinds[0].si, forms, listed)
 
 
 def measure(*kinds: UnitKind, least: Decimal | None = None) -> FieldReader:
@@ -220,4 +205,4 @@ LAW = f.words(*LAWS, likely=likely_law)
 POINT = f.pair(measure(units.ANGLE, units.LENGTH), "[turn, travel]")
 TOLERANCE = measure(units.LENGTH, units.ANGLE, least=Decimal(0))
 PRELOAD = measure(units.FORCE, units.MOMENT, least=Decimal(0))
-STIFFNESS = measure(units.STIFFNESS, TURNING_STIFFNESS, least=Decimal(0))
+STIFFNESS = measure(units.STIFFNESS, units.TURNING_STIFFNESS, least=Decimal(0))

@@ -22,8 +22,6 @@ from plans.scene.units import type_name
 
 # What a force sheet letters itself: reactions, weights, inertia forces, moments of sliding pairs, what the drive gives.
 TAKEN = re.compile(r"[RPF]_?\d+,?\d+|[GΦ]_?\d+|M_?\d\d+|[MP]_?bal")
-PER_CENT = re.compile(r"^\s*([+-]?[0-9]+(?:\.[0-9]+)?)\s*%\s*$")
-FORCE_OR_PRESSURE = units.UnitKind("force or pressure", "N", {**units.FORCE.units, **units.PRESSURE.units})
 SYMBOL_SIGNS = re.compile(r"[^\W\d_][\w.′'-]*")
 
 
@@ -77,17 +75,20 @@ class Pascals(Decimal):
     """A size that the scene gives in units of pressure, Pa."""
 
 
+def _united(value: object) -> bool:
+    """Tell whether a value has a unit, as a text has but for a number that its comma forces into quotes."""
+    return isinstance(value, str) and not re.fullmatch(rf"\s*{units.COMMA}\s*", value)
+
+
 def place(value: object) -> Decimal:
     """Read a place of the stroke: a share of it, per cent, or a length.
 
-    >>> place("15 %"), place("30 mm")
-    (Decimal('0.15'), Decimal('0.030'))
+    >>> place("15 %"), place("30 mm"), place("0,5")
+    (Decimal('0.15'), Decimal('0.03'), Decimal('0.5'))
     """
-    if not isinstance(value, str):
+    if not _united(value):
         return units.quantity(value, units.NUMBER)
-    found = PER_CENT.fullmatch(value)
-    if found:
-        per_cent = units.quantity(Decimal(found[1]), units.NUMBER)
+    if (per_cent := units.per_cent(value)) is not None:
         if not 0 <= per_cent <= 100:
             raise wrong("travel_per_cent", found=f"{per_cent:f} %")
         return per_cent.scaleb(-2)
@@ -96,9 +97,9 @@ def place(value: object) -> Decimal:
 
 def back(value: object) -> Decimal:
     """Read a size on the stroke back: a bare number, or a force or a pressure with its unit."""
-    if not isinstance(value, str):
+    if not _united(value):
         return units.quantity(value, units.FORCE)
-    units.quantity(value, FORCE_OR_PRESSURE)
+    units.quantity(value, units.FORCE_OR_PRESSURE)
     try:
         return Pascals(units.quantity(value, units.PRESSURE))
     except Wrong as wrong_pressure:
@@ -125,7 +126,7 @@ _PART = {"type": "number", "minimum": 0, "maximum": 1}
 _LENGTH = {"type": "string", "pattern": forms.text_with_unit(units.LENGTH)}
 SHARE = one(share, lambda: {"type": "number", "minimum": 0, "exclusiveMaximum": 1}, "share")
 OVERRUN = either(list, pair(SHARE, "[start, end]"), SHARE)
-TRAVEL = one(place, lambda: {"anyOf": [_PART, forms.text(PER_CENT.pattern), _LENGTH]}, "share or m")
+TRAVEL = one(place, lambda: {"anyOf": [_PART, forms.text(units.PER_CENT.pattern), _LENGTH]}, "share or m")
 PRESSURE = number(units.PRESSURE)
 BACK = one(back, lambda: {"anyOf": [forms.quantity(units.PRESSURE), forms.quantity(units.FORCE)]}, "N or Pa")
 FORCE, MOMENT, GRAVITY = number(units.FORCE), number(units.MOMENT), number(units.ACCELERATION)

@@ -170,7 +170,7 @@ def law_speed(value: object) -> Decimal:
     """Read a speed of a law over the way, m/s, or rest.
 
     >>> law_speed("20 mm/s"), law_speed(0)
-    (Decimal('0.020'), Decimal('0'))
+    (Decimal('0.02'), Decimal('0'))
     """
     found = units.quantity(value, units.VELOCITY)
     return found if found == 0 else units.positive(value, units.VELOCITY)
