@@ -207,13 +207,13 @@ def _command(commands: Commands, name: str, text: str) -> argparse.ArgumentParse
 
 
 def _orders(text: str) -> list[str]:
-    names = [name.strip() for name in text.split(",")]
-    from plans.techniques import techniques  # only this option asks for the table
+    from plans.scene.forms import PLANS, plan_called  # only this option asks for the table
 
-    known = [plan for row in techniques().values() for plan in row.plans]
-    wrong = [name for name in names if name not in known]
-    if wrong or not names:
-        raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(known)}")
+    given = [name.strip() for name in text.split(",")]
+    names = [name if name in PLANS else plan_called(name) for name in given]
+    wrong = [name for name, plan in zip(given, names, strict=True) if not plan]
+    if wrong:
+        raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(PLANS)}")
     return names
 
 

@@ -226,8 +226,8 @@ class _Sheet:
         yield self._arrow(plan, whole, split)
         yield from (self._arrow(plan, part, True) for part in bearing.parts)
         if along is not None:
-            off = self.acting.none[1] / max(abs((along.conjugate() * whole.value).imag), self.floor)
-            off = math.inf if not math.isfinite(abs(arm)) else off * (1 + abs(arm))
+            pressed = max(abs((along.conjugate() * whole.value).imag), self.floor)  # none at all without any load
+            off = self.acting.none[1] / pressed * (1 + abs(arm)) if math.isfinite(abs(arm)) and pressed else math.inf
             lost = not LEAST * self.scales.get(plan.replace(" ", "-"), 0.0) + off < abs(arm) < math.inf
             apart, shift = self._stands(plan, bearing.couple), self.acting.name(whole.name.replace("R", "x", 1))
             yield Expected(Kind.VECTOR, plan, shift, along * arm, off, self.k, may_lack=lost or apart)

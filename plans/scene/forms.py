@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from typing import Any
 
-from plans.scene.faults import Path
+from plans.scene.faults import Path, nearest
 from plans.scene.units import COMMA, FACTOR, LARGEST, MEGA, RATE_LIMIT, SYMBOLS, WRITTEN, UnitKind, folded
 from plans.techniques import TECHNIQUES, Technique, techniques
+from plans.words.words import languages, term
 
 Form = dict[str, Any]
 
@@ -100,6 +102,50 @@ def named(form: Form, pattern: str, least: int = 0, most: int | None = None) -> 
 
 
 SHEETS = tuple(sheet for technique in techniques().values() for sheet in technique.sheets)
+PLANS = tuple(plan for technique in techniques().values() for plan in technique.plans)
+
+
+def sheet_called(name: object) -> str:
+    """Give the sheet that a text names in any language, large or small, in the singular or the plural; else nothing.
+
+    >>> sheet_called("силы"), sheet_called("Force"), sheet_called("positions"), sheet_called("speed")
+    ('forces', 'forces', 'positions', '')
+    """
+    return _called("kind", SHEETS).get(_plain(name), "")
+
+
+def plan_called(name: str) -> str:
+    """Give the plan that a text names, as a sheet is named."""
+    return _called("plan", PLANS).get(_plain(name), "")
+
+
+def likely_sheet(name: object) -> str:
+    """Give the sheet whose name in any language is nearest to a text, or begins alike: силовой расчёт."""
+    names, text = _called("kind", SHEETS), _plain(name)
+    alike = [called for called in names if text.startswith(called[:3])]
+    return next((names[near] for near in [*nearest(text, names), *alike]), "")
+
+
+@cache
+def _called(group: str, names: tuple[str, ...]) -> Mapping[str, str]:
+    """Give names by what they are called in each language; those of the file itself go before others."""
+    said = [(term(language, group, name), name) for language in languages() for name in names]
+    return {_plain(word): name for word, name in [*said, *((name, name) for name in names)]}
+
+
+def _plain(name: object) -> str:
+    """Give a name without its case, and without the sign of a plural."""
+    return str(name).casefold().strip().removesuffix("s").rstrip("аеиоуыьэюяй")
+
+
+def with_sheets_named(data: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Give a file with its sheets by their own names, where another name is understood."""
+    wanted = data.get("sheets")
+    return {**data, "sheets": [_own(name) for name in wanted]} if isinstance(wanted, list) else data
+
+
+def _own(name: object) -> object:
+    return name if name in SHEETS else sheet_called(name) or name
 
 
 def techniques_of(data: Mapping[str, Any]) -> tuple[str, ...]:

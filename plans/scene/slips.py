@@ -113,14 +113,14 @@ def _line_hints(line: str, column: int) -> Iterator[tuple[int, str, dict[str, ob
         yield match.start(), "unseen", {"code": f"U+{ord(match[0]):04X}"}
     if "\r" in line.removesuffix("\r"):
         yield line.index("\r"), "line_ends", {}
-    if match := re.search(r"=\s*([+-]?\d+),(\d+)\s*$", code):
+    if match := re.search(r"=\s*([+-]?\d+),(\d+)\s*(?=[,}]|$)", code):
         yield match.start(1), "comma", {"written": f"{match[1]}.{match[2]}"}
     yield from _number_hints(code)
     if match := re.match(r"\s*([^\s=\[\]\"'.]*[^\sA-Za-z0-9_=\[\]\"'.-][^\s=\[\]\".]*)\s*=", line):
         latin = match[1].translate(TWINS)
         twin = ("bare_twin", {"text": match[1], "twin": latin}) if latin.isascii() else None
         yield match.start(1), *(twin or ("bare_key", {"text": match[1]}))
-    if match := re.search(r"=\s*(\w[\w/ .-]*?)\s*$", code):
+    if match := re.search(r"=\s*((?:\d+,)?\w[\w/ .-]*?)\s*$", code):
         yield match.start(1), "bare_text", {"text": match[1]}
 
 

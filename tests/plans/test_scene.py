@@ -156,6 +156,19 @@ def test_a_fault_is_one_line_that_names_everything() -> None:
     )
 
 
+@pytest.mark.parametrize("name", ["positions", "Positions", "position", "положения", "Положение", "ПОЛОЖЕНИЯ"])
+def test_a_sheet_is_found_by_its_name_in_any_language(name: str) -> None:
+    assert parse_scene(f'sheets = ["{name}"]\n{FOUR_BAR}').sheets == ("positions",)
+
+
+@pytest.mark.parametrize(
+    ("name", "nearest"), [("poziton", "positions"), ("силовой расчёт", "forces"), ("кулачки", "cam")]
+)
+def test_a_name_of_no_sheet_is_told_the_nearest(name: str, nearest: str) -> None:
+    (fault,) = faults(FOUR_BAR, ("[mechanism.frame]", f'sheets = ["{name}"]\n[mechanism.frame]'))
+    assert nearest in fault.advice
+
+
 def test_mobility_shows_its_count() -> None:
     with pytest.raises(StructureError) as refused:
         build(
