@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
 from typing import Generic, NamedTuple, TypeVar
@@ -55,6 +56,7 @@ class GroupKind(ABC, Generic[Of]):
 
 
 # Meets an arc about the crank's pivot, on a side, with what guides the inner pin; the third is the name of the meeting.
+EQUAL = 4 * sys.float_info.epsilon  # of two lengths: what the roundings of their squares and roots leave
 Notch = Callable[[Mark, float, str], Mark]
 
 
@@ -76,11 +78,13 @@ def end(plan: Plan) -> complex:
 
 
 def extremes(plan: Plan, dyad: Dyad, side: float, notch: Notch) -> list[Mark]:
-    """Notch the crank and the coupler in one line: |l2 + l1| and |l2 - l1| from O."""
+    """Notch the crank and the coupler in one line: |l2 + l1| and |l2 - l1| from O; of equal ones none is folded."""
     board, drive = plan.board, plan.mechanism.drive
     pivot, name = plan.point(drive.pivot), dyad.pin
     near, far = abs(pin(plan, dyad)), abs(vector(plan, dyad, crank_end(plan, dyad)))
-    found = []
+    found: list[Mark] = []
+    if abs(far - near) <= EQUAL * far:
+        return found
     for number, radius in ((1, far + near), (2, abs(far - near))):
         arc = board.arc(f"{pivot.name}{name}_{number}", pivot, radius, because("in_line"))
         # Of the folded pair the coupler points away from O where it is the longer: then B sees A as before.

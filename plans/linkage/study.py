@@ -23,7 +23,18 @@ from plans.linkage.travel import ExtremePositions, extremes, output
 from plans.model.dyad import Assur, decompose
 from plans.model.machine import NoWorkingStroke
 from plans.model.mechanism import Mechanism, Output, StructureError
-from plans.model.motion import OUT_OF_REACH, PLANS, Floats, Motion, Pace, Rates, numbers_of, rates_at, steady
+from plans.model.motion import (
+    CHANGE_POINT,
+    OUT_OF_REACH,
+    PLANS,
+    Floats,
+    Motion,
+    Pace,
+    Rates,
+    numbers_of,
+    rates_at,
+    steady,
+)
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
@@ -35,6 +46,8 @@ def obstruction(sweep: Sweep) -> Message:
     if barrier.end - barrier.start < 2 * np.pi:
         parts |= {name: f"{np.degrees(edge):.2f}" for name, edge in (("low", barrier.start), ("high", barrier.end))}
     key = "barrier.turn" if "low" in parts else "barrier.nowhere"
+    if barrier.kind == CHANGE_POINT:
+        return message(f"{key}_advice", **parts, advice=message("barrier.change_point"))
     if barrier.kind != OUT_OF_REACH:
         return message(key, **parts)
     return message(f"{key}_advice", **parts, advice=_mending(sweep, barrier))
@@ -50,7 +63,7 @@ def _mending(sweep: Sweep, barrier: Barrier) -> Message:
 
 def no_extreme(sweep: Sweep, link: int, assembled: bool) -> Message:
     """Say why an output link has no extreme positions."""
-    if not assembled:
+    if not assembled or (sweep.barred and sweep.barriers[0].kind == CHANGE_POINT):
         return message("extreme.unassembled", why=obstruction(sweep))
     why = obstruction(sweep) if sweep.barred else message("extreme.turns")
     return message("extreme.none", link=link, why=why)
