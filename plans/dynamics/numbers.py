@@ -24,23 +24,25 @@ if TYPE_CHECKING:
 
 
 SEGMENTS = {"o_1k": 1, "o_1l": 0}  # cut off the axis of energy, at the greatest and the least speed
+CRANK = "crank"
 NOISE = 1e-9  # of the largest work: what of it is less is rounding, whose digits differ from machine to machine
 
 
 def numbers(study: Study, by: str) -> Numbers:
     """Give a machine's motion by a road."""
-    account: Account = study.of(DynamicsStudy).account if by == CONSTRUCTION else study.of(DynamicsComparison).exact
+    made = study.of(DynamicsStudy)
+    account: Account = made.account if by == CONSTRUCTION else study.of(DynamicsComparison).exact
     plans, data = study.plans, dict[str, Any]()
     if REDUCTION in plans:
         data[REDUCTION] = _reduced(account.reduced)
     if WORKS in plans and account.cycle is not None:
         data[WORKS] = _cycle(account.cycle)
     if FLYWHEEL in plans and account.flywheel is not None:
-        data[FLYWHEEL] = _flywheel(account.flywheel)
+        data[FLYWHEEL] = _flywheel(account.flywheel, made.task.rim.ratio)
     if SPEEDS in plans:
         data[SPEEDS] = {"after": _speeds(account.speeds), "before": _speeds(account.before)}
     if RUN in plans and account.run is not None:
-        data[RUN] = _run(account.run)
+        data[RUN] = {"flywheel": _borne(made.flywheel)} | _run(account.run)
     return Numbers({"scene": study.scene.heading(), "by": account.by, "dynamics": data}, bool(account.gaps))
 
 
@@ -67,7 +69,8 @@ def _cycle(found: Cycle) -> dict[str, Any]:
     }
 
 
-def _flywheel(found: Flywheel) -> dict[str, Any]:
+def _flywheel(found: Flywheel, ratio: float) -> dict[str, Any]:
+    """Give a flywheel; its inertias are reduced to the crank, on its own shaft it has that over the ratio squared."""
     return {
         "psi": np.arctan(found.slopes).tolist(),
         "cuts": list(found.cuts),
@@ -78,7 +81,14 @@ def _flywheel(found: Flywheel) -> dict[str, Any]:
         "present": found.present,
         "needed": found.needed,
         "inertia": found.inertia,
+        "reduced_to": CRANK,
+        "on_its_shaft": {"ratio": ratio, "inertia": found.inertia / ratio**2},
     }
+
+
+def _borne(wheel: Flywheel | None) -> dict[str, Any] | None:
+    """Tell which flywheel runs, by either road that which was drawn, for the machine has but one."""
+    return wheel and {"inertia": wheel.inertia, "reduced_to": CRANK, "by": wheel.by}
 
 
 def _speeds(found: Speeds | None) -> dict[str, Any] | None:

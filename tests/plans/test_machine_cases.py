@@ -74,6 +74,8 @@ def test_the_run_is_told_as_plain_numbers(by: str) -> None:
     (told,) = json.loads(json.dumps(found.plain(), allow_nan=False))["dynamics"].items()
     run = told[1]
     assert (told[0], run["failure"]) == ("run", None)
+    drawn = numbers(Study(parse_scene(text(asked=motor)), ["flywheel"]), "construction").plain()["dynamics"]["flywheel"]
+    assert run["flywheel"] == {"inertia": drawn["inertia"], "reduced_to": "crank", "by": "construction"}
     assert [stage["name"] for stage in run["stages"]] == ["run_up", "steady", "run_down"]
     for stage in run["stages"]:
         works, (first, last) = stage["works"], stage["energies"]
