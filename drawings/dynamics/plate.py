@@ -54,6 +54,7 @@ LONG = 24.0  # sizes of a letter that the axis of angles has at least: its posit
 LEFT, MIDDLE, RIGHT = 8.8, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
 GRAPHED = "reduced moments", "works", "surplus energy"  # titles
 TITLE = 4.5  # sizes of a letter from the axis of the loop to its title at least: the axis has a letter itself
+TALLER = 1.5  # times as high as that its rows may be where there is room
 WHOLE, UPPER, LOWER = "machine", "moments-works", "energy-speeds"  # names of the plates: of all, or of two
 OVER_TURN = (quantities.MOMENTS, quantities.WORKS, quantities.SURPLUS, quantities.SPEEDS)
 INTEGRATED, ROUND_LOOP = OVER_TURN[:2], (quantities.SPEEDS, quantities.SURPLUS)  # what two plates show
@@ -181,7 +182,8 @@ def measure(plate: Plate) -> Picture:
     between = len(plate.rows) * (plate.over + plate.under)
     margins = Margins(sum(plate.beside) / 2, plate.below, between)
     least = max(LONG * plate.hand.letter, longest(plate)) * max(plate.wide, plate.high)
-    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least, open=False)
+    room = Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least, open=False)
+    return room._replace(taller=TALLER)
 
 
 def longest(plate: Plate) -> float:

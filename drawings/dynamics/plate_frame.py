@@ -11,7 +11,7 @@ from itertools import product
 from drawings.dynamics import graphs
 from drawings.dynamics.graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, StripGraph, graph_part
 from drawings.dynamics.loop import NAME, TAIL, height, loop_part, write
-from drawings.dynamics.plate import TITLE, WIDE, Plate, longest
+from drawings.dynamics.plate import TITLE, WIDE, Plate, longest, measure
 from drawings.kinds.axes import BETWEEN, BEYOND, Axes, Part, Parts, caption, wide
 from drawings.kinds.row_frame import coarser, level, stacked
 from drawings.kinds.working import TANGENTS, Workings, amount
@@ -20,13 +20,13 @@ from drawings.lettering.words import Slot, joined, telling
 from drawings.page.page import Scale, fitting
 from drawings.paper.hand import Field
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
+from drawings.paper.walk import tied
 from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import around, trim
 from plans.model.dynamics import TURN, Touch
 
 POLE = (3.2, 8.2)  # least and greatest pole distance, in sizes of a letter
-COARSER = 4  # scales tried beyond the largest: they differ by ten times
-FIRST = (SURPLUS, WORKS, MOMENTS, SPEEDS)  # what is enlarged first
+COARSER = 7  # scales tried beyond the largest: they differ by a hundred times
 TITLES = {MOMENTS: "reduced moments", WORKS: "works", SURPLUS: "surplus energy", SPEEDS: "speed over the turn"}
 DIGITS = 5
 TOLD = "told"  # the name of what is told under the loop
@@ -65,18 +65,40 @@ class PlateFrame:
     @cached_property
     def heights(self) -> dict[str, float]:
         """The heights of the rows, mm: what one leaves at its scale goes to the loop first, then to the others."""
-        rooms = {row.name: row.high * self.length for row in self.plate.rows}
-        found = {name: self._filled(name, room) for name, room in rooms.items()}
+        found = self._rooms
+        total, heights = sum(found.values()), {name: self._filled(name, room) for name, room in found.items()}
         if (over := self.plate.rows[0].name) in (SPEEDS, INERTIA):  # the inertia stands beside it, over the loop
-            found[over] = rooms[over]
+            heights[over] = found[over]
         if self.plate.rows[-1].name == SPEEDS:
-            found[SPEEDS] = max(found[SPEEDS], self._beside)
-        for name in FIRST:
-            if name in found:
-                spare = sum(rooms.values()) - sum(found.values())
-                found[name] = max(found[name], self._filled(name, found[name] + spare))
-        spare = sum(rooms.values()) - sum(found.values())
-        return {name: high + spare / len(found) for name, high in found.items()}
+            heights[SPEEDS] = max(heights[SPEEDS], self._beside)
+        if WORKS in found:
+            heights |= self._integrated(found[MOMENTS] + found[WORKS])
+        if SURPLUS in found:
+            spare = total - sum(heights.values())
+            heights[SURPLUS] = max(heights[SURPLUS], self._filled(SURPLUS, heights[SURPLUS] + spare))
+        if WORKS in found:
+            heights |= self._integrated(total - sum(heights.values()) + heights[MOMENTS] + heights[WORKS])
+        if SPEEDS in found:
+            spare = total - sum(heights.values())
+            heights[SPEEDS] = max(heights[SPEEDS], self._filled(SPEEDS, heights[SPEEDS] + spare))
+        spare = total - sum(heights.values())
+        return {name: high + spare / len(heights) for name, high in heights.items()}
+
+    @property
+    def _rooms(self) -> dict[str, float]:
+        """The rooms of the rows as the plate parts its height, mm."""
+        return {row.name: row.high * self.length * self._taller for row in self.plate.rows}
+
+    def _integrated(self, room: float) -> dict[str, float]:
+        """Give the heights of moments and works at the scales that they have in a room for both, mm."""
+        first, second, _ = self._paired(room)
+        return {name: self._high(name) / scale.mu for name, scale in ((MOMENTS, first), (WORKS, second))}
+
+    @property
+    def _taller(self) -> float:
+        """How many times as high as at least the rows are: a box with room to spare is filled."""
+        room = measure(self.plate)
+        return tied(room.filling(self.spot).high / room.high)
 
     @property
     def _beside(self) -> float:
@@ -85,8 +107,13 @@ class PlateFrame:
 
     def _filled(self, name: str, room: float) -> float:
         """Give how much of a room the values of a row fill at a standard scale, mm."""
+        high = self._high(name)
+        return high / self._fitting(self._span(name), room, "", "").mu if high else room
+
+    def _high(self, name: str) -> float:
+        """Give over how much the values of a row go."""
         low, high = self._span(name)
-        return room if high == low else (high - low) / self._fitting((low, high), room, "", "").mu
+        return high - low
 
     def _span(self, name: str) -> tuple[float, float]:
         """Give the least and the greatest value of a row; the inertia fills what it is given."""
@@ -111,15 +138,21 @@ class PlateFrame:
     @cached_property
     def integration(self) -> tuple[Scale, Scale, float]:
         """The scales of moments and works and the pole distance, mm, which follows from them."""
-        size, mu = self.plate.hand.letter, self.spot.scale.mu
-        pairs = product(self._steps(MOMENTS, "M", "N*m"), self._steps(WORKS, "A", "J"))
-        found = [(first, two, two.mu / (first.mu * mu)) for first, two in pairs]
-        near = [way for way in found if POLE[0] * size <= way[2] <= POLE[1] * size]
-        return min(near or found, key=lambda way: way[0].mu * way[1].mu)
+        return self._paired(self.heights[MOMENTS] + self.heights[WORKS])
 
-    def _steps(self, name: str, letter: str, unit: str) -> Iterator[Scale]:
-        """Give the largest scale of a graph that its row takes, and some smaller ones."""
-        first = self._fitting(self.graphs[name].span, self.fields[name].height, letter, unit)
+    def _paired(self, room: float) -> tuple[Scale, Scale, float]:
+        """Choose the largest scales of moments and works that share a room, mm, with a pole that stands well."""
+        size, mu = self.plate.hand.letter, self.spot.scale.mu
+        pairs = product(self._steps(MOMENTS, "M", "N*m", room), self._steps(WORKS, "A", "J", room))
+        found = [(first, two, two.mu / (first.mu * mu)) for first, two in pairs]
+        high, other = self._high(MOMENTS), self._high(WORKS)
+        fitting = [way for way in found if tied(high / way[0].mu + other / way[1].mu - room) <= 0]
+        near = [way for way in fitting if POLE[0] * size <= way[2] <= POLE[1] * size]
+        return min(near or fitting, key=lambda way: way[0].mu * way[1].mu)
+
+    def _steps(self, name: str, letter: str, unit: str, room: float) -> Iterator[Scale]:
+        """Give the largest scale of a graph that a room takes, and some smaller ones."""
+        first = self._fitting(self._span(name), room, letter, unit)
         return coarser(first, COARSER, self.plate.drafting.standard)
 
     def axes(self, name: str) -> Axes:
