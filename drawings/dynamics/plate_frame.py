@@ -26,6 +26,7 @@ from drawings.symbols.trimming import around, trim
 from plans.model.dynamics import TURN, Touch
 
 POLE = (3.2, 8.2)  # least and greatest pole distance, in sizes of a letter
+EVEN = 0.65  # share of the room of moments and works that one of them takes at most
 COARSER = 7  # scales tried beyond the largest: they differ by a hundred times
 TITLES = {MOMENTS: "reduced moments", WORKS: "works", SURPLUS: "surplus energy", SPEEDS: "speed over the turn"}
 DIGITS = 5
@@ -72,7 +73,7 @@ class PlateFrame:
         if self.plate.rows[-1].name == SPEEDS:
             heights[SPEEDS] = max(heights[SPEEDS], self._beside)
         if WORKS in found:
-            heights |= self._integrated(found[MOMENTS] + found[WORKS])
+            heights |= self._integrated(self._shared)
         if SURPLUS in found:
             spare = total - sum(heights.values())
             heights[SURPLUS] = max(heights[SURPLUS], self._filled(SURPLUS, heights[SURPLUS] + spare))
@@ -88,6 +89,11 @@ class PlateFrame:
     def _rooms(self) -> dict[str, float]:
         """The rooms of the rows as the plate parts its height, mm."""
         return {row.name: row.high * self.length * self._taller for row in self.plate.rows}
+
+    @property
+    def _shared(self) -> float:
+        """The room that moments and works share, mm."""
+        return self._rooms[MOMENTS] + self._rooms[WORKS]
 
     def _integrated(self, room: float) -> dict[str, float]:
         """Give the heights of moments and works at the scales that they have in a room for both, mm."""
@@ -146,8 +152,9 @@ class PlateFrame:
         pairs = product(self._steps(MOMENTS, "M", "N*m", room), self._steps(WORKS, "A", "J", room))
         found = [(first, two, two.mu / (first.mu * mu)) for first, two in pairs]
         high, other = self._high(MOMENTS), self._high(WORKS)
-        fitting = [way for way in found if tied(high / way[0].mu + other / way[1].mu - room) <= 0]
-        near = [way for way in fitting if POLE[0] * size <= way[2] <= POLE[1] * size]
+        rows, most = [(high / way[0].mu, other / way[1].mu, way) for way in found], EVEN * max(room, self._shared)
+        fitting = [way for one, two, way in rows if tied(max(one, two) - most) <= 0 >= tied(one + two - room)]
+        near = [way for way in fitting if tied(POLE[0] - way[2] / size) <= 0 >= tied(way[2] / size - POLE[1])]
         return min(near or fitting, key=lambda way: way[0].mu * way[1].mu)
 
     def _steps(self, name: str, letter: str, unit: str, room: float) -> Iterator[Scale]:

@@ -30,6 +30,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, StatedScales
 from plans.scene.scene import Scene
 
 TOGETHER = re.compile(r" (=|…|−|[+]) ")
+ALONE = re.compile(r" (\S{1,2})$")  # a letter or a number does not end a note on a line of its own
 NOTES = "notes"  # the name of their group
 CLEAR = 0.5  # mm from a line of notes to the frame
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
@@ -73,7 +74,7 @@ def _broken(note: str, width: float, size: float) -> list[str]:
 def _words(note: str) -> list[str]:
     """Part a note at its spaces, but no equation and no range."""
     kept = TOGETHER.sub(lambda sign: f"\N{NO-BREAK SPACE}{sign[1]}\N{NO-BREAK SPACE}", note)
-    return [word for word in kept.split(" ") if word]
+    return [word for word in ALONE.sub("\N{NO-BREAK SPACE}\\1", kept).split(" ") if word]
 
 
 def _reach(words: Sequence[str], size: float, count: int) -> float:
