@@ -82,6 +82,11 @@ class DynamicsNotes(NamedTuple):
             moment = self._slot("M_dr", abs(cycle.driving))
             yield self.drafting.phrase(key, work=self._slot("A_us(2π)", abs(cycle.net)), moment=moment)
 
+    def directed(self) -> Iterator[str]:
+        """Say of loads that drive the machine that those of an engine do."""
+        if self.account.cycle is not None and self.account.cycle.net > 0:
+            yield self.drafting.word("loads drive")
+
     def stopping(self) -> Iterator[str]:
         """Say that the machine would stop without a flywheel where none is asked for."""
         if self.stops:
@@ -206,7 +211,7 @@ NOISE = 1e-9  # per cent: a smaller difference is rounding, whose digits differ 
 def headline(study: Study) -> str:
     """Say what flywheel the machine needs."""
     notes = notes_of(study, digits=5)
-    return "; ".join(map(plain, (*notes.works(), *notes.missing())))
+    return "; ".join(map(plain, (*notes.works(), *notes.directed(), *notes.missing())))
 
 
 def remarks(study: Study) -> list[Message]:
@@ -277,7 +282,9 @@ def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:
 
 def _works(account: Account, notes: DynamicsNotes) -> Iterator[str]:
     if account.cycle is not None:
-        yield from listed(chapter(notes.drafting.language, "works"), [*notes.works(), *notes.stopping()])
+        yield from listed(
+            chapter(notes.drafting.language, "works"), [*notes.works(), *notes.directed(), *notes.stopping()]
+        )
         yield ""
         yield from tables.works(account.cycle, account.speeds, notes.drafting)
 
