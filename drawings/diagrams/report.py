@@ -154,7 +154,7 @@ def _values(found: Diagrams, findings: Sequence[Quantity], language: str) -> Ite
     chosen = [findings[k] for k in TOLD]
     columns = [np.degrees(found.axis.turned), *(_column(finding, len(found.axis.numbers)) for finding in chosen)]
     heads = [f"{TURNED}, °", *(heading(finding, language) for finding in chosen)]
-    yield from tabled(heads, columns, language, ABSENT)
+    yield from tabled(heads, columns, language, ABSENT, found.axis.numbers)
     yield ""
     yield from _errors(found, chosen, language)
 

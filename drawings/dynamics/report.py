@@ -286,7 +286,7 @@ def _works(account: Account, notes: DynamicsNotes) -> Iterator[str]:
             chapter(notes.drafting.language, "works"), [*notes.works(), *notes.directed(), *notes.stopping()]
         )
         yield ""
-        yield from tables.works(account.cycle, account.speeds, notes.drafting)
+        yield from tables.works(account.cycle, account.speeds, notes.task.divisions, notes.drafting)
 
 
 def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:

@@ -11,7 +11,7 @@ import numpy as np
 from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS
 from drawings.report.report import column, header, row, tabled, tiny, united
-from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
+from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task, edge_names
 from plans.model.motion import Floats
 from plans.model.run import MachineRun, Stage
 from plans.words.words import word
@@ -29,7 +29,7 @@ def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
     yield from tabled(united(heads, drafting), columns, drafting.language, ABSENT)
 
 
-def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[str]:
+def works(cycle: Cycle, speeds: Speeds | None, divisions: int, drafting: Drafting) -> Iterator[str]:
     """Tell moments on both sides of each edge, works, energy, inertia, and the speed with the flywheel."""
     heads = ["Δφ, °", "M−, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
     before = np.roll(cycle.moments[:, 1], 1)
@@ -38,8 +38,8 @@ def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[s
     if speeds is not None:
         heads.append("ω, rad/s")
         columns.append(speeds.omega)
-    edge = word(drafting.language, "table.edge")
-    yield from tabled(united(heads, drafting), columns, drafting.language, ABSENT, edge)
+    names = edge_names(cycle.turned, divisions)
+    yield from tabled(united(heads, drafting), columns, drafting.language, ABSENT, names)
 
 
 def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
+from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -50,11 +51,13 @@ def united(heads: Iterable[str], drafting: Drafting) -> list[str]:
     return [f"{name}{comma}{drafting.word(unit) if unit else unit}" for name, comma, unit in parts]
 
 
-def tabled(heads: Sequence[str], columns: Iterable[Any], language: str, gap: str = "", first: str = "") -> list[str]:
-    """Write a table of all positions, or of what else is numbered from 0 on."""
+def tabled(
+    heads: Sequence[str], columns: Iterable[Any], language: str, gap: str = "", names: Iterable[object] = ()
+) -> list[str]:
+    """Write a table of positions by their names, or of all from 0 on."""
     rows = zip(*(column(values, language, gap) for values in columns), strict=True)
-    named = first or word(language, "table.position")
-    return [*header([named, *heads]), *(row([str(k), *cells]) for k, cells in enumerate(rows))]
+    named = zip(names or count(), rows, strict=False)
+    return [*header([word(language, "table.position"), *heads]), *(row([str(name), *cells]) for name, cells in named)]
 
 
 def column(values: Any, language: str, gap: str = "") -> list[str]:
