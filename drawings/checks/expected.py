@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -80,6 +80,14 @@ def cells(
         value, allowed, period = (*cell, 0.0)[:3] if isinstance(cell, tuple) else (cell or NOTHING, 0.0, 0.0)
         expected = Expected(Kind.NUMBER, table, cell_name(row, column), value, allowed, position, may_lack)
         yield expected._replace(digits=digits, period=period) if digits or period else expected
+
+
+def by_roads(
+    table: str, row: str, value: Cell, error: Cell, position: int, keys: Collection[Key], may_lack: bool = False
+) -> Iterator[Expected]:
+    """Give the cells of a row that both roads find, in a column each or in one, and of what a hand may be out."""
+    apart = (Kind.NUMBER, table, cell_name(row, 2), position) in keys
+    yield from cells(table, row, (value, value, error) if apart else (value, error), position, may_lack=may_lack)
 
 
 def by_hand(error: float, most: float) -> Cell:

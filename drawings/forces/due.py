@@ -10,7 +10,7 @@ from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, by_hand, cells, course, phrases
+from drawings.checks.expected import NOTES, Expected, by_hand, by_roads, course, phrases
 from drawings.checks.hold import stated_keys
 from drawings.forces.due_acting import ExpectedArm, ExpectedForces, diagrams, named, unbraced
 from drawings.forces.due_lever import lever
@@ -293,7 +293,7 @@ class _Sheet:
         return given | {bearing.whole.name for bearing in bill.bearings}
 
     def table(self) -> Iterator[Expected]:
-        """Give the cells of the table: by plan, by analysis, by hand; what is none all the turn may lack."""
+        """Give the cells of the table: by plan and by analysis, by hand; what is none all the turn may lack."""
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)
@@ -305,4 +305,4 @@ class _Sheet:
             value = float(abs(found) if np.iscomplexobj(found) else found)
             size = (value, slack) if math.isfinite(value) else None
             error = math.nan if size is None else slips.get((quantity.name, self.k), math.nan)
-            yield from cells(TABLE, head, (size, size, by_hand(error, quantity.largest)), self.k, may_lack=lost)
+            yield from by_roads(TABLE, head, size, by_hand(error, quantity.largest), self.k, self.keys, lost)

@@ -11,10 +11,12 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
+from itertools import chain
 from typing import Any, Final, NamedTuple
 
 from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
+from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
 from drawings.lettering.words import word
 from drawings.page.page import Drafting
@@ -322,7 +324,9 @@ def _whole(name: str, parts: list[LaidTable], drafting: Drafting) -> RuledTable:
     positions = tuple(dict.fromkeys(position for part in parts for position in part.positions))
     rows = dict.fromkeys(row for part in parts for row in part.rows if row)
     first, beside = parts[0], [drafting.word(key) for key in BESIDE]
-    heads = tuple(head for head in first.heads if head not in beside)
+    both, apart = drafting.word(BOTH), tuple(map(drafting.word, COLUMNS[:2]))
+    split = (apart if head == both else (head,) for head in first.heads if head not in beside)
+    heads = tuple(chain(*split))
     cells = ("",) * (len(heads) * max(len(positions), 1))
     lines = [TableRow(row, cells) for row in rows]
     return ruled(lines, first.first, heads, first.text, positions)._replace(name=name)

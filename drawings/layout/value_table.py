@@ -19,6 +19,7 @@ from plans.quantity import Comparison, Quantity
 
 # Of every table of values: one more needs cells below, a word, and to be expected (due.py of a technique).
 COLUMNS = ("by plan", "by analysis", "by hand")
+BOTH = "by both"  # heads the one column of a table in which plan and analysis agree in all that is printed
 NOTHING, WIDE = "—", "8"
 DIGITS = 5  # of the largest value of a row; the others keep its decimals
 
@@ -113,6 +114,12 @@ def _two_digits(value: float, most: int, language: str) -> str:
 
 
 def table(lines: Sequence[TableRow], positions: tuple[int, ...], drafting: Drafting) -> RuledTable:
-    """Measure a table of values."""
-    heads = tuple(drafting.word(key) for key in COLUMNS)
+    """Measure a table of values: of plan and analysis one column where they agree in all that is printed."""
+    columns, each = COLUMNS, len(COLUMNS)
+    if all(line.cells[k] == line.cells[k + 1] for line in lines for k in range(0, len(line.cells), each)):
+        columns = BOTH, COLUMNS[-1]
+        lines = [
+            line._replace(cells=tuple(cell for k, cell in enumerate(line.cells) if k % each != 1)) for line in lines
+        ]
+    heads = tuple(drafting.word(key) for key in columns)
     return measure(lines, drafting.word("quantity"), heads, drafting.hand.text, positions)

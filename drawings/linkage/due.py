@@ -10,7 +10,7 @@ from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, by_hand, cells, measured, phrases
+from drawings.checks.expected import NOTES, Expected, by_hand, by_roads, measured, phrases
 from drawings.checks.hold import stated_keys
 from drawings.diagrams import due as diagrams
 from drawings.layout import value_table
@@ -172,10 +172,11 @@ class _ExpectedMotion:
         return VectorPlans(self.study, self.comparison, self.masses, self.drafting, keys)
 
     def values(self) -> Iterator[Expected]:
-        """Give the cells of the table of values: by plan, by analysis, by hand."""
+        """Give the cells of the table of values: by plan and by analysis, by hand."""
         positions = sorted({k for leaf in self.leaves for k in leaf.metadata["plans"]})
         if not positions:
             return
+        keys = frozenset(chain(*map(stated_keys, self.leaves)))
         hand = MotionByHand(self.study, self.comparison, self.masses)
         scales = {name: mu for leaf in self.leaves for name, mu in leaf.metadata["scales"].items()}
         errors = hand.on_sheet(positions, scales)
@@ -187,8 +188,7 @@ class _ExpectedMotion:
                 value = first.analysis[k]
                 size = float(abs(value) if np.iscomplexobj(value) else value), float(first.allowed[k])
                 error = math.nan if math.isnan(size[0]) else errors.get((first.name, k), math.nan)
-                told_by = size, size, by_hand(error, first.largest)
-                yield from cells(VALUES, row, told_by, k, may_lack=lost)
+                yield from by_roads(VALUES, row, size, by_hand(error, first.largest), k, keys, lost)
 
 
 def named(findings: Sequence[Quantity], language: str) -> dict[str, Quantity]:

@@ -95,7 +95,7 @@ def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path
     wrong = {key_of(table, "vB", "by plan", 2): "", key_of(table, "ω4", "by plan", 2): "1.6"}
     graded = grade(written(tables_of(own.originals.sheets[0]), table, wrong), SheetTask(tables=own.tables), HAND)
     won, most = points_of(graded.verdicts, read_marking(marks))
-    assert (most, most - won) == (0.25 * (21 * 4 + 12 * 4) + 2 * 4, 2 + 0.125)
+    assert (most, most - won) == (0.25 * (21 * 2 + 12 * 4) + 2 * 2, 2 + 0.125)  # of two roads one cell
 
 
 def test_feedback_frames_a_table_that_is_empty() -> None:

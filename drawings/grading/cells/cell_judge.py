@@ -138,8 +138,9 @@ class CellJudge:
 
     @property
     def _keys(self) -> list[Key]:
-        own = [key for key in self.seen if key in self.asked.cells]
-        return sorted(own, key=lambda key: (-self.seen[key].box.high, self.seen[key].box.left))
+        asked = [key for key in self.seen if key in self.asked.cells]
+        once = {id(self.seen[key]): key for key in reversed(asked)}  # one cell may be of plan and analysis together
+        return sorted(once.values(), key=lambda key: (-self.seen[key].box.high, self.seen[key].box.left))
 
     @cached_property
     def _numbers(self) -> dict[Key, WrittenNumber]:

@@ -5,13 +5,17 @@ from __future__ import annotations
 import re
 from bisect import bisect
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
+from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
+from drawings.lettering.words import word
 from drawings.paper.strokes import Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat
 from drawings.reading.alphabet import folded
+from plans.scene.sheet import LANGUAGES
 
 LEVEL = 0.2  # mm: a line that is out by more is no line of a table, and two that are nearer are one
 SHORT = 2.0  # mm: no cell is smaller
@@ -201,7 +205,7 @@ def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
     columns = _columns([head for head in inside if head[0].imag > box.low and head[0].real > box.right], edges)
     if not columns or len(floors) < 2:
         return None
-    heads = {folded(head.plain): head for head, _ in columns if head is not None}
+    heads = {folded(head.plain): head for whole, _ in columns for head in _split(whole)}
     cells, labels = dict[Key, SeenCell](), dict[str, Text]()
     for low, high in pairwise(floors):
         row = [_cell(sheet, inside, CellFrame(left, low, right, high)) for left, right in pairwise(edges)]
@@ -210,9 +214,22 @@ def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
         label = folded(" ".join(text.plain for text in row[0].texts))
         labels.setdefault(label, row[0].texts[0])
         for (head, position), cell in zip(columns, row[1:], strict=True):
-            if head is not None:
-                cells.setdefault((label, position, folded(head.plain)), cell)
+            for part in _split(head):
+                cells.setdefault((label, position, folded(part.plain)), cell)
     return SeenTable(corner, heads, labels, cells)
+
+
+def _split(head: Text | None) -> Iterator[Text]:
+    """Give the headings that a column has: that of plan and analysis together is both of theirs."""
+    if head is not None:
+        parts = _together().get(folded(head.plain))
+        yield from [head] if parts is None else (head._replace(content=part) for part in parts)
+
+
+@cache
+def _together() -> Mapping[str, tuple[str, ...]]:
+    """Give what the column of both roads stands for, in each language."""
+    return {folded(word(one, BOTH)): tuple(word(one, key) for key in COLUMNS[:2]) for one in LANGUAGES}
 
 
 def _cell(sheet: Ruling, inside: Sequence[tuple[complex, Text]], box: CellFrame) -> SeenCell:
