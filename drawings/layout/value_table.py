@@ -115,7 +115,7 @@ def _two_digits(value: float, most: int, language: str) -> str:
 
 def table(lines: Sequence[TableRow], positions: tuple[int, ...], drafting: Drafting) -> RuledTable:
     """Measure a table of values: of plan and analysis one column where they agree in all that is printed."""
-    columns, each = COLUMNS, len(COLUMNS)
+    each, columns = len(COLUMNS), tuple[str, ...](COLUMNS)
     if all(line.cells[k] == line.cells[k + 1] for line in lines for k in range(0, len(line.cells), each)):
         columns = BOTH, COLUMNS[-1]
         lines = [
