@@ -63,6 +63,7 @@ def remarks(plans: Sequence[Picture], spots: Mapping[str, Spot], drafting: Draft
 
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
 NONE: Mapping[str, tuple[int, complex]] = {}
+EACH = 1.6  # of its letters for each image: a plan is drawn at least so large
 SAME = 1e-6  # of a vector: two constructions of one point differ by rounding, a ten-thousandth of a mm on no sheet
 VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
 
@@ -181,7 +182,7 @@ def measure(shown: VectorDiagram, drafting: Drafting) -> Picture:
     """Measure the room that a plan needs: its points, letters around them, its heading above."""
     kind, hand = shown.plan.board.subject, drafting.hand
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
-    least = hand.letter * max(PLAN_LETTERS, len(shown.visible))
+    least = hand.letter * max(PLAN_LETTERS, EACH * len(shown.visible))
     scale = VECTOR[kind].symbol, VECTOR[kind].unit
     return picture(shown.name, shown.points, scale, around(MARGINS, hand), title, least)
 
