@@ -144,8 +144,8 @@ def lay_out(plan: Plan, out: Output, path: Path, shares: Floats) -> Mark:
     name, slide = path.point, frame_slide(plan.mechanism, out.link)
     if slide is None:
         return _on_arc(plan, out, path, shares)
-    first = plan.board.given(f"{name}_begin", path.ends[0], because("tool_begin", point=name))
-    last = plan.board.given(f"{name}_end", path.ends[1], because("tool_end", point=name))
+    first = plan.board.given(f"{name}_0", path.ends[0], because("tool_begin", point=name))
+    last = plan.board.given(f"{name}_H", path.ends[1], because("tool_end", point=name))
     stroke = plan.board.join("H", first, last, because("tool_stroke"))
     gone = plan.board.turn(f"S_{name}", stroke, shares + 0j, because("tool_share"))
     mark = plan.name(name, plan.board.lay_off(name, first, gone, because("tool_place", point=name)))

@@ -148,7 +148,8 @@ class _PhrasePart:
         if isinstance(value, tuple):
             return _joined([said(name, self.language) for name in value], *words(self.language)[f"join.{wish}"])
         if wish == "number":
-            return str(value).replace(".", word(self.language, "number.decimal"))
+            minus, decimal = (word(self.language, f"number.{sign}") for sign in ("minus", "decimal"))
+            return re.sub("^-", minus, str(value)).replace(".", decimal)
         return term(self.language, wish, str(value))
 
 
