@@ -8,7 +8,7 @@ from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from typing import Any, NamedTuple
 
 from drawings.layout.composer import compose, fits
@@ -28,6 +28,8 @@ from drawings.paper.strokes import LEAN, Group, Kind, Leaf, SheetError, Statemen
 from drawings.paper.walk import stating
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, StatedScales
 from plans.scene.scene import Scene
+from plans.words.words import languages
+from plans.words.words import words as phrases
 
 TOGETHER = re.compile(r" (=|…|−|[+]) ")
 ALONE = re.compile(r" (\S{1,2})$")  # a letter or a number does not end a note on a line of its own
@@ -81,9 +83,16 @@ def _reach(words: Sequence[str], size: float, count: int) -> float:
     return text_width(Text(0j, " ".join(words[:count]), size))
 
 
+@cache
+def _before_units() -> re.Pattern[str]:
+    """Find the space between a number and its unit, of any language: no line ends there."""
+    units = {str(text) for each in languages() for key, text in phrases(each).items() if key.startswith("unit.")}
+    return re.compile(rf"(?<=\d) (?=(?:{'|'.join(map(re.escape, units - {''}))}|%)(?![^\W_]))")
+
+
 def _marked(note: str) -> str:
-    """Lower the kind's number in II2(4,5); the rest of a note stays as it is."""
-    out, k = [], 0
+    """Lower the kind's number in II2(4,5), and keep numbers with their units; the rest of a note stays as it is."""
+    note, out, k = _before_units().sub("\N{NO-BREAK SPACE}", note), [], 0
     while k < len(note):
         if note.startswith("II", k) and k + 2 < len(note) and note[k + 2].isdigit():
             out.append(f"II_{{{note[k + 2]}}}")
