@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -89,9 +90,20 @@ def headline(study: Study) -> str:
 
 
 def _concluded(study: Study) -> Iterator[str]:
-    """Say what is to be put on, and what it costs, each by itself."""
+    """Say what is put on, what that makes of the mass centre, and what it costs, each by itself."""
     notes = notes_of(study)
-    return map(entry, (*notes.counterweights(), *notes.price()))
+    weights = [weight for weight in notes.balance.counterweights if weight.needed]
+    yield from (_weight(weight, notes) for weight in weights)
+    told = () if weights else notes.counterweights()
+    yield from map(entry, (*told, *notes.balanced(), *notes.left(), *notes.price()))
+
+
+def _weight(weight: Counterweight, notes: BalanceNotes) -> str:
+    """Say of a counterweight how heavy it is, and where it is put."""
+    number, language = partial(notes.drafting.number, digits=DIGITS), notes.drafting.language
+    sizes = {"mass": number(weight.mass), "distance": number(weight.distance)}
+    places = {"link": weight.link, "begin": weight.begin, "angle": number(degrees(weight, notes.mechanism))}
+    return word(language, "report.balance_weight", letter=counterweight(weight.link, language), **sizes, **places)
 
 
 def notes_of(study: Study) -> BalanceNotes:
@@ -113,7 +125,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     aim = word(language, f"report.aim_{notes.balance.task.aim}")
     masses = () if "forces" in study.techniques else mass_table(notes.machine, language)
     return Chapters(
-        subject=[chapter(language, "balancing").lstrip(), aim, *masses, *_lines(notes.main_points())],
+        subject=[chapter(language, "balancing"), aim, *masses, *_lines(notes.main_points())],
         values=[*_counterweights(notes), *_costs(notes), *_shares(notes), *_centres(notes)],
         left_out=[word(language, "report.balance_left_out")],
     )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from drawings.cam.hub import notes as hub_notes
 from drawings.cam.notes import CamNotes, letters, table_units
 from drawings.lettering.words import ROUNDING
 from drawings.page.page import Drafting, drafting_of
@@ -44,9 +45,10 @@ def headline(study: Study) -> str:
 
 
 def _concluded(study: Study) -> Iterator[str]:
-    """Say of each cam which sizes it has, and its pressure angles."""
+    """Say of each cam which sizes it has, its pressure angles, and what is wrong with it."""
     for notes in _all(study):
-        text = "; ".join(raised(line) for line in (*notes.sizes(), *notes.pressure()))
+        lines = (raised(line) for line in (*notes.sizes(), *notes.pressure(), *notes.flaws()))
+        text = "; ".join(f"{line[:1].lower()}{line[1:]}" for line in lines)
         yield word(notes.drafting.language, "report.cam_concluded", name=notes.cam.name, told=text)
 
 
@@ -74,27 +76,25 @@ def _all(study: Study) -> Iterator[CamNotes]:
 
 def _task(notes: CamNotes) -> Iterator[str]:
     yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
-    yield ""
     yield from map(entry, (*notes.asked(), *notes.phases(), *notes.setting()))
-    yield ""
 
 
 def _values(found: CamFound, drafting: Drafting) -> Iterator[str]:
     """Tell every numbered position."""
     yield word(drafting.language, "report.cam_values", name=found.cam.name)
-    yield ""
-    yield from header([_head(name, found, drafting) for name in ("φ", "S", "S'", "S''", "x_P", "y_P", "α", "ρ")])
+    yield from header(
+        ["i", *(_head(name, found, drafting) for name in ("φ", "S", "S'", "S''", "x_P", "y_P", "α", "ρ"))]
+    )
     yield from (row([str(k), *cells]) for k, cells in enumerate(_cells(found, drafting)))
 
 
 def _head(name: str, found: CamFound, drafting: Drafting) -> str:
-    """Head a column: the first bears the number of the position beside the turn, or the travel."""
+    """Head a column with its unit."""
     turn = letters(found.cam)[1]
     ways = dict(zip(("S", "S'", "S''"), table_units(found.cam), strict=True))
     units = {"φ": "mm" if found.cam.translates else "°", "α": "°", **{way: ways[way].unit for way in ways}}
     unit = units.get(name, "mm")
-    said = f"{name.replace('φ', turn)}, {drafting.word(unit)}" if unit else name
-    return f"i | {said}" if name == "φ" else said
+    return f"{name.replace('φ', turn)}, {drafting.word(unit)}" if unit else name
 
 
 def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
@@ -126,10 +126,11 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
     """Tell sizes, angles, roller, shocks, flaws; of diagrams that are asked for what their chords leave out."""
     language = notes.drafting.language
     yield word(language, "report.cam_found", name=notes.cam.name)
-    yield ""
     parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.pressing, notes.flaws)
     lines = (line for part in parts for line in part())
     yield from map(entry, lines)
+    if notes.cam.hub is not None:
+        yield from (entry(f"{line}") for line in hub_notes(notes.found, notes.drafting))
     if laws:
         yield f"- {_chords(drawing, notes.drafting)}"
 

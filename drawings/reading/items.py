@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
-from drawings.paper.walk import groups
+from drawings.paper.walk import groups, texts
 from drawings.reading.transform import Affine
 from geometry.curve import CubicPiece, Piece
 from plans.words.words import Message, message
@@ -237,6 +237,10 @@ def _headings(group: Group | None) -> Iterator[str]:
     first = group if is_heading(group) else next(iter(group.strokes), None)
     if isinstance(first, Group) and is_heading(first):
         yield from (text.plain for text in first.strokes if isinstance(text, Text))
+        return
+    lettering = [*texts((first,) if first else ())]
+    if len(lettering) > 1 and lettering[0].size > lettering[1].size:  # a title that its scale stands beside
+        yield lettering[0].plain
 
 
 def _box(places: list[complex]) -> Box:
