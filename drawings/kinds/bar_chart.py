@@ -196,7 +196,8 @@ class BarFigure(ChartFigure):
         start, end = map(self.place.on, ends)
         line = fit_dashes([Line(start, end, course.style_of(stretch.span, self.hand))])
         data = Subject(NAME, SYMBOL, None).data("vector", bar.name, ends[1] - ends[0], self.place.scale)
-        yield Group(tuple(line), "", data, Text(0j, course.angle(stretch.span, self.drafting)).plain)
+        letter = words[0] if words else self._whole(bar)
+        yield Group(tuple(line), "", data, Text(0j, letter).plain)
         for k, text in enumerate(words):
             yield self._text(self.place.on(bar.top) + 1j * (OVER + k * STEP * self.hand.number), text)
 

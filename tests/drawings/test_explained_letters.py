@@ -22,7 +22,7 @@ EVERYDAY = {"shaper-loaded", "four-masses", "press", "automaton", "lanchester", 
 SYMBOL = re.compile(r"[ΣΔ]*[^\W\d_]['′]*([_^].+|[\w'·{}^π()]{0,3}|/.+)")
 CELL = re.compile(r"(, [^,]+)? \[\d+\]$")  # behind the name of a row: its unit, and the column
 # What a sheet letters, though it rests on no step and is no quantity: axes, dimensions that are given, times.
-GIVEN = ("load_diagram", "flywheel_sketch", "tachogram", "manufacturing")
+GIVEN = ("load_diagram", "flywheel_sketch", "tachogram", "manufacturing", "bars")
 WORDLESS = {"riveter"}  # its table of the reduction has angles alone for rows
 UNEXPLAINED = {"h_{0}", "Φ_{max}", "P′_{ур}", "P′_{bal}"}  # to be added
 
