@@ -175,13 +175,13 @@ def needs(text: str, hand: Hand) -> float:
 def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     """Dimension the places from the plane of place 0, the farthest lowest; millimetres of the machine.
 
-    Where one is too short for its text there is none: the notes tell all places.
+    One that is too short for its text has none: the notes tell all places.
     """
-    hand, texts, base = drafting.hand, _texts(shown, drafting), place.on(0j)
-    if any(place.length(abs(where)) < needs(text, hand) for where, text in texts.items()):
-        return
+    hand, base = drafting.hand, place.on(0j)
     sizes = list[Sized]()
-    for where, text in texts.items():
+    for where, text in _texts(shown, drafting).items():
+        if place.length(abs(where)) < needs(text, hand):
+            continue
         states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
         sizes.append((complex(place.on(complex(where)).real, base.imag), text, states))
     yield from view.dimensions(

@@ -245,9 +245,10 @@ class BarFigure(ChartFigure):
 
     def _told(self, row: BarRow, room: float) -> str:
         """Write whose setting angle it is, in words where they have room; of one before 0 what it lacks of a turn."""
-        text, back = course.setting(row, self.drafting), self.chart.at(0.0) - self.chart.at(row.setting or 0.0)
-        if back > 0:
-            text = f"{text} = 360° − {course.degrees(back, self.drafting)}"
+        setting, back = row.setting or 0.0, self.chart.at(0.0) - self.chart.at(row.setting or 0.0)
+        lack = f"360° − {course.degrees(back, self.drafting)} = " if back > 0 else ""
+        angle = f"{lack}{course.degrees(within(setting), self.drafting)}"
+        text = self.drafting.word("cyclogram setting", angle=angle)
         name = course.name(row, self.drafting)
         full = self.drafting.word("cyclogram set angle", name=name, angle=text)
         return full if self._wide(full) + 2 * BESIDE <= room else f"{name}: {text}"

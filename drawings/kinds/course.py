@@ -11,7 +11,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import LineStyle
 from plans.cyclogram import rows as r
 from plans.model.cam import DWELL, RETURN, RISE
-from plans.model.cyclogram import BarRow, Period, pieces, within
+from plans.model.cyclogram import BarRow, Period, pieces
 
 PLACES = 2  # decimals of a degree: what a dimension of an angle has
 
@@ -100,9 +100,3 @@ def name(row: BarRow, drafting: Drafting) -> str:
     if row.name in (r.STROKES, r.TOOL, r.FEED):
         return drafting.word(f"cyclogram {row.name}")
     return drafting.word("cyclogram cam", name=row.name)
-
-
-def setting(row: BarRow, drafting: Drafting) -> str:
-    """Write the setting angle of a row with its letter (угол установки)."""
-    assert row.setting is not None  # only what has one is asked
-    return drafting.word("cyclogram setting", angle=degrees(within(row.setting), drafting))
