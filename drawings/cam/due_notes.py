@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from plans.cam.course import WorkshopTurns, stations
 from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.study import CamStudy
 from plans.cam.tables import smoothing
-from plans.model.cam import DWELL, GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Hub, Phase, dimensions
+from plans.model.cam import DWELL, GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions
 from plans.model.cam_motion import HARD, CamFound, Contour, Extreme, Points, Shock
 from plans.model.motion import Floats
 from plans.quantity import Quantity
@@ -252,28 +251,16 @@ def _hub(values: CamValues, spots: Points, slack: float) -> Iterator[Expected]:
     if hub is None:
         return
     sizes = {"bore": hub.bore, "keyway": hub.width, "over keyway": hub.bore + hub.depth}
-    for size, value in sizes.items() if hub.width else [("bore", hub.bore)]:
-        yield from measured(Expected(Kind.LENGTH, PLAN, size, value), MM * value, digits=FINE)
-    corners = _keyway(hub, spots[0] / abs(spots[0]) * np.exp(-1j * values.cam.sense * hub.angle))
-    for side, spot in enumerate(corners[1:3] if hub.width else ()):
+    for size in sizes if hub.width else ["bore"]:
+        yield from measured(Expected(Kind.LENGTH, PLAN, size, sizes[size]), MM * sizes[size], digits=FINE)
+    key, end = spots[0] / abs(spots[0]) * np.exp(-1j * values.cam.sense * hub.angle), hub.bore / 2 + hub.depth
+    sides = key * np.array([0, end, end, 0] + hub.width / 2 * np.array([-1j, -1j, 1j, 1j]))
+    for side, spot in enumerate(sides[1:3] if hub.width else ()):
         yield Expected(Kind.POINT, PLAN, f"keyway {side}", complex(spot), slack * hub.bore / abs(spots[0]))
     rim = values.at(np.linspace(0.0, values.cam.turn, EDGE)).profile
-    told = sizes | {"keyway depth": hub.depth, "hub length": hub.length or 0.0, "wall": _wall(hub, corners, rim)}
-    rows = ((f"{size} {name}", MM * value, MM * slack) for size, value in told.items())
-    yield from phrases(NOTES, (*rows, (f"keyway angle {name}", math.degrees(hub.angle), 0.0)), FINE, may_lack=True)
-
-
-def _keyway(hub: Hub, key: complex) -> Points:
-    """Give the keyway's outline from O along one side to its bottom and back, m, (4,)."""
-    half, end = hub.width / 2, hub.bore / 2 + hub.depth
-    return np.array([-1j * half, end - 1j * half, end + 1j * half, 1j * half]) * key
-
-
-def _wall(hub: Hub, corners: Points, rim: Points) -> float:
-    """Give the least way from a profile to the bore or to a side of the keyway, m."""
     ways = [np.abs(rim) - hub.bore / 2]
-    for start, end in pairwise(corners) if hub.width else ():
-        side = (end - start) / abs(end - start)
-        along = np.clip(((rim - start) * np.conj(side)).real, 0.0, abs(end - start))
-        ways.append(np.abs(rim - start - along * side))
-    return float(np.min(ways))
+    for start, side in zip(sides, np.diff(sides), strict=False) if hub.width else ():
+        ways.append(np.abs(rim - start - side * np.clip(((rim - start) / side).real, 0.0, 1.0)))
+    told = sizes | {"keyway depth": hub.depth, "hub length": hub.length or 0.0, "wall": float(np.min(ways))}
+    rows = [(f"{size} {name}", MM * value, MM * slack) for size, value in told.items()]
+    yield from phrases(NOTES, (*rows, (f"keyway angle {name}", math.degrees(hub.angle), 0.0)), FINE, may_lack=True)

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
-
-import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
 from drawings.lettering.words import Slot, joined, telling
 from drawings.page.page import Drafting
-from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Kind, Line, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension
@@ -49,22 +46,27 @@ class KeyedBore(NamedTuple):
         local = complex(foot, -half), complex(end, -half), complex(end, half), complex(foot, half)
         return tuple(self.place.on(spot * self.key) for spot in local)
 
-    def dimensions(self, hand: Hand) -> Iterator[tuple[str, Dimension]]:
-        """Give the dimensions with the letters of what they are: bore, width of the keyway, bore with keyway."""
-        radius, key, zero = self.place.length(self.hub.bore / 2), self.key, self.zero
+    def dimensions(self, drafting: Drafting) -> Iterator[Dimension]:
+        """Give the dimensions, in millimetres of the cam: bore, width of the keyway, bore with keyway."""
+        hub, hand, key, zero = self.hub, drafting.hand, self.key, self.zero
+        radius = self.place.length(hub.bore / 2)
         far = (radius + FAR * hand.symbol) * key
-        yield "⌀", self._dimension("bore", zero - 1j * radius * key, zero + 1j * radius * key, -far)
-        if self.hub.width:
+
+        def sized(letter: str, name: str, size: float, start: complex, end: complex, off: complex) -> Dimension:
+            states = Statement(Kind.LENGTH, self.plan, name, scale=self.place.scale.mu)
+            text = joined("", (letter, drafting.slot(Slot(name, MM * size, DIGITS))))
+            return Dimension(text, start, end, off, states)
+
+        yield sized("⌀", "bore", hub.bore, zero - 1j * radius * key, zero + 1j * radius * key, -far)
+        if hub.width:
             _, first, last, _ = self.corners
-            end = zero + (radius + self.place.length(self.hub.depth)) * key
-            yield "b = ", self._dimension("keyway", first, last, OFF * hand.symbol * key)
-            yield "d + t_2 = ", self._dimension("over keyway", zero - radius * key, end, 1j * far)
+            end = zero + (radius + self.place.length(hub.depth)) * key
+            yield sized("b = ", "keyway", hub.width, first, last, OFF * hand.symbol * key)
+            yield sized("d + t_2 = ", "over keyway", hub.bore + hub.depth, zero - radius * key, end, 1j * far)
 
-    def _dimension(self, name: str, start: complex, end: complex, off: complex) -> Dimension:
-        return Dimension("", start, end, off, Statement(Kind.LENGTH, self.plan, name, scale=self.place.scale.mu))
-
-    def lines(self, hand: Hand) -> Iterator[Stroke]:
+    def lines(self, drafting: Drafting) -> Iterator[Stroke]:
         """Draw the bore, the keyway with its axis, and their dimensions."""
+        hand = drafting.hand
         start, first, last, end = self.corners
         radius, turn = abs(start - self.zero), cmath.phase(self.key)
         half = math.asin(self.hub.width / self.hub.bore)
@@ -77,22 +79,14 @@ class KeyedBore(NamedTuple):
             yield Line(first, last, hand.result)
             axis = (first + last) / 2 + PAST * hand.symbol * self.key
             yield Line(self.zero, axis, fit(hand.axis, abs(axis - self.zero)))
-        for _, dimension in self.dimensions(hand):
+        for dimension in self.dimensions(drafting):
             yield from dimension.draw(hand)
 
     def letters(self, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
-        """Write the sizes beside their dimension lines, in millimetres of the cam."""
-        for (letter, dimension), size in zip(self.dimensions(drafting.hand), self.sizes, strict=False):
-            text = joined("", (letter, drafting.slot(size)))
-            towards = cmath.phase(dimension.off)
-            yield telling(self.plan, labels.beside(dimension.middle, text, drafting.hand.number, BESIDE, towards))
-
-    @property
-    def sizes(self) -> Sequence[Slot]:
-        """The sizes that are dimensioned, mm."""
-        hub = self.hub
-        sizes = {"bore": hub.bore, "keyway": hub.width, "over keyway": hub.bore + hub.depth}
-        return [Slot(name, MM * size, DIGITS) for name, size in sizes.items()]
+        """Write the sizes beside their dimension lines."""
+        for size in self.dimensions(drafting):
+            away, number = cmath.phase(size.off), drafting.hand.number
+            yield telling(self.plan, labels.beside(size.middle, size.letter, number, BESIDE, away))
 
 
 def bore(plan: str, found: CamFound, at: Contour, place: Place) -> KeyedBore | None:
@@ -124,5 +118,5 @@ def keyway_place(hub: Hub | None, drafting: Drafting, name: str) -> str:
     """Say where the keyway's axis lies beside the zero ray; nothing of a bore without a keyway."""
     if hub is None or (hub.width and not hub.angle):
         return drafting.word("keyway at zero")
-    angle = Slot(f"keyway angle {name}", float(np.degrees(hub.angle)), DIGITS)
+    angle = Slot(f"keyway angle {name}", math.degrees(hub.angle), DIGITS)
     return drafting.phrase("keyway at", angle=angle) if hub.width else ""

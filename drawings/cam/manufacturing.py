@@ -122,7 +122,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
         *_radii(shown, place, drafting),
         *curves(view, PLAN, place, hand),
         *_rows(shown, place, hand),
-        *(hub.lines(hand) if (hub := _bore(shown, place)) else ()),
+        *(hub.lines(drafting) if (hub := _bore(shown, place)) else ()),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
     return LetteredFigure(PLAN, lines, partial(_letters, shown, place, drafting))
