@@ -214,8 +214,9 @@ def tables(leaf: Leaf, kind: str, known: Given) -> Iterator[LaidTable]:
 
 def _heading(group: Group) -> Heading | None:
     """Read a group as a heading: two lines or more that begin alike, the first of them larger."""
-    texts = [stroke for stroke in group.strokes if isinstance(stroke, Text)]
-    if group.name or group.data or len(texts) != len(group.strokes) or len(texts) < 2:
+    strokes = list(flat(group.strokes))  # a line that states a number is a group of its own
+    texts = [stroke for stroke in strokes if isinstance(stroke, Text)]
+    if group.name or group.data or len(texts) != len(strokes) or len(texts) < 2:
         return None
     title, under = texts[:2]
     if title.anchor != under.anchor or title.size <= under.size:

@@ -58,13 +58,17 @@ def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
 
 def _columns(cells: Sequence[Verdict]) -> Iterator[Verdict]:
     """Give the verdicts on cells with those of a quantity all of whose cells are missing as one."""
-    names: dict[str, list[Verdict]] = {}
-    for said in cells:
-        names.setdefault(said.name.partition(" (")[0], []).append(said)
-    for name, column in names.items():
-        lost = len(column) > 1 and all(said.kind == MISSING for said in column)
-        spots = [cell for said in column for cell in said.frames]
-        yield from [column[0]._replace(name=name, position=None, frames=frames(spots))] if lost else column
+    left = list(cells)
+    for part in (2, 0):  # first by what stands in brackets, the road of a column, then by the quantity
+        names: dict[str, list[Verdict]] = {}
+        for said in left:
+            names.setdefault(said.name.partition(" (")[part], []).append(said)
+        left = []
+        for name, column in names.items():
+            lost = len(column) > 1 and bool(name) and all(said.kind == MISSING for said in column)
+            spots = [cell for said in column for cell in said.frames]
+            left += [column[0]._replace(name=name.rstrip(")"), position=None, frames=frames(spots))] if lost else column
+    yield from left
 
 
 def plain_name(path: Path) -> str:

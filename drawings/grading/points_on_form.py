@@ -20,7 +20,7 @@ def points_on_form(
     plan: PlanAsked, place: FormPlace, leaf: Leaf, labels: Mapping[str, Sequence[Label]]
 ) -> DrawnPlan | None:
     """Give the points that are drawn in a place, where strokes end or go by; None of none, or of a few of a view."""
-    strokes = [stroke for stroke in _drawn(leaf.groups) if place.holds(list(_ends(stroke)))]
+    strokes = [stroke for stroke in _drawn(leaf.groups) if any(place.off(spot) == 0 for spot in _ends(stroke))]
     spots = [spot for stroke in strokes for spot in _ends(stroke)]
     datum, found = (place.pole or 0j) - place.value / place.scale, dict[str, complex]()
     for vector in plan.vectors:
