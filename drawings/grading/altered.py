@@ -64,7 +64,7 @@ def _idle(machine: Machine) -> Machine | None:
 
 def _back(load: L) -> L:
     """Let a load act on both strokes."""
-    diagram = getattr(load, "diagram", None)
-    if diagram is not None and not diagram.back:
-        load = load._replace(diagram=diagram._replace(back=diagram.sizes))  # type: ignore[type-var]
-    return load._replace(during=ALWAYS)
+    load = load._replace(during=ALWAYS)
+    if isinstance(load, Force) and load.diagram is not None and not load.diagram.back:
+        return load._replace(diagram=load.diagram._replace(back=load.diagram.sizes))
+    return load

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
-from drawings.grading.cells.graded_tables import BesideTables, Drawn, alone, answered, table_verdicts, tables_drawn
+from drawings.grading.cells.cell_judge import BesideTables
+from drawings.grading.cells.graded_tables import Drawn, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.curves.figure_records import FigureAsked
@@ -116,7 +117,7 @@ def _read(source: bytes) -> tuple[SeenSheet, Onlooker]:
 def _on_page(said: Verdict, moved: Affine) -> Verdict:
     """Give a verdict with its places as they lie on the student's own page."""
     at = None if said.at is None else (moved(said.at[0]), moved(said.at[1]))
-    return said._replace(at=at, frames=tuple(tuple(map(moved, frame)) for frame in said.frames))
+    return said._replace(at=at, frames=tuple(tuple(moved(spot) for spot in frame) for frame in said.frames))
 
 
 def _is_bare(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask) -> bool:

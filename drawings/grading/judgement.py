@@ -195,6 +195,8 @@ class Judge:
     def _off(self, vector: VectorAsked, value: complex) -> str:
         """Tell whether only the size or only the direction of a vector is wrong."""
         allowed = self.allowed[vector.letters]
+        if not vector.start and not vector.letter:  # a point
+            return verdict.WRONG
         if value and abs(vector.true) > allowed and abs((value / vector.true).imag) * abs(vector.true) <= allowed:
             return verdict.LONG if (value / vector.true).real > 0 else verdict.WRONG
         return verdict.TURNED if abs(abs(value) - abs(vector.true)) <= allowed else verdict.WRONG

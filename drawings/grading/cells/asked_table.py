@@ -220,7 +220,7 @@ class _Own:
             read=read,
             reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
             sheet=self.cells[key].sheet.name,
-            altered=tuple((kind, value) for kind, row in self.cells[key].altered if (value := _due(row)) is not None),
+            altered=tuple((kind, due) for kind, row in self.cells[key].altered if (due := _due(row)) is not None),
         )
 
     def _printed(self, key: Key, value: float) -> float:

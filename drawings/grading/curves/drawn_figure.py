@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.checks.readers import Frame
-from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Paper
+from drawings.grading.curves.figure_records import ORDINATES, PRICKED, FigureAsked, Paper
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.written_number import stated_scales
 from drawings.paper.limits import QUANTUM
@@ -24,6 +24,7 @@ from plans.quantity import SLIP
 # mm: a curve goes through a place if a hand that slips by four times a fair one's has drawn it so.
 THROUGH = 2 * np.sqrt(2) * 4 * SLIP
 PLACED = 0.7  # mm: what begins, or ends, at a place does so if a fair hand may have pricked it there
+UPRIGHT = 0.1  # mm: a line that goes along by no more is a jump
 BESIDE = PLACED / 2  # mm to either side of a place, at which a jump that is drawn there shows both its values
 SHARES = np.linspace(0.0, 1.0, 9)  # of a piece of a curve, between which it is straight enough
 SAME = 0.5  # mm: by so much the axis of a sheet that was saved anew may be longer
@@ -81,9 +82,10 @@ def heights(curve: Complexes, places: Floats, due: Floats | None = None) -> Floa
     found = np.array([[_height(low, high, float(place + by)) for place in places] for by in (0.0, -BESIDE, BESIDE)])
     if due is None:
         return np.asarray(found[0])
-    jumps = np.ptp(found, axis=0) > THROUGH
+    upright = (high.real - low.real <= UPRIGHT) & (np.abs(high.imag - low.imag) > THROUGH)
+    jumps = (np.abs(low.real[upright] - np.asarray(places)[:, None]) <= BESIDE).any(axis=1)
     nearest = np.nanargmin(np.where(np.isnan(found), np.inf, np.abs(found - due)), axis=0)
-    return np.where(jumps, found[nearest, np.arange(len(places))], found[0])
+    return np.asarray(np.where(jumps, found[nearest, np.arange(len(places))], found[0]))
 
 
 def _height(low: Complexes, high: Complexes, place: float) -> float:
@@ -115,6 +117,7 @@ class DrawnFigure:
     aside: frozenset[int] = field(default_factory=frozenset)
     apart: frozenset[int] = field(default_factory=frozenset)
     free: bool = False  # whether it was drawn on the axes of a form, without marks
+    mu: float = 0.0  # true units a mm as it is drawn there
     doubled: bool = False  # whether another curve, which differs, is drawn on its axes
     lines: tuple[Complexes, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
 
@@ -131,6 +134,16 @@ class DrawnFigure:
         for k in np.flatnonzero(self.there).tolist():
             found[k] = foot(self.lines, complex(expected[k]))
         return found
+
+    def allowed(self, expected: Floats, behind: Iterable[float]) -> Floats:
+        """Give what its values may be out: on a form by its own scale, points by those of what they are laid off by."""
+        if not self.free or not self.mu:
+            return expected
+        if self.asked.kind == ORDINATES:
+            return expected * max(1.0, self.mu / self.asked.scale)
+        scales = [self.mu, self.mu, *behind]
+        plain = (expected - self.asked.slack) / (self.asked.error * self.asked.scale)
+        return np.asarray(np.minimum(plain * PRICKED * float(np.hypot.reduce(scales)) + self.asked.slack, expected))
 
     @property
     def there(self) -> npt.NDArray[np.bool_]:

@@ -284,7 +284,8 @@ def figure_verdicts(
                 yield Verdict(figure.plan, None, "", verdict.DOUBLED, unit=figure.unit)
                 continue
             if figure.key in there:
-                yield from judge.verdicts(there[figure.key], allowed(figure))
+                one, scales = there[figure.key], [there[key].mu for key in figure.behind if key in there]
+                yield from judge.verdicts(one, one.allowed(allowed(figure), scales))
                 continue
             judge.pass_by(figure)
             if (found and (_is_graph(figure) or not any(drawn.free for drawn in found))) or (

@@ -20,6 +20,7 @@ from plans.model.motion import Complexes, Floats
 
 FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
 NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs
+OVER = 1.3  # of the axes: so far a line may reach that is drawn on them
 ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
 FLUSH, SHORT = 0.1, 8.0  # mm: how far lines of axes may be off, and no tick is longer
 SHIFTED = 0.3  # of what a graph is out by where it stands, and it is less out a position beside: it is shifted
@@ -36,7 +37,7 @@ class Blank(NamedTuple):
     def away(self, curve: Complexes) -> float:
         """Give how far a curve is from the axes, mm: about their origin's level, and to either side of their length."""
         middle = complex(curve.real.mean(), np.abs(curve.imag - self.origin.imag).mean())
-        aside = max(self.origin.real - middle.real, middle.real - 2 * self.right + self.origin.real, 0.0)
+        aside = max(self.origin.real - middle.real, middle.real - self.right, 0.0)
         return float(np.hypot(aside, middle.imag))
 
     def written(self, sheet: SeenSheet, letters: Mapping[str, str]) -> dict[str, float]:
@@ -50,8 +51,8 @@ class Blank(NamedTuple):
         straight = (np.array([line.start, line.end]) for line in flat(_ink(sheet)) if isinstance(line, Line))
         for line in (*chains(_ink(sheet)), *straight):
             apart = line - self.origin
-            low, high = -PLACED, max(self.top - self.origin.imag, self.right - self.origin.real)
-            if apart.real.min() >= low and apart.real.max() <= high and np.abs(apart.imag).max() <= high:
+            high, wide = OVER * (self.top - self.origin.imag), OVER * (self.right - self.origin.real)
+            if apart.real.min() >= -PLACED and apart.real.max() <= wide and np.abs(apart.imag).max() <= high:
                 yield line
 
 
@@ -191,7 +192,13 @@ def _line(asked: FigureAsked, sheet: SeenSheet, blank: Blank | None) -> DrawnFig
         values[k] = foot(true, complex(asked.true[k]))
     spots = {k: pole + complex(values[k].real / across, values[k].imag / up) for k in asked.curved}
     return DrawnFigure(
-        asked, values, {k: Arrow(spot, spot) for k, spot in spots.items()}, written, free=True, lines=true
+        asked,
+        values,
+        {k: Arrow(spot, spot) for k, spot in spots.items()},
+        written,
+        free=True,
+        mu=across if not asked.on_paper else 0.0,
+        lines=true,
     )
 
 
@@ -239,7 +246,9 @@ def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | 
     frames = (Frame(blank.origin, along, asked.way, 1.0, 1.0) for along in ways)
     mu = written.get(tuple(asked.scales)[-1])
     due = None if mu is None else np.asarray((asked.true / asked.way).real / mu)
-    found = [curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step, due)]
+    found = [
+        curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step, due, blank.ticks)
+    ]
     best = max(found, key=lambda curve: int((~np.isnan(curve.high)).sum()), default=None)
     if best is None or np.isnan(best.high).all():
         return None
@@ -247,7 +256,7 @@ def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | 
     values = np.asarray(asked.way * high * (mu or _fitted(asked, high)))
     doubled = any(curve.is_graph and curve.differs(best) for curve in found) and best.is_graph
     arrows = _arrows(best.frame, best.places + shift, high)
-    return DrawnFigure(asked, values, arrows, mu is not None, shift, free=True, doubled=doubled)
+    return DrawnFigure(asked, values, arrows, mu is not None, shift, free=True, mu=mu or 0.0, doubled=doubled)
 
 
 def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
@@ -258,15 +267,17 @@ def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
 
 
 def _read(
-    sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats, due: Floats | None
+    sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats, due: Floats | None, ticks: Sequence[float]
 ) -> Iterator[ReadCurve]:
     """Give the heights of each curve over the places, mm, and those a position to either side."""
     places = stations - stations[0]
-    beside = float(np.median(np.diff(np.unique(places))))
+    near = float(np.median(np.diff(np.unique(places))))
+    steps = {near, float(np.median(np.diff(ticks))) if len(ticks) > 1 else near}  # a position, or a tick of the axis
+    beside = max(steps)
     for curve in _curves(sheet, asked.plan):
         drawn = frame.true(curve)
         if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places[-1] + 2 * beside + PLACED:
-            shifts = {by: heights(drawn, places + by) for by in (-beside, beside)}
+            shifts = {by: heights(drawn, places + by) for step in steps for by in (-step, step)}
             yield ReadCurve(frame, places, heights(drawn, places, due), shifts, drawn)
 
 
