@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import Any, NamedTuple
 
 from drawings import VERSION
-from drawings.form.laid import PARTS, Given, LaidFigure, LaidTable, blank, data, figures, given, tables
+from drawings.form.laid import CENTRED, PARTS, Given, LaidFigure, LaidTable, asked, blank, data, figures, given, tables
 from drawings.kinds.axes import arrow
 from drawings.layout.contents import EVEN, Panel
 from drawings.layout.labels import Labels
@@ -239,7 +239,7 @@ def form_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
     """Lay out the form of a scene, by kinds of sheets: all that its task gives, and no answer."""
     scene = study.scene.changed(sheet=study.scene.sheet.changed(drawn="", date=""))
     task = _BlankTask(scene, given(scene), _fixed(study), leaves_of(study))
-    found = bind(task.laid_out(PARTS), scene)
+    found = bind(task.laid_out(CENTRED), scene)
     return {kind: tuple(_signed(leaf, kind) for leaf in leaves) for kind, leaves in found.items()}
 
 
@@ -258,7 +258,7 @@ class _BlankTask(NamedTuple):
         except SheetError:
             if parts == FINER:
                 raise
-            return self.laid_out(FINER)
+            return self.laid_out(PARTS if parts == CENTRED else FINER)
 
     def _drafts(self, kind: str, parts: int) -> Iterator[Draft]:
         """Give a draft for each position or cam that a kind has sheets of its own for."""
@@ -272,7 +272,8 @@ class _BlankTask(NamedTuple):
     def _draft(self, kind: str, title: str, places: Sequence[LaidFigure], bands: Sequence[LaidTable]) -> Draft:
         drafting = drafting_of(self.scene)
         shows = tuple(_exhibit(kind, place, self.fixed, self.scene, drafting) for place in places)
-        return Draft(kind, title, shows, blank(bands, drafting), tuple(data(self.scene)), _facts)
+        notes = (*data(self.scene), *asked(places, bands, self.scene.sheet.language))
+        return Draft(kind, title, shows, blank(bands, drafting), notes, _facts)
 
 
 def _fixed(study: Study) -> Fixed:

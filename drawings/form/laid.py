@@ -18,16 +18,18 @@ from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
 from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
-from drawings.lettering.words import word
+from drawings.lettering.words import with_index, word
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
-from drawings.sheets.kind import figure_of, table_of
+from drawings.sheets.kind import FRAME, PLAN, figure_of, table_of
 from plans.scene.scene import Scene
 from plans.techniques import techniques
+from plans.words.words import words
 
 NUMERAL = re.compile(r"\d+(?:[.,]\d+)?")
 TOLD = 3  # digits: a number of fewer counts or names something, and tells no value
+INDEXED = re.compile(r"[^\W\d_]+_[^\W_]+")  # a letter with its index: "F_g"
 SKETCH = "sketch"  # where points lie about is what the plan of positions has to find
 # Degrees of two turns, or mm of a plate, by which the rows of a table count, though no scene gives them.
 TURN = "360"  # positions that a turn is looked through in, as heads of tables say
@@ -77,28 +79,29 @@ def given(scene: Scene) -> Given:
 
 
 def data(scene: Scene) -> list[str]:
-    """Write the tables of a scene's techniques, key by key as its file has them."""
-    tables = tomllib.loads(_text(scene))
+    """Write the tables of a scene's techniques as a task in words: what each table is of, and each key in it."""
+    tables, language = tomllib.loads(_text(scene)), scene.sheet.language
     known = techniques()
     names = dict.fromkeys(name for technique in scene.techniques for name in known[technique].tables)
-    lines = [line for name in names if name in tables for line in _lines(name, tables[name])]
-    return [word(scene.sheet.language, "form given"), *lines]
+    lines = [line for name in names if name in tables for line in _lines(name, tables[name], language)]
+    return [word(language, "form given"), *lines]
 
 
 def _text(scene: Scene) -> str:
     return scene.content.decode("utf-8-sig")
 
 
-def _lines(name: str, value: Any) -> Iterator[str]:
+def _lines(name: str, value: Any, language: str) -> Iterator[str]:
     """Write a table in one paragraph, and each table within it in one of its own."""
-    for table in value if isinstance(value, list) else [value]:
-        inner = {key: entry for key, entry in table.items() if _is_table(entry)}
-        plain = {key: entry for key, entry in table.items() if key not in inner}
+    for row in value if isinstance(value, list) else [value]:
+        inner = {key: entry for key, entry in row.items() if _is_table(entry)}
+        plain = {key: entry for key, entry in row.items() if key not in inner}
         if plain:
-            yield f"[{name}] {_written(plain)}"
+            said = ", ".join(_said(f"{name}.{key}", entry, language) for key, entry in plain.items())
+            yield f"{_worded('form_table', name, language)}: {said}"
         for key, entry in inner.items():
             if key != SKETCH:
-                yield from _lines(f"{name}.{key}", entry)
+                yield from _lines(f"{name}.{key}", entry, language)
 
 
 def _is_table(value: Any) -> bool:
@@ -106,19 +109,42 @@ def _is_table(value: Any) -> bool:
     return bool(rows) and all(isinstance(row, dict) for row in rows)
 
 
-def _written(value: Any) -> str:
+def _worded(of: str, name: str, language: str) -> str:
+    """Word a table, a key or a value; one that no words are known of by its own name."""
+    path, _, last = name.rpartition(".")
+    known = words(language)
+    phrase = next((known[key] for key in (f"{of}.{name}", f"{of}.{path}.*", f"{of}.{last}") if key in known), None)
+    return str(phrase).format(name=last) if phrase is not None else _plainly(last)
+
+
+def _plainly(name: str) -> str:
+    return name if INDEXED.fullmatch(name) else _escaped(name.replace("_", " "))
+
+
+def _said(key: str, value: Any, language: str) -> str:
+    """Word a key with its value; one that holds or not by itself."""
+    joined, name, key = _inner(value, language), key, key.rpartition(".")[2]
+    if key[:1].isupper() or key[:1].isdigit():  # the name of a point, or the number of a link
+        return f"{key} {joined}" if isinstance(value, list | dict) else f"{key} = {joined}"
+    return f"{_worded('form_key', name, language)} {joined}"
+
+
+def _written(value: Any, language: str) -> str:
     match value:
         case dict():
-            return ", ".join(f"{key} = {_inner(entry)}" for key, entry in value.items())
+            return ", ".join(_said(key, entry, language) for key, entry in value.items())
         case list():
-            return ", ".join(map(_inner, value))
-        case bool() | str():
-            return str(value)
+            return "; ".join(_written(entry, language) for entry in value)
+        case bool():
+            return str(words(language)["form_value.yes" if value else "form_value.no"])
+        case str():
+            said = str(words(language).get(f"form_value.{value}", value))
+            return said if INDEXED.fullmatch(said) else _escaped(said)
     return f"{Decimal(repr(value)):f}"  # no power of ten: it would be read as two numbers
 
 
-def _inner(value: Any) -> str:
-    return f"({_written(value)})" if isinstance(value, dict | list) else _escaped(_written(value))
+def _inner(value: Any, language: str) -> str:
+    return f"({_written(value, language)})" if isinstance(value, dict | list) else _written(value, language)
 
 
 def _escaped(text: str) -> str:
@@ -143,6 +169,7 @@ def _numbers(value: Any) -> Iterator[float]:
 SCALE = re.compile(r"([μK]_?(\{[^{}]*\}|[^\s=]+))(\s*=\s*)[\d.,]+(\s*(?:\([^()]*\)|1)?[^\d;()]*)")
 LETTER = re.compile(r"[^\W\d]{1,2}['’ʹ]{0,2}(, \D*(1/\D+)?)?")  # of an axis, with its unit: no number, no name
 STEPS = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)  # the sizes of places within each power of ten: the next one is taken
+CENTRED = 0  # parts of a place whose pole stands in its middle, so that what shows the wrong way fits too
 PARTS = 4  # of the size of a place: so coarsely is its pole set in it
 ROUNDING = 1e-9  # of a length: no two of these steps lie so near
 
@@ -170,6 +197,7 @@ class LaidFigure(NamedTuple):
     reach: tuple[float, float, float, float]
     axes: tuple[str, ...]  # the letters of a graph's ordinate and abscissa
     of: Mapping[str, str]
+    arrows: tuple[str, ...] = ()  # the vectors that are asked for there, by their letters
 
     @property
     def scales(self) -> tuple[str, ...]:
@@ -233,11 +261,25 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
         return
     data = (poles or marks)[0].data
     at = _centre(poles[0]) if poles else None
-    reach = _reach(ink, at, float(data["scale"]), parts)
+    reach = _reach(ink, at, float(data["scale"]), PARTS if what == FRAME and parts == CENTRED else parts)
     axes = _axes([text for text in _loose(group) if LETTER.fullmatch(_level(text))][:2])
     pole = poles[0].data if poles else {}
     of = {key: data[key] for key in ("plan", "position") if key in data}
-    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of)
+    vectors = (mark for mark in marks if mark.data["kind"] == "vector")
+    arrows = tuple(sorted({with_index(mark.data["name"].replace(" ", "")) for mark in vectors}))
+    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of, arrows)
+
+
+def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: str) -> Iterator[str]:
+    """Say which arrows are asked for in the places of plans, and what the columns of a table are for."""
+    named: dict[tuple[str, ...], str] = {}
+    for place in places:
+        if place.what == PLAN and place.arrows:
+            named.setdefault(place.arrows, place.heading.title)
+    yield from (word(language, "form arrows", plan=title, arrows=", ".join(each)) for each, title in named.items())
+    roads = tuple(word(language, road) for road in ("by plan", "by analysis"))
+    if any(set(roads) <= set(band.heads) for band in bands):
+        yield word(language, "form columns", plan=roads[0], analysis=roads[1])
 
 
 def _loose(group: Group) -> list[Text]:
@@ -281,6 +323,9 @@ def coarse(far: Sequence[float], parts: int = PARTS) -> tuple[float, float, floa
     largest = max(far)
     if largest <= 0:
         return 1.0, 1.0, 1.0, 1.0
+    if parts == CENTRED:
+        across, up = max(far[0], far[2]), max(far[1], far[3])
+        return coarse((across, up, across, up))
     power = 10.0 ** math.floor(math.log10(largest))
     steps = STEPS if parts == PARTS else [1 + k / parts for k in range(9 * parts + 1)]
     size = next(step * power for step in steps if step * power >= largest * (1 - ROUNDING))

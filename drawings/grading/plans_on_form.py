@@ -59,7 +59,9 @@ def plans_on_form(
     bare = [line for line in lines if not line.headed]
     for here, arrows in taken.items():
         near = [line for line in bare if here.holds((line.start, line.end))]
-        drawn = _Letters(expected[here.plan], labels, scale_at(here, texts, expected[here.plan])).drawn(arrows, near)
+        drawn = _LetteredArrows(expected[here.plan], labels, scale_at(here, texts, expected[here.plan])).drawn(
+            arrows, near
+        )
         if arrows or drawn.arrows:
             yield drawn
 
@@ -81,7 +83,7 @@ class _Match(NamedTuple):
 Matches = dict[tuple[str, str], _Match]
 
 
-class _Letters(NamedTuple):
+class _LetteredArrows(NamedTuple):
     """What tells the arrows of a plan: its letters on the sheet, and its scale if one is written."""
 
     asked: PlanAsked
