@@ -89,6 +89,10 @@ class Assignment:
         self.originals = originals
         self._sound = set[Allowance]()
 
+    def __repr__(self) -> str:
+        """Say it as a test that fails shows it."""
+        return self.originals.path.name
+
     @property
     def language(self) -> str:
         """The language in which is told what is wrong."""

@@ -19,9 +19,37 @@ from drawings.pytest_plugin.assignment import Assignment, FilePath, alone, assig
 from geometry.errors import DraftError
 from plans.words.words import ENGLISH, Message, languages, message, term
 
+WHOLE = 360.0  # degrees
+
 
 class NotDrawnError(DraftError, AssertionError):
     """A plan or a vector that is asked of a sheet and is not on it."""
+
+
+class Bearing(float):
+    """A direction, degrees from x, counter-clockwise, from 0 to 360; what it differs from another by is within a turn.
+
+    >>> Bearing(359.5) - 1.0, 1.0 - Bearing(359.5), Bearing(0.0) == 360.0
+    (-1.5, 1.5, True)
+    """
+
+    def __sub__(self, other: float) -> float:
+        """Give by how much it is ahead of another, -180 to 180."""
+        return math.remainder(float(self) - float(other), WHOLE)
+
+    def __rsub__(self, other: float) -> float:
+        """Give by how much another is ahead of it."""
+        return math.remainder(float(other) - float(self), WHOLE)
+
+    def __eq__(self, other: object) -> bool:
+        """Tell whether another shows the same way."""
+        if not isinstance(other, int | float):  # what is about so large compares by itself
+            return NotImplemented
+        return math.remainder(float(self) - float(other), WHOLE) == 0.0
+
+    def __hash__(self) -> int:
+        """Hash as what it is within a turn."""
+        return hash(float(self) % WHOLE)
 
 
 class ReadVector(NamedTuple):
@@ -37,9 +65,13 @@ class ReadVector(NamedTuple):
         return abs(self.value)
 
     @property
-    def angle(self) -> float:
-        """Its direction, degrees from x, counter-clockwise, from 0 to 360."""
-        return math.degrees(cmath.phase(self.value)) % 360
+    def angle(self) -> Bearing:
+        """Its direction, degrees from x, counter-clockwise, from 0 to 360; compared within a turn."""
+        return Bearing(math.degrees(cmath.phase(self.value)) % WHOLE)
+
+    def __repr__(self) -> str:
+        """Say it as a test that fails shows it."""
+        return f"{self.name} = {self.size:.4g} {self.unit} at {self.angle:.1f}°"
 
     @property
     def x(self) -> float:
@@ -58,6 +90,10 @@ class ReadPlan:
 
     drawn: DrawnPlan
     language: str
+
+    def __repr__(self) -> str:
+        """Say it as a test that fails shows it."""
+        return plan_told(self.name, self.position).worded(self.language)
 
     @property
     def name(self) -> str:
@@ -151,6 +187,10 @@ class HandedSheet:
     report: Path | None = None
     name: str = ""
     silent: bool = False
+
+    def __repr__(self) -> str:
+        """Say it as a test that fails shows it."""
+        return self.path.name
 
     @property
     def language(self) -> str:
