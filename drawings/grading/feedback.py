@@ -13,7 +13,6 @@ from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
 from drawings.grading.asked import plan_told
-from drawings.grading.cells.seen_table import frames
 from drawings.grading.graded import UNREAD, Graded
 from drawings.grading.sheet_task import Hints
 from drawings.grading.units import shown
@@ -47,7 +46,7 @@ def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
         every = [said for plan in positions.values() for said in plan]
         if every[0].plan.startswith(TABLE) and all(said.kind == MISSING for said in every):
             cells = [cell for said in every for cell in said.frames]
-            yield every[0]._replace(name="", position=None, frames=frames(cells))
+            yield every[0]._replace(name="", position=None, frames=tuple(cells))
             continue
         if every[0].plan.startswith(TABLE):
             yield from _columns(every)
@@ -67,7 +66,7 @@ def _columns(cells: Sequence[Verdict]) -> Iterator[Verdict]:
         for name, column in names.items():
             lost = len(column) > 1 and bool(name) and all(said.kind == MISSING for said in column)
             spots = [cell for said in column for cell in said.frames]
-            left += [column[0]._replace(name=name.rstrip(")"), position=None, frames=frames(spots))] if lost else column
+            left += [column[0]._replace(name=name.rstrip(")"), position=None, frames=tuple(spots))] if lost else column
     yield from left
 
 
@@ -152,40 +151,40 @@ _GZIP = b"\x1f\x8b"
 
 def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: str) -> bytes:
     """Draw the feedback sheet of a graded one."""
-    width, height = graded.paper
     small = (verdict.DEAD, verdict.SMALL)
     wrong = [said for said in gathered(graded.verdicts) if not said.good and said.kind not in small]
-    notes = list(_notes(path, wrong, hints, language))
+    notes = [without_values(said, hints, language) for said in wrong] or [word(language, "grade.nothing_wrong")]
+    return annotated(shown(source, graded.box), graded.paper, plain_name(Path(path.name)), wrong, notes)
+
+
+def annotated(
+    source: bytes, paper: tuple[float, float], title: str, wrong: Sequence[Verdict], notes: Sequence[str]
+) -> bytes:
+    """Draw a sheet with what is wrong in red and numbered, and beside it what is said of that."""
+    width, height = paper
     size = max(SIZE, height / SHARE)
-    tall = max(height, 2 * MARGIN + LEADING * size * (len(notes) + 1))
+    numbered = [f"{k}. {note}" if wrong else note for k, note in enumerate(notes, 1)]
+    rows = [title, *(row for note in numbered for row in textwrap.wrap(note, LETTERS, subsequent_indent="    "))]
+    tall = max(height, 2 * MARGIN + LEADING * size * (len(rows) + 1))
     marks = "".join(_mark(number, said, height) for number, said in enumerate(wrong, 1))
-    rows = "".join(
-        f'<text x="{width + MARGIN:.2f}" y="{MARGIN + LEADING * size * (k + 1):.2f}">{safe(line)}</text>'
-        for k, line in enumerate(notes)
+    lines = "".join(
+        f'<text x="{width + MARGIN:.2f}" y="{MARGIN + LEADING * size * (k + 1):.2f}">{safe(row)}</text>'
+        for k, row in enumerate(rows)
     )
     whole = width + 2 * MARGIN + BREADTH * size * LETTERS
-    picture = base64.b64encode(shown(source, graded.box)).decode("ascii")
+    picture = base64.b64encode(source).decode("ascii")
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{whole:.2f}mm" height="{tall:.2f}mm" '
         f'viewBox="0 0 {whole:.2f} {tall:.2f}"><rect width="100%" height="100%" fill="#ffffff"/>'
         f'<image width="{width:.2f}" height="{height:.2f}" href="data:image/svg+xml;base64,{picture}"/>'
         f'<g fill="none" stroke="{RED}" stroke-width="{WIDTH}" stroke-opacity="0.7">{marks}</g>'
-        f'<g font-family="sans-serif" font-size="{size:.2f}" fill="{RED}">{_numbers(wrong, height)}{rows}</g></svg>\n'
+        f'<g font-family="sans-serif" font-size="{size:.2f}" fill="{RED}">{_numbers(wrong, height)}{lines}</g></svg>\n'
     ).encode("ascii")
 
 
 def is_plain(source: bytes) -> bool:
     """Tell whether a sheet can be shown as it is: one that is packed is not."""
     return not source.startswith(_GZIP)
-
-
-def _notes(path: Path, wrong: Sequence[Verdict], hints: Hints, language: str) -> Iterator[str]:
-    yield plain_name(Path(path.name))
-    for number, said in enumerate(wrong, 1):
-        line = f"{number}. {without_values(said, hints, language)}"
-        yield from textwrap.wrap(line, LETTERS, subsequent_indent="    ")
-    if not wrong:
-        yield word(language, "grade.nothing_wrong")
 
 
 def _mark(number: int, said: Verdict, height: float) -> str:

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.checks.hold import off
 from drawings.grading.asked import Place
 from drawings.grading.onlooker import JOINED
 from drawings.lettering.lettering import bounds
-from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.reading.pathdata import number, pair
 
 KIND = "place"  # of the data of a group that is the place of a figure
 BESIDE = 25.0  # mm: arrows that lie farther from a place are not of it
 CORNERS = 8  # lines, two to a corner, with which such a group begins
-CORNER, FLAT = 8.0, 0.1  # mm: no line of a corner is longer, nor out of its way by more
+FLAT = 0.1  # mm: how far lines of a corner may be off
 
 
 class FormPlace(NamedTuple):
@@ -62,48 +62,41 @@ def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace
 
 def _places(leaf: Leaf) -> Iterator[FormPlace]:
     poles = {_of(group.data): group for group in groups(leaf.groups) if group.data.get("kind") == "pole"}
-    for group in groups(leaf.groups):
-        if group.data.get("kind") != KIND:
-            continue
+    found = [group for group in groups(leaf.groups) if group.data.get("kind") == KIND]
+    boxes = [_lines(group.strokes)[:CORNERS] for group in found]
+    loose = list(_loose(_lines(flat(leaf.groups)))) if not all(boxes) else []
+    again = iter(loose if len(loose) == boxes.count([]) else ())  # an editor has taken them out, and kept their order
+    for group, own in zip(found, boxes, strict=True):
         inner = (mark for mark in groups(group.strokes) if mark.data.get("kind") == "pole")
         mark = next(inner, poles.get(_of(group.data)))
         circles = (stroke.centre for stroke in (mark.strokes if mark else ()) if isinstance(stroke, Circle))
-        pole = next(circles, None)
-        lines = tuple(stroke for stroke in group.strokes if isinstance(stroke, Line))[:CORNERS]
-        corners = _box(lines) if lines else None if pole is None else _about(pole, leaf)
-        if corners is not None:
+        lines = own or next(again, [])
+        if lines:
+            left, low, right, high = bounds(Group(tuple(lines)))
             scale, value = number(group.data.get("scale", "1")), pair((mark or group).data.get("value", "0 0"))
-            yield FormPlace(_of((mark or group).data), pole, *corners, scale, value)
+            corners = complex(left, low), complex(right, high)
+            yield FormPlace(_of((mark or group).data), next(circles, None), *corners, scale, value)
+
+
+def _lines(strokes: Iterable[Stroke]) -> list[Line]:
+    return [stroke for stroke in strokes if isinstance(stroke, Line)]
+
+
+def _loose(lines: Sequence[Line]) -> Iterator[list[Line]]:
+    """Give the lines that mark the corners of a place: two of one length from each, one after another."""
+    k = 0
+    while k + CORNERS <= len(lines):
+        eight = list(lines[k : k + CORNERS])
+        long = [abs(line.end - line.start) for line in eight]
+        paired = all(abs(one.start - other.start) <= FLAT for one, other in zip(eight[::2], eight[1::2], strict=True))
+        marked = paired and max(long) - min(long) <= FLAT and len({line.start for line in eight[::2]}) > 1
+        k += CORNERS if marked else 1
+        if marked:
+            yield eight
 
 
 def _of(data: Mapping[str, str]) -> Place:
     return data.get("plan", ""), _position(data.get("position", ""))
-
-
-def _box(lines: tuple[Line, ...]) -> tuple[complex, complex]:
-    left, low, right, high = bounds(Group(lines))
-    return complex(left, low), complex(right, high)
-
-
-def _about(pole: complex, leaf: Leaf) -> tuple[complex, complex]:
-    """Give the corners about a pole that an editor has taken out of their group: of each kind the nearest."""
-    short = [line for line in flat(leaf.groups) if isinstance(line, Line) and abs(line.end - line.start) <= CORNER]
-    ends = [(a, b) for line in short for a, b in ((line.start, line.end), (line.end, line.start))]
-    spots = [
-        spot
-        for spot, other in ends if abs((other - spot).imag) < FLAT
-        for at, up in ends if abs((up - at).real) < FLAT and abs(at - spot) < FLAT
-    ]  # fmt: skip
-    low = [spot for spot in spots if spot.real <= pole.real and spot.imag <= pole.imag]
-    high = [spot for spot in spots if spot.real >= pole.real and spot.imag >= pole.imag]
-    boxes = [(one, other) for one in low for other in high if _is_boxed(one, other, spots)]
-    return min(boxes, key=lambda box: abs(box[1] - box[0]), default=(pole, pole))
-
-
-def _is_boxed(low: complex, high: complex, spots: Sequence[complex]) -> bool:
-    """Tell whether two corners have the other two of their box."""
-    others = complex(low.real, high.imag), complex(high.real, low.imag)
-    return low.real < high.real and all(any(abs(spot - other) < FLAT for spot in spots) for other in others)
 
 
 def _position(text: str) -> int | None:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+import numpy as np
+
 from drawings.checks.hold import Label, distance
 from drawings.grading.asked import PlanAsked, VectorAsked
+from drawings.grading.curves.drawn_figure import foot
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
 from drawings.grading.form_place import KIND, FormPlace
 from drawings.grading.onlooker import JOINED, spelled
@@ -62,16 +65,9 @@ def _at(due: complex, spots: Sequence[complex], strokes: Sequence[Stroke], label
     nearest = min(spots, key=lambda spot: abs(spot - due), default=due + 2 * JOINED)
     if abs(nearest - due) <= JOINED:
         return nearest
-    feet = (_foot(line, due) for line in strokes if isinstance(line, Line))
-    foot = min(feet, key=lambda at: abs(at - due), default=nearest)
-    if abs(foot - due) <= JOINED and distance(labels, [due]) <= BESIDE:
-        return foot
+    feet = (foot((np.array([line.start, line.end]),), due) for line in strokes if isinstance(line, Line))
+    near = min(feet, key=lambda at: abs(at - due), default=nearest)
+    if abs(near - due) <= JOINED and distance(labels, [due]) <= BESIDE:
+        return near
     lettered = min(spots, key=lambda spot: distance(labels, [spot]), default=None)
     return lettered if lettered is not None and distance(labels, [lettered]) <= LETTERED else None
-
-
-def _foot(line: Line, spot: complex) -> complex:
-    """Give the place on a line that is nearest to a spot."""
-    along = line.end - line.start
-    share = ((spot - line.start) * along.conjugate()).real / (abs(along) ** 2 or 1.0)
-    return line.start + along * min(max(share, 0.0), 1.0)

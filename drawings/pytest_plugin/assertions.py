@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import base64
 import os
-import textwrap
 from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
@@ -12,7 +10,7 @@ from typing import NamedTuple
 from drawings.files.atomic_files import write
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowance
-from drawings.grading.feedback import RADIUS, RED, WIDTH, gathered, is_plain, safe, with_values, without_values
+from drawings.grading.feedback import annotated, gathered, is_plain, with_values, without_values
 from drawings.grading.graded import Graded
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SHEET_BYTES
@@ -21,13 +19,7 @@ from drawings.pytest_plugin.handed_sheet import HandedSheet, ReadVector, handed
 from geometry.errors import regular_bytes
 from plans.words.words import Message, message
 
-MOST = 12  # places in one picture
-ACROSS = 3  # places side by side
-TILE, GAP, LETTER = 60.0, 6.0, 3.2  # mm: a place's side on the picture, what is left between, letters under it
-ROOM = 15.0  # mm of the sheet about what is wrong
-LEAST = 40.0  # mm of the sheet that a place shows at the least: what is wrong is told by what is about it
-LETTERS, LINES = 34, 2  # of a line under a place, and lines
-UNDER = 1.5 * LETTER * LINES  # mm
+MOST = 40  # places in one picture
 
 
 class WrongPlace(NamedTuple):
@@ -38,51 +30,10 @@ class WrongPlace(NamedTuple):
     end: complex
 
 
-def picture(source: bytes, paper: tuple[float, float], spots: Sequence[WrongPlace]) -> bytes:
-    """Draw the places of a sheet side by side."""
-    shown, (width, height) = spots[:MOST], paper
-    columns, rows = min(ACROSS, len(shown)), -(-len(shown) // ACROSS)
-    wide, high = GAP + columns * (TILE + GAP), GAP + rows * (TILE + UNDER + GAP)
-    sheet = base64.b64encode(source).decode("ascii")
-    tiles = "".join(_tile(k, spot, height) for k, spot in enumerate(shown))
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide:g}mm" height="{high:g}mm" '
-        f'viewBox="0 0 {wide:g} {high:g}"><defs><image id="sheet" width="{width:g}" height="{height:g}" '
-        f'href="data:image/svg+xml;base64,{sheet}"/></defs>'
-        f'<rect width="100%" height="100%" fill="#ffffff"/>{tiles}</svg>\n'
-    ).encode("ascii")
-
-
-def _tile(number: int, spot: WrongPlace, height: float) -> str:
-    """Draw one place, with what it is under it."""
-    x, y = GAP + number % ACROSS * (TILE + GAP), GAP + number // ACROSS * (TILE + UNDER + GAP)
-    rows = textwrap.wrap(spot.told, LETTERS, max_lines=LINES, placeholder="…")
-    lines = "".join(
-        f'<text x="{x:g}" y="{y + TILE + 1.5 * LETTER * (k + 1):g}">{safe(line)}</text>' for k, line in enumerate(rows)
-    )
-    box = f'x="{x:g}" y="{y:g}" width="{TILE:g}" height="{TILE:g}"'
-    return (
-        f'<svg {box} viewBox="{" ".join(_window(spot, height))}"><use href="#sheet"/>{_mark(spot, height)}</svg>'
-        f'<rect {box} fill="none" stroke="#808080" stroke-width="0.2"/>'
-        f'<g font-family="sans-serif" font-size="{LETTER:g}" fill="{RED}">{lines}</g>'
-    )
-
-
-def _window(spot: WrongPlace, height: float) -> Iterator[str]:
-    """Give what a place shows of the sheet: left, top and both sides, mm, y down."""
-    middle, reach = (spot.start + spot.end) / 2, spot.end - spot.start
-    side = max(LEAST, abs(reach.real) + 2 * ROOM, abs(reach.imag) + 2 * ROOM)
-    yield from (f"{size:.3f}" for size in (middle.real - side / 2, height - middle.imag - side / 2, side, side))
-
-
-def _mark(spot: WrongPlace, height: float) -> str:
-    look = f'fill="none" stroke="{RED}" stroke-width="{WIDTH}" stroke-opacity="0.7"'
-    if spot.start == spot.end:
-        return f'<circle cx="{spot.end.real:.3f}" cy="{height - spot.end.imag:.3f}" r="{RADIUS}" {look}/>'
-    ends = (spot.start.real, height - spot.start.imag, spot.end.real, height - spot.end.imag)
-    return "<line {} {}/>".format(
-        " ".join(f'{name}="{size:.3f}"' for name, size in zip(("x1", "y1", "x2", "y2"), ends, strict=True)), look
-    )
+def picture(source: bytes, paper: tuple[float, float], title: str, spots: Sequence[WrongPlace]) -> bytes:
+    """Draw a sheet with the places of what is wrong."""
+    wrong = [Verdict("", None, spot.told, verdict.WRONG, at=(spot.start, spot.end)) for spot in spots[:MOST]]
+    return annotated(source, paper, title, wrong, [spot.told for spot in spots[:MOST]])
 
 
 # Findings of a file that was saved again, with nothing on it changed: a file is no sheet.
@@ -192,5 +143,5 @@ def _pictured(sheet: HandedSheet, paper: tuple[float, float], spots: Sequence[Wr
     if is_plain(source):
         sheet.report.mkdir(parents=True, exist_ok=True)
         file = sheet.report / f"{sheet.name or sheet.path.stem}.svg"
-        write(file, picture(source, paper, spots[:MOST]))
+        write(file, picture(source, paper, sheet.path.name, spots))
         yield os.fspath(file)

@@ -132,39 +132,6 @@ def _ruling_apart(places: Iterable[float]) -> Iterator[float]:
             last = place
 
 
-Quad: TypeAlias = tuple[complex, ...]  # the corners of a cell on paper, mm, from the lower left on, counter-clockwise
-
-
-def frames(cells: Sequence[Quad]) -> tuple[Quad, ...]:
-    """Give the corners of the frames about some cells; those farther apart than one is wide have frames of their own.
-
-    >>> frames([(0j, 2 + 0j, 2 + 1j, 1j), (1j, 2 + 1j, 2 + 2j, 2j), (9j, 2 + 9j, 2 + 10j, 10j)])
-    ((0j, (2+0j), (2+2j), 2j), (9j, (2+9j), (2+10j), 10j))
-    """
-    if not cells:
-        return ()
-    along = cells[0][1] - cells[0][0]
-    way, gap = along / abs(along), abs(along)
-    found: list[CellFrame] = []
-    for cell in cells:
-        frame = _about([spot / way for spot in cell])
-        beside = [other for other in found if _apart(other, frame) <= gap]
-        found = [other for other in found if other not in beside]
-        found.append(_about([spot for other in (*beside, frame) for spot in other.corners]))
-    return tuple(tuple(spot * way for spot in other.corners) for other in found)
-
-
-def _about(spots: Sequence[complex]) -> CellFrame:
-    wide, high = [spot.real for spot in spots], [spot.imag for spot in spots]
-    return CellFrame(min(wide), min(high), max(wide), max(high))
-
-
-def _apart(box: CellFrame, other: CellFrame) -> float:
-    """Give how far two boxes are from one another, across or up."""
-    across = max(box.left - other.right, other.left - box.right, 0.0)
-    return max(across, box.low - other.high, other.low - box.high)
-
-
 Key: TypeAlias = tuple[str, int | None, str]  # a row, the position of a column, and its heading, as they are seen
 
 
