@@ -57,6 +57,9 @@ def letters(plain: str) -> Iterator[str]:
     >>> list(letters("Й" + "φ\u0308"))
     ['Й', 'φ̈']
     """
+    if plain.isascii():  # and so without accents
+        yield from plain
+        return
     letter = ""
     for character in unicodedata.normalize("NFC", plain):
         if letter and unicodedata.combining(character):

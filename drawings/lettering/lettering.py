@@ -152,8 +152,6 @@ def pen(unit: float, ink: LineStyle) -> LineStyle:
 @lru_cache(maxsize=4096)
 def _line(pieces: tuple[Run, ...], size: float) -> tuple[tuple[PlacedLetter, ...], float]:
     """Set a text on its line of writing: the letters in their places, and its length."""
-    if lacks := lacking(plain := "".join(piece.text for piece in pieces)):
-        raise UnknownLetter(plain, lacks)
     units = {0: size / 10, -1: index_size(size) / 10, 1: index_size(size) / 10}
     rises = {0: 0.0, -1: -LOWERED * size, 1: RAISED * size}
     places: list[PlacedLetter] = []
@@ -171,6 +169,9 @@ def _levelled(pieces: tuple[Run, ...]) -> Iterator[tuple[str, int]]:
     """Give letters with their levels; a raised sign in a subscript stays in it."""
     for text, run_level in pieces:
         for sign in letters(text):
+            if not known(sign):
+                plain = "".join(piece.text for piece in pieces)
+                raise UnknownLetter(plain, lacking(plain))
             letter, raised = level(sign)
             yield letter, run_level or raised
 

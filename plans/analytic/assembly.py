@@ -68,6 +68,8 @@ def unbalanced(position: int, phi: float, reason: str) -> Gap:
 
 QUARTERS = np.pi / 2 * np.array([0.0, 1.0, -1.0, 2.0])
 COARSE = 24  # crank angles among many that are solved from rough poses; the others are from their neighbours
+ROUGH = 3  # of these every third for a dyad, where the others follow from their neighbours
+DYAD = 2  # links
 PROBES = 720  # crank angles, of those without an assembly beside them, that are tried from rough poses all the same
 BOTH = np.array([1.0, -1.0])  # signs of a determinant
 # Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
@@ -189,7 +191,7 @@ def _both(shape: Closure, block: Block, poses: Floats, phi: Floats) -> Floats:
     found = np.full((len(BOTH), *poses.shape), np.nan)
     step = coarse = max(1, len(phi) // COARSE)
     done = np.arange(0, len(phi), step)
-    found[:, done] = _from_rough(block, poses[done], phi[done])
+    _at_coarse(block, found, done, poses, phi)
     while step > 1:
         step = max(1, step // 4)
         here = np.flatnonzero(np.isin(np.arange(0, len(phi), step), done, invert=True)) * step
@@ -199,6 +201,18 @@ def _both(shape: Closure, block: Block, poses: Floats, phi: Floats) -> Floats:
     lost[::coarse] = False
     _probe(block, found, np.flatnonzero(lost), poses, phi)
     return found
+
+
+def _at_coarse(block: Block, found: Floats, done: Indices, poses: Floats, phi: Floats) -> None:
+    """Solve a block at coarse angles from rough poses; a dyad, which has but two assemblies, goes on from both."""
+    rough = done[::ROUGH] if len(block.links) == DYAD else done
+    found[:, rough] = _from_rough(block, poses[rough], phi[rough])
+    others = np.setdiff1d(done, rough)
+    if others.size:
+        _from_next(block, found, others, rough, poses, phi)
+        lacking = others[np.isnan(found[:, others, 0, 0]).any(axis=0)]
+        if lacking.size:
+            found[:, lacking] = _from_rough(block, poses[lacking], phi[lacking])
 
 
 def _probe(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
