@@ -13,7 +13,7 @@ from drawings.cam.hub import notes as hub_notes
 from drawings.cam.notes import CamNotes, letters, table_units
 from drawings.lettering.words import ROUNDING
 from drawings.page.page import Drafting, drafting_of
-from drawings.report.formula import DIGITS, Chapters, entry, plain, raised
+from drawings.report.formula import DIGITS, Chapters, entry, literal, plain, raised
 from drawings.report.report import Report, TableSubject, column, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
 from plans.model.cam import MM
@@ -49,12 +49,12 @@ def _concluded(study: Study) -> Iterator[str]:
     for notes in _all(study):
         lines = (raised(line) for line in (*notes.sizes(), *notes.pressure(), *notes.flaws()))
         text = "; ".join(f"{line[:1].lower()}{line[1:]}" for line in lines)
-        yield word(notes.drafting.language, "report.cam_concluded", name=notes.cam.name, told=text)
+        yield word(notes.drafting.language, "report.cam_concluded", name=literal(notes.cam.name), told=text)
 
 
 def remarks(study: Study) -> list[Message]:
     """Say what is wrong with the cams, and what would help."""
-    lines = ((notes.cam.name, line) for notes in _all(study) for line in notes.flaws())
+    lines = ((literal(notes.cam.name), line) for notes in _all(study) for line in notes.flaws())
     return [message("cam.flaw", cam=name, flaw=plain(line)) for name, line in lines]
 
 
@@ -75,13 +75,13 @@ def _all(study: Study) -> Iterator[CamNotes]:
 
 
 def _task(notes: CamNotes) -> Iterator[str]:
-    yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
+    yield word(notes.drafting.language, "report.cam", name=literal(notes.cam.name))
     yield from map(entry, (*notes.asked(), *notes.phases(), *notes.setting()))
 
 
 def _values(found: CamFound, drafting: Drafting) -> Iterator[str]:
     """Tell every numbered position."""
-    yield word(drafting.language, "report.cam_values", name=found.cam.name)
+    yield word(drafting.language, "report.cam_values", name=literal(found.cam.name))
     yield from header(
         ["i", *(_head(name, found, drafting) for name in ("φ", "S", "S'", "S''", "x_P", "y_P", "α", "ρ"))]
     )
@@ -125,7 +125,7 @@ def _radius(radius: Floats) -> Floats:
 def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[str]:
     """Tell sizes, angles, roller, shocks, flaws; of diagrams that are asked for what their chords leave out."""
     language = notes.drafting.language
-    yield word(language, "report.cam_found", name=notes.cam.name)
+    yield word(language, "report.cam_found", name=literal(notes.cam.name))
     parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.pressing, notes.flaws)
     lines = (line for part in parts for line in part())
     yield from map(entry, lines)

@@ -13,7 +13,7 @@ from drawings.dynamics import report_tables as tables
 from drawings.forces.report import counted_strokes
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
-from drawings.report.formula import DIGITS, Chapters, entry, listed, plain, see
+from drawings.report.formula import DIGITS, Chapters, entry, listed, literal, plain, see
 from drawings.report.report import Report, chapter, header, row, tiny
 from plans.dynamics.cycle import methods, rim_of
 from plans.dynamics.loop import loop
@@ -272,7 +272,7 @@ def _shafts(notes: DynamicsNotes) -> Iterator[str]:
     for shaft in notes.task.shafts:
         numbers = {"inertia": shaft.inertia, "ratio": shaft.ratio, "reduced": shaft.reduced}
         texts = {name: notes.drafting.number(value, DIGITS) for name, value in numbers.items()}
-        yield word(notes.drafting.language, "report.shaft", name=shaft.name, **texts)
+        yield word(notes.drafting.language, "report.shaft", name=literal(shaft.name), **texts)
 
 
 def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from html import escape
 from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.lettering.words import Phrase, template_of
@@ -259,3 +260,17 @@ def _headings(leaf: Leaf, starts: Sequence[str], language: str) -> list[str]:
     names = (name for start in starts for name in figures.named if name not in STILL and name.startswith(start))
     called = (heading for heading in map(figures.called, names) if heading.key == "exhibit.headed")
     return [*dict.fromkeys(heading.worded(language) for heading in called)]
+
+
+_MARKS = re.compile(r"[\\`*_\[\]#|$~]")  # that begin a mark of Markdown or TeX
+
+
+def literal(text: str) -> str:
+    r"""Write a text of the scene so that Markdown, and what is made of it, has it as it stands and nothing more.
+
+    The signs of HTML are named by its own means, which all converters know.
+
+    >>> print(literal(r"<b> $x$ \input{a}"))
+    &lt;b&gt; \$x\$ \\input{a}
+    """
+    return escape(_MARKS.sub(r"\\\g<0>", " ".join(text.split())), quote=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib import import_module
@@ -15,7 +14,7 @@ import numpy as np
 
 from drawings.lettering.words import decimal, fixed, number, runs, span
 from drawings.page.page import Drafting
-from drawings.report.formula import DIGITS, Chapters, drawn, entry, mathed
+from drawings.report.formula import DIGITS, Chapters, drawn, entry, literal, mathed
 from plans.model.mechanism import Drive
 from plans.model.motion import Complexes, Floats, Gap
 from plans.quantity import EQUILIBRIUM, SLIP, Comparison, Quantity, together
@@ -224,18 +223,6 @@ def gap_line(key: str, gap: Gap, drive: Drive, language: str) -> str:
 def positions(numbers: Sequence[int]) -> dict[str, object]:
     """Give numbers of positions, runs of them by their ends, as the parts of a message: how many, and which."""
     return {"count": len(numbers), "positions": runs(numbers, "-")}
-
-
-_MARKS = re.compile(r"[\\`*_\[\]<>#|$&~]")  # that begin a mark of Markdown, HTML or TeX
-
-
-def literal(text: str) -> str:
-    r"""Write a text of the scene so that Markdown, and what is made of it, has it as it stands and nothing more.
-
-    >>> print(literal(r"<b> $x$ \input{a}"))
-    \<b\> \$x\$ \\input{a}
-    """
-    return _MARKS.sub(r"\\\g<0>", " ".join(text.split()))
 
 
 PLAN_WIDTH = 14  # letters of the longest plan's English word

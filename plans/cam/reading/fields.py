@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from decimal import Decimal
 from functools import partial
@@ -69,6 +70,19 @@ def setting(value: object) -> Decimal | str:
     if isinstance(value, str) and value[:1].isalpha():
         return f.choice(value, (CYCLOGRAM,), "angle_word")
     return units.angle(value)
+
+
+def check_cam_name(value: object) -> str:
+    """Read the name of a cam, which figures of the sheet are named after.
+
+    >>> check_cam_name("впуск-1")
+    'впуск-1'
+    """
+    text = f.check_text(value, f.NAME_LIMIT)
+    if not re.fullmatch(r"[\w.-]*", text):
+        bare = re.sub(r"[^\w.]+", "-", text).strip("-")
+        raise wrong("cam_name", example=f.sample(bare or "I", "quoted"))
+    return text
 
 
 def _angle_or(angle: Form, *words: str) -> Form:
@@ -206,3 +220,4 @@ POINT = f.pair(measure(units.ANGLE, units.LENGTH), "[turn, travel]")
 TOLERANCE = measure(units.LENGTH, units.ANGLE, least=Decimal(0))
 PRELOAD = measure(units.FORCE, units.MOMENT, least=Decimal(0))
 STIFFNESS = measure(units.STIFFNESS, units.TURNING_STIFFNESS, least=Decimal(0))
+CAM_NAME = one(check_cam_name, lambda: forms.text(r"^[0-9A-Za-z_\u00aa-\uffff.-]*$", f.NAME_LIMIT), "text")

@@ -199,7 +199,7 @@ class HubTable(Table):
 class CamTable(Table):
     """A cam: its follower, phases, limits, sizes, load, and how it stands on the shaft."""
 
-    name: str = key(f.TEXT, "", meaning="Its name on the sheet; default: its number.")
+    name: str = key(c.CAM_NAME, "", meaning="Its name on the sheet; default: its number.")
     speed: Measure | None = key(
         c.SPEED,
         None,
