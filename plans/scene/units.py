@@ -104,14 +104,13 @@ class Spelt:
 def _in_russian(unit: str) -> str:
     rows = (row.split() for group in SYMBOLS.values() for row in group)
     russian = {english: russian for _, english, russian, *_ in rows}
-    return re.sub(r"[A-Za-z]+", lambda symbol: russian[symbol[0]], unit)
+    return re.sub(r"[A-Za-z]+", lambda symbol: russian.get(symbol[0], symbol[0]), unit)
 
 
 def _kind(name: str, si: str, forms: str, listed: str, *sizes: str) -> UnitKind:
     return UnitKind(name, si, tuple(forms.split()), tuple(listed.split()), *map(Decimal, sizes))
 
 
-M = Spelt(("m",))
 SLIGHT = "1e-30"  # in SI: what is left of a zero by whatever wrote the scene is more, what a machine has is far more
 LENGTH = _kind("length", "m", "length", "m dm cm mm")
 ANGLE = _kind("angle", "deg", "angle", "deg rad")
@@ -205,47 +204,37 @@ def quantity(value: object, kind: UnitKind) -> Decimal:
     raise wrong("not_a_number", kind=kind.name, found=type_name(value))
 
 
+def _between(found: Decimal, kind: UnitKind, least: Decimal, most: Decimal, name: str = "") -> Decimal:
+    if not least <= found <= most:
+        unit = Spelt((kind.si,))
+        raise wrong("out_of_range", kind=name or kind.name, least=str(least), most=str(most), unit=unit)
+    return found
+
+
 def coordinate(value: object) -> Decimal:
     """Give a coordinate in metres, of magnitude at most LENGTH_LIMIT."""
-    result = quantity(value, LENGTH)
-    if abs(result) > LENGTH_LIMIT:
-        raise wrong("out_of_range", kind="coordinate", least=f"-{LENGTH_LIMIT}", most=str(LENGTH_LIMIT), unit=M)
-    return result
+    return _between(quantity(value, LENGTH), LENGTH, -LENGTH_LIMIT, LENGTH_LIMIT, "coordinate")
 
 
 def length(value: object) -> Decimal:
     """Give a length in metres, between LENGTH_LEAST and LENGTH_LIMIT."""
-    result = quantity(value, LENGTH)
-    if result <= 0:
-        raise wrong("not_positive", kind="length")
-    if not LENGTH_LEAST <= result <= LENGTH_LIMIT:
-        raise wrong("out_of_range", kind="length", least=str(LENGTH_LEAST), most=str(LENGTH_LIMIT), unit=M)
-    return result
+    return _between(positive(value, LENGTH), LENGTH, LENGTH_LEAST, LENGTH_LIMIT)
 
 
 def angle(value: object) -> Decimal:
     """Give an angle in degrees, not reduced."""
-    result = quantity(value, ANGLE)
-    if abs(result) > ANGLE_LIMIT:
-        raise wrong("out_of_range", kind="angle", least=f"-{ANGLE_LIMIT}", most=str(ANGLE_LIMIT), unit=Spelt(("deg",)))
-    return result
+    return _between(quantity(value, ANGLE), ANGLE, -ANGLE_LIMIT, ANGLE_LIMIT)
 
 
 def pressure_angle(value: object) -> Decimal:
     """Give the pressure angle of a gear in degrees."""
-    result = quantity(value, ANGLE)
-    if not 0 <= result <= PRESSURE_LIMIT:
-        raise wrong("out_of_range", kind="angle", least="0", most=str(PRESSURE_LIMIT), unit=Spelt(("deg",)))
-    return result
+    return _between(quantity(value, ANGLE), ANGLE, Decimal(0), PRESSURE_LIMIT)
 
 
 def rate(value: object, kind: UnitKind) -> Decimal:
     """Give an angular velocity or acceleration: zero, or of a size between RATE_LEAST and RATE_LIMIT."""
-    result = quantity(value, kind)
-    if result and not RATE_LEAST <= abs(result) <= RATE_LIMIT:
-        raise wrong(
-            "out_of_range", kind=kind.name, least=f"±{RATE_LEAST}", most=f"±{RATE_LIMIT}", unit=Spelt((kind.si,))
-        )
+    if result := quantity(value, kind):
+        _between(abs(result), kind, RATE_LEAST, RATE_LIMIT)
     return result
 
 
@@ -317,13 +306,12 @@ def _written(text: str, kind: UnitKind) -> Decimal:
     if len(sizes) != 1:
         shown = {"kind": kind.name, "units": Spelt(kind.listed), "unit": (match[2] or match[3]).strip()}
         raise wrong("wrong_unit", **shown, advice=_cure(kind, written, unit))
-    size = sizes.pop()
-    return number if size == 1 else _sized(number, size)
+    return _sized(number, sizes.pop())
 
 
 def _sized(number: Decimal, size: Fraction) -> Decimal:
     whole = Fraction(number) * size
-    return WORKING.divide(Decimal(whole.numerator), Decimal(whole.denominator))
+    return number if size == 1 else WORKING.divide(Decimal(whole.numerator), Decimal(whole.denominator))
 
 
 def _ranged(number: Decimal, kind: UnitKind) -> Decimal:
