@@ -88,7 +88,7 @@ def _flywheel(found: Flywheel, ratio: float) -> dict[str, Any]:
 
 def _borne(wheel: Flywheel | None) -> dict[str, Any] | None:
     """Tell which flywheel runs, by either road that which was drawn, for the machine has but one."""
-    return wheel and {"inertia": wheel.inertia, "reduced_to": CRANK, "by": wheel.by}
+    return None if wheel is None else {"inertia": wheel.inertia, "reduced_to": CRANK, "by": wheel.by}
 
 
 def _speeds(found: Speeds | None) -> dict[str, Any] | None:
