@@ -173,7 +173,7 @@ def set_table(table: RuledTable, shown: Plate, extent: float) -> SetTable | None
     tail = TAIL * shown.hand.letter
     width, height = WIDE * length + shown.beside[2] + tail, shown.over + SPEEDS * length + 2 * shown.under
     fitting = (way for way in ways if way.size[0] <= width and replace(shown, told=way).telling <= height)
-    return min(fitting, key=lambda way: way.size[1], default=None)
+    return min(fitting, key=lambda way: way.setting.parts, default=None)
 
 
 def measure(plate: Plate) -> Picture:

@@ -66,7 +66,8 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     chosen = named.numbered(named.every(task.divisions / most))
     columns = _columns(cycle, account.speeds)
     lines = [row for k in chosen for row in _edge(named, columns, k, drafting)]
-    heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
+    told = QUANTITIES[: len(columns.rows)]
+    heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in told)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
@@ -85,20 +86,18 @@ def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
 class _Columns(NamedTuple):
     """What the table tells at the edges, in its order, and the moment before each."""
 
-    rows: Floats  # (7, n + 1)
-    before: Floats  # (7, n + 1): the moment and the acceleration alone
+    rows: Floats  # (7, n + 1), or (5, n + 1) where no speed is asked for
+    before: Floats  # likewise: the moment and the acceleration alone
 
 
 def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
-    nothing = np.full(len(cycle.turned), np.nan)
+    nothing, angles = np.full(len(cycle.turned), np.nan), np.degrees(cycle.turned)
     after, before = np.append(cycle.moments[:, 0], cycle.moments[-1, 1]), np.append(np.nan, cycle.moments[:, 1])
-    motion, last = [nothing, nothing], nothing
+    rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying]
+    sides = [angles, -before, nothing, nothing, nothing]
     if speeds is not None:
-        motion = [speeds.omega, np.append(speeds.epsilon[:, 0], speeds.epsilon[-1, 1])]
-        last = np.append(np.nan, speeds.epsilon[:, 1])
-    angles = np.degrees(cycle.turned)
-    rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
-    sides = [angles, -before, nothing, nothing, nothing, nothing, last]
+        rows += [speeds.omega, np.append(speeds.epsilon[:, 0], speeds.epsilon[-1, 1])]
+        sides += [nothing, np.append(np.nan, speeds.epsilon[:, 1])]
     both = np.concatenate([rows, sides], axis=1)
     evened = np.array([_even(without_rounding(row)) for row in both])
     return _Columns(*np.split(evened, 2, axis=1))
