@@ -16,7 +16,7 @@ from drawings.checks.readers import frames
 from drawings.dynamics import graphs
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
-from drawings.dynamics.sheet import MachineMotion, leaves, results, sheets
+from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, sheets
 from drawings.grading.curves.run_figures import Bare
 from drawings.page.page import drafting_of
 from drawings.paper.hand import hand_of
@@ -28,6 +28,7 @@ from plans.model.motion import Floats
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans.dynamics_scenes import text
+from tests.plans.scenes import scene
 from tests.plans.test_run_table import sized
 
 
@@ -118,8 +119,7 @@ PRESS = Path(__file__).parents[1] / "cases/dynamics/press-touched-between-positi
 @pytest.mark.parametrize("asked", [25, 5, 60])
 def test_tangents_touch_the_loop_that_is_drawn(asked: int) -> None:
     """No point of the drawn loop is beyond a tangent, and the speed that follows from it fluctuates as asked."""
-    scene = parse_scene(PRESS.read_text(encoding="utf-8").replace("1/25", f"1/{asked}"))
-    own = Study(scene)["dynamics"].account
+    own = Study(parse_scene(PRESS.read_text(encoding="utf-8").replace("1/25", f"1/{asked}")))["dynamics"].account
     dense = graphs.dense(own.cycle)
     energy = own.cycle.driving * dense.turned + dense.work
     (low, high), (below, above) = own.flywheel.slopes, own.flywheel.cuts
@@ -146,12 +146,35 @@ def test_the_loop_stands_in_projection_on_every_format(paper: str) -> None:
     assert own["loop"].zero.real > own["surplus"].zero.real and own["loop"].zero.imag < own["inertia"].zero.imag
 
 
+def test_a_following_sheet_is_filled_and_no_column_is_empty() -> None:
+    """What does not stand beside the plate goes on together: the values with the flywheel; of no speed none is told."""
+    first, second = leaves(Study(parse_scene(PRESS.read_text(encoding="utf-8").replace('"A1"', '"A2"'))))
+    told = [{group.name for group in groups(leaf.groups)} for leaf in (first, second)]
+    assert "positions-1" in told[1] - told[0] and "flywheel_sketch" in told[1] - told[0]
+    lines = positions(
+        study()["dynamics"].task, replace(study()["dynamics"].account, speeds=None), drafting_of(study().scene)
+    ).lines
+    assert all(len(line.cells) == 5 for line in lines) and any("−0" in line.name for line in lines)
+
+
+def test_of_a_blow_neither_moments_nor_works_take_all_the_room() -> None:
+    """The moment of a blow is high and its work low: 8 mm at least of either, by a pole 16 to 41 mm from the axis."""
+    blow = "diagram = { travel = [0, 0.85, 0.87, 0.95, 0.96, 1], force = [0, 0, 9000, 9000, 0, 0] }"
+    own = Study(parse_scene(text(scene(forces=[f'on = 3; point = "B"; against = "motion"; {blow}']))))
+    cycle = own["dynamics"].cycle
+    (found,) = [{place[0]: frame for place, frame in frames(leaf).items()} for leaf in leaves(own)]
+    high, low = np.ptp(cycle.moments) / found["moments"].up, np.ptp(cycle.work) / found["works"].up
+    assert high > low > 8.0
+    pole = found["works"].up / (found["moments"].up * found["moments"].across)
+    assert 15.9 < pole < 41.1
+
+
 def test_a_jump_is_dashed_and_no_part_of_the_curve() -> None:
     """The curve of a moment that jumps ends on either side; between is a dashed line, with no ordinate over it."""
-    cycle, scene = study()["dynamics"].cycle, study()
+    cycle = study()["dynamics"].cycle
     jumps = {cycle.turned[k] for k in graphs.strips(cycle, 24).jumps}
     assert len(jumps) == 2
-    (own,) = [found for leaf in leaves(scene) for found in groups(leaf.groups) if found.name == "moments"]
+    (own,) = [found for leaf in leaves(study()) for found in groups(leaf.groups) if found.name == "moments"]
     lines = [line for line in walk(own.strokes) if isinstance(line, Line) and line.start.real == line.end.real]
     dashed = [line.start.real for line in lines if line.style.dash]
     assert len(dashed) == len(jumps)
