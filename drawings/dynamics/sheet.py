@@ -186,13 +186,6 @@ def sheets(scene: Scene, machine: MachineMotion) -> tuple[Leaf, ...]:
     return lay_out(scene, [_DynamicsSheet(scene, machine).draft])
 
 
-class PlateChoice(NamedTuple):
-    """A way to show it: graphs and loop on one plate or on two, how many positions the table tells at most."""
-
-    whole: bool
-    most: int
-
-
 @dataclass(frozen=True)
 class _DynamicsSheet:
     """What the sheets are drawn from."""
@@ -210,47 +203,39 @@ class _DynamicsSheet:
 
     @property
     def draft(self) -> Draft:
-        """The draft that tells most, and those that need less room."""
-        first, *further = (self._drafted(way) for way in self._ways())
+        """The draft that tells most positions, and those that need less room."""
+        first, *further = map(self._drafted, TOLD)
         return first._replace(instead=tuple(further))
 
-    def _ways(self) -> tuple[PlateChoice, ...]:
-        """List the ways: in line wherever the paper takes that."""
-        whole = self.machine.drawn.cycle is not None and self._least is not None
-        return tuple(PlateChoice(whole, most) for most in TOLD)
+    @cached_property
+    def _in_line(self) -> bool:
+        """Whether graphs and loop stand in line on one plate: wherever the paper takes that."""
+        return self.machine.drawn.cycle is not None and self._least is not None
 
-    def _drafted(self, way: PlateChoice) -> Draft:
-        title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
-        return Draft(
-            "dynamics",
-            title,
-            shows,
-            (),
-            self.machine.notes,
-            partial(figures_facts, positions=way.most),
-            narrow=EQUATION,
-        )
+    def _drafted(self, most: int) -> Draft:
+        title, facts = self.drafting.word("dynamics sheet title"), partial(figures_facts, positions=most)
+        return Draft("dynamics", title, tuple(self._shows(most)), (), self.machine.notes, facts, narrow=EQUATION)
 
-    def _shows(self, way: PlateChoice) -> Iterator[Exhibit | Caption]:
+    def _shows(self, most: int) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""
-        plates = tuple(self._plates(way))
-        exhibits = [self._exhibit(shown, self._least if way.whole else None) for shown in plates]
+        plates = tuple(self._plates())
+        exhibits = [self._exhibit(shown, self._least if self._in_line else None) for shown in plates]
         yield from exhibits[:1]
         yield from self._loads()
         yield from exhibits[1:]
-        if self.machine.drawn.cycle is not None and not (way.whole and self._whole.told):
+        if self.machine.drawn.cycle is not None and not (self._in_line and self._whole.told):
             yield self._caption(self._results())
-        yield self._caption(self._values(way.most))
+        yield self._caption(self._values(most))
         yield from self._wheel()
         yield from self._bare()
         yield from self._run()
         yield from captions(map(working, plates))
 
-    def _plates(self, way: PlateChoice) -> Iterator[Plate]:
+    def _plates(self) -> Iterator[Plate]:
         """Give the plates: none of a machine whose crank cannot turn fully."""
         if self.machine.drawn.cycle is None:
             return
-        if way.whole:
+        if self._in_line:
             yield self._whole
         else:
             yield self._plate(plate.UPPER, plate.INTEGRATED)
@@ -271,7 +256,7 @@ class _DynamicsSheet:
     def _largest(self, shown: Plate) -> float | None:
         room, picture, block = room_of(self.page), plate.measure(shown), self.page.block
         beside, above = (room.width - block.width - GAP, room.height), (room.width, room.height - block.height - GAP)
-        ladders = [picture.ladder(*free, self.page.standard).rungs for free in (beside, above)]
+        ladders = [picture.rungs(*free, self.page.standard) for free in (beside, above)]
         largest = max((rungs[0].extent for rungs in ladders if rungs), default=0.0)
         return largest if largest >= picture.least else None
 

@@ -78,7 +78,7 @@ def steps_of(panels: Sequence[Panel], room: tuple[float, float], standard: str, 
     keyed: dict[tuple[str, int], list[_Scaled]] = {}
     for k, panel in enumerate(panels):
         if isinstance(panel.item, Picture):
-            rungs = panel.item.ladder(*room, standard).rungs[::-1]
+            rungs = panel.item.rungs(*room, standard)[::-1]
             key = (panel.scale, 0 if panel.scale else k)
             keyed.setdefault(key, []).append(_Scaled(panel.item, panel.weight, rungs))
     return tuple(_steps(figures, legible) for figures in keyed.values())

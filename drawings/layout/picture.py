@@ -150,11 +150,10 @@ def outline(values: Sequence[complex]) -> tuple[Band, ...]:
     >>> outline([0j, 8 + 0j, 8 + 8j])[0], outline([0j, 1 + 0j, 1 + 1j, 1j])
     (Band(low=0.0, high=0.125, left=0.0, right=1.0), (Band(low=0.0, high=1.0, left=0.0, right=1.0),))
     """
-    left, low = min(v.real for v in values), min(v.imag for v in values)
-    wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
-    if not wide or not high:
+    shares = _shares([values], values)
+    if not shares:
         return WHOLE
-    hull = _hull({tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in values})
+    hull = _hull(set(shares[0]))
     return tuple(_joined(_band(hull, k / BANDS, (k + 1) / BANDS) for k in range(BANDS)))
 
 
@@ -164,13 +163,18 @@ def traced(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> tup
     >>> traced([[0j, 8j], [8j, 8 + 8j]], [0j, 8 + 8j])[0]
     Band(low=0.0, high=0.875, left=0.0, right=0.0)
     """
+    shares = _shares(lines, values)
+    bands = (_crossed(shares, k / BANDS, (k + 1) / BANDS) for k in range(BANDS))
+    return tuple(_joined(band for band in bands if band is not None)) if shares else WHOLE
+
+
+def _shares(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> list[list[complex]]:
+    """Give where lines lie in the box of some points, in shares of it; nothing where the box is flat."""
     left, low = min(v.real for v in values), min(v.imag for v in values)
     wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
     if not wide or not high:
-        return WHOLE
-    shares = [[tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in line] for line in lines]
-    bands = (_crossed(shares, k / BANDS, (k + 1) / BANDS) for k in range(BANDS))
-    return tuple(_joined(band for band in bands if band is not None))
+        return []
+    return [[tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in line] for line in lines]
 
 
 def _crossed(lines: Sequence[Sequence[complex]], low: float, high: float) -> Band | None:
@@ -259,13 +263,13 @@ class Picture(NamedTuple):
         """Give the larger side of the drawn lines, mm."""
         return max(self.wide, self.high) / scale.mu
 
-    def ladder(self, width: float, height: float, standard: str = "GOST", weight: float = 1.0) -> Ladder:
+    def rungs(self, width: float, height: float, standard: str = "GOST") -> tuple[Rung, ...]:
         """List the standard scales at which the picture and its margins fit a room, the largest picture first."""
         across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
         if across <= 0 or up <= 0 or self.heading > width:
-            return Ladder(self.name, (), self.least, weight)
+            return ()
         if self.exact:
-            return Ladder(self.name, tuple(self._only(width, height)), self.least, weight)
+            return tuple(self._only(width, height))
         extent, room = (self.wide, across) if self.wide * up >= self.high * across else (self.high, up)
         room = min(room, self.most)
         rungs: list[Rung] = []
@@ -273,7 +277,7 @@ class Picture(NamedTuple):
             scale = fitting(extent, room, self.letter, self.unit, standard)
             rungs.append(Rung(scale, *self.size(scale), self.extent(scale)))
             room = extent / scale.mu * SMALLER
-        return Ladder(self.name, tuple(rungs), self.least, weight)
+        return tuple(rungs)
 
     def at(self, mu: float) -> Picture:
         """Give the picture to be drawn at a scale that is asked for, however small its lines are."""
@@ -306,15 +310,6 @@ class Rung(NamedTuple):
     wide: float
     high: float
     extent: float
-
-
-class Ladder(NamedTuple):
-    """The scales that a picture may have, the largest picture first."""
-
-    name: str
-    rungs: tuple[Rung, ...]
-    least: float
-    weight: float = 1.0  # it counts as if it were drawn so many times smaller
 
 
 class Spot(NamedTuple):

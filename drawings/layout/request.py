@@ -136,7 +136,7 @@ class _Fitting:
         """Say which figure has no room even at its least scale, and how much room there is, mm."""
         wide, high = self.room
         pictures = [panel.item for panel in self.contents.panels if isinstance(panel.item, Picture)]
-        large = (picture.name for picture in pictures if not picture.ladder(wide, high, self.page.standard).rungs)
+        large = (picture.name for picture in pictures if not picture.rungs(wide, high, self.page.standard))
         least = every.rungs[0] if every.rungs else {}
         name = next((wanted for wanted, rung in least.items() if not self._alone(wanted, rung)), None) or next(large)
         field = {"width": f"{wide:.0f}", "height": f"{high:.0f}"}

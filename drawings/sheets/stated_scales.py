@@ -183,7 +183,7 @@ class StatedScales(NamedTuple):
 
     def _fitting(self, picture: Picture) -> list[float]:
         """Give the standard scales at which a figure fits and can be read, nearest to what is stated first."""
-        rungs = chain.from_iterable(picture.ladder(*room, self.page.standard).rungs for room in self._rooms)
+        rungs = chain.from_iterable(picture.rungs(*room, self.page.standard) for room in self._rooms)
         fit = {rung.scale.mu for rung in rungs if rung.extent >= (picture.least * SMALLER or READABLE)}
         mu = self.stated[key_of(self.kind, picture.name)]
         return sorted(sorted(fit, key=lambda size: max(size / mu, mu / size))[:NEAREST])
@@ -193,33 +193,24 @@ def see_ordinates(scene: Scene, name: str, span: float, high: float) -> None:
     """See that ordinates of a span in true units stand in a graph so many mm high, at the scale that is stated."""
     mu = dict(scene.sheet.scale.stated)[name]
     if span / mu > high:
-        parts = {"scale": _written(mu, False), "least": _written(_rounded_up(span / high), False)}
+        parts = {"scale": _written(mu, False), "least": _written(_rounded(span / high, up=True), False)}
         sizes = _millimetres(span / mu, high, ("high", "up"))
         raise SheetError(of_scale(scene, name, message("refused.scale_ordinates", name=name, **parts, **sizes)))
     if 0 < span / mu < READABLE:
-        parts = {"scale": _written(mu, False), "most": _written(_rounded_down(span / READABLE), False)}
+        parts = {"scale": _written(mu, False), "most": _written(_rounded(span / READABLE, up=False), False)}
         sizes = _millimetres(span / mu, READABLE, ("high", "needed"))
         raise SheetError(of_scale(scene, name, message("refused.scale_flat", name=name, **parts, **sizes)))
 
 
-def _rounded_up(mu: float) -> float:
-    """Round a scale up to two digits.
+def _rounded(mu: float, up: bool) -> float:
+    """Round a scale up or down to two digits.
 
-    >>> _rounded_up(0.01234), _rounded_up(250.0)
-    (0.013, 250.0)
+    >>> _rounded(0.01234, up=True), _rounded(0.01234, up=False), _rounded(250.0, up=True)
+    (0.013, 0.012, 250.0)
     """
     step = 10.0 ** (math.floor(math.log10(mu)) - 1)
-    return float(f"{math.ceil(mu / step * (1 - ROUNDED)) * step:.12g}")
-
-
-def _rounded_down(mu: float) -> float:
-    """Round a scale down to two digits.
-
-    >>> _rounded_down(0.01234), _rounded_down(250.0)
-    (0.012, 250.0)
-    """
-    step = 10.0 ** (math.floor(math.log10(mu)) - 1)
-    return float(f"{math.floor(mu / step * (1 + 1e-12)) * step:.12g}")
+    count = math.ceil(mu / step * (1 - ROUNDED)) if up else math.floor(mu / step * (1 + ROUNDED))
+    return float(f"{count * step:.12g}")
 
 
 def _holds(room: Size, size: Size) -> bool:

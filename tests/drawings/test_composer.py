@@ -142,7 +142,7 @@ def test_the_foremost_figure_takes_a_third_of_its_sheet_or_the_next_scale_is_too
     (box, scale), field, block = first.spots["main"], page.field, page.block
     free = Field(field.left + 6.0, field.bottom + 6.0, field.right - 6.0, page.taken[-1].bottom - 6.0)
     beside, above = (block.left - free.left, free.height), (free.width, free.top - block.top)
-    larger = {rung.scale.mu for room in (beside, above) for rung in main.ladder(*room, page.standard).rungs}
+    larger = {rung.scale.mu for room in (beside, above) for rung in main.rungs(*room, page.standard)}
     assert box.width * box.height >= field.width * field.height / 3 or scale.mu <= sorted(larger)[1]
 
 

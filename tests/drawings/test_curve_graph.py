@@ -97,7 +97,7 @@ SHOWN = Hodograph("R_{34}", "F", "N", force(DENSE[:-1]), force(AT), 2, "hodograp
 
 def figure(shown: Hodograph = SHOWN) -> Group:
     measure_ = hodograph.measure(shown, Drafting(HAND))
-    scale = measure_.ladder(300.0, 250.0).rungs[0].scale
+    scale = measure_.rungs(300.0, 250.0)[0].scale
     spot = Spot(Field(0, 0, *measure_.size(scale)), scale)
     found = hodograph.draw(shown, measure_, spot, Drafting(HAND))
     ink = Ink(400.0, 300.0)

@@ -22,7 +22,7 @@ def pairs_of(text: str, hand: Hand | None = None) -> Pairs:
     study = LinkageStudy(parse_scene(text))
     bones = skeletons(study, study.motion(), 2)
     measured = picture("positions", bones.points, ("l", "m"), ANYWHERE, 0.0)
-    place = measured.place(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
+    place = measured.place(ROOM, measured.rungs(ROOM.width, ROOM.height)[0].scale)
     return Pairs(bones, place, hand or Hand(0.7, 0.35, 0.25))
 
 

@@ -61,7 +61,7 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     study, comparison = compared(name)
     bones = skeletons(study, comparison.construction, position(study, comparison))
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
-    place = measured.place(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
+    place = measured.place(ROOM, measured.rungs(ROOM.width, ROOM.height)[0].scale)
     groups = layers(Pairs(bones, place, hand), "en")
     return Figure(bones, place, hand, {group.name: group for group in groups})
 
