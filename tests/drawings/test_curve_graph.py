@@ -13,7 +13,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
 from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Group, Leaf, Polyline, Stroke, Text
+from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 from drawings.reading.measure import Measured, check, measure
 
@@ -61,6 +61,15 @@ def test_the_curve_is_broken_at_a_gap_and_the_gap_has_no_ordinate() -> None:
     lines = [stroke for stroke in flat(drawn) if isinstance(stroke, Polyline)]
     assert [len(line.points) for line in lines] == [100, 221]
     assert 4 not in {vector.position for vector in measured(drawn).vectors}
+
+
+def test_a_jump_is_dashed() -> None:
+    """The curve is broken there, and joined by a line that is no part of it."""
+    drawn = graph(CURVE._replace(values=np.where(DENSE < 100.2, moment(DENSE), moment(DENSE) - 40.0)))
+    lines = [stroke for stroke in flat(drawn) if isinstance(stroke, Polyline)]
+    assert [len(line.points) for line in lines] == [101, 260]
+    (jump,) = (stroke for stroke in flat(drawn) if isinstance(stroke, Line) and stroke.style.dash)
+    assert (jump.start, jump.end) == (lines[0].points[-1], lines[1].points[0])
 
 
 def rocking(phi: np.ndarray) -> np.ndarray:

@@ -8,12 +8,15 @@ import numpy as np
 import pytest
 
 from drawings.forces import sheet
+from drawings.forces.arms import aside
 from drawings.forces.letters import BALANCE, PAIR
 from drawings.forces.lever import hanging
+from drawings.layout.parallel_offsets import merging
 from drawings.linkage import sheet as linkage_sheet
 from drawings.linkage.positions import force_positions
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.paper.walk import texts
+from drawings.symbols.figure import Arm
 from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
 from plans.forces.worth import PositionWorth
@@ -108,6 +111,14 @@ def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_sc
 # Positions, languages, mechanisms
 
 
+def test_no_dimension_lies_on_a_force() -> None:
+    """A level arm is dimensioned aside of a level force at its point, and is left in place beside an upright one."""
+    arm = Arm("h_1", 0j, 60 + 20j, -1j)
+    for force, off in (((0j, 20 + 0j), True), ((5 + 0j, 5 + 20j), False)):
+        (drawn,) = aside([arm], [force], None)
+        assert merging(arm.ends, force) is off is (drawn.aside != 0.0) and not merging(drawn.ends, force)
+
+
 @pytest.mark.rest
 def test_without_a_word_the_forces_are_those_of_a_loaded_position_whose_plans_are_open() -> None:
     """In the middle of the cut the velocity plan of a shaper all but closes to one line: not there, nor at its ends."""
@@ -127,7 +138,8 @@ def test_worth_is_stable_against_last_bits() -> None:
     """A position with a mirrored twin stays the one that is chosen, whatever the last bit of either says."""
     rows = np.array([0.0, 0.9, 0.9, 0.0])
     for bit in (-1e-12, 1e-12):
-        rated = PositionWorth(True, np.add(rows, [0, 0, bit, 0]), {"velocities": np.array([0.0, 0.5, 0.5 - bit, 0.0])})
+        open_ = {"velocities": np.array([0.0, 0.5, 0.5 - bit, 0.0])}
+        rated = PositionWorth(True, rows + np.array([0, 0, bit, 0]), open_)
         assert int(np.argmax(rated.sizes)) == 1 and rated.flat(0) == ("velocities",)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from drawings.lettering.lettering import UnknownLetter
+from drawings.linkage import sheet as kinematics
 from drawings.linkage.sheet import leaves, sheet
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
@@ -73,7 +74,8 @@ def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() 
 def test_remarks_that_can_be_read_where_the_notes_stand_are_no_reason_for_a_further_sheet(
     tight: float, counts: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    compose, sets = laid.compose, list[int]()
+    compose, sets, notes = laid.compose, list[int](), kinematics.notes
+    monkeypatch.setattr(kinematics, "notes", lambda *asked: [*notes(*asked), "as long as a line of notes is " * 3])
     monkeypatch.setattr(laid, "TIGHT", tight)
     monkeypatch.setattr(laid, "compose", lambda *asked: sets.append(len(own := compose(*asked))) or own)
     assert len(leaves(Study(read_scene(GALLERY / "crank-rocker.toml")))) == 1

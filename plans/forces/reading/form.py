@@ -323,8 +323,8 @@ class ForceSheetTable(Table):
     forces: tuple[int, ...] = key(
         many(f.POSITION, f.NO_REPEATS, first=f.FEW),
         (),
-        meaning="Positions of the force sheets, a sheet each; default: `position`, or where the scene names none, of "
-        "those in which loads act the one of the largest balancing moment.",
+        meaning="Positions of the force sheets, a sheet each; default: `position`, or where the scene names none, one "
+        "in which the loads do work and the plans are open figures.",
     )
     reactions: str = key(f.words("R", "P", "F"), "R", meaning="The letter of reactions.")
     hodographs: tuple[str, ...] = key(
