@@ -12,11 +12,12 @@ import numpy as np
 
 from drawings.checks.expected import NOTES, Expected, by_hand, by_roads, course, phrases
 from drawings.checks.hold import stated_keys
-from drawings.forces.due_acting import ExpectedArm, ExpectedForces, diagrams, named, unbraced
+from drawings.forces.due_acting import ExpectedArm, ExpectedForces, diagrams, named
 from drawings.forces.due_lever import lever
 from drawings.lettering.words import word
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Key, Kind, Leaf, Text
+from drawings.symbols.figure import plain_name
 from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.bill import ActingForce, Bearing, ForceBill
 from plans.forces.cut import CutGroup, MomentEquation, indices
@@ -241,7 +242,7 @@ class _Sheet:
         value, off = arm.foot - arm.pivot, self._off(arm)
         lost = self.acting.doubtful or arm.length <= LEAST * mu + off
         allowed = math.inf if self.acting.doubtful else off
-        return Expected(Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter)
+        return Expected(Kind.VECTOR, plan, plain_name(arm.letter), value, allowed, self.k, lost, letter=arm.letter)
 
     def _off(self, arm: ExpectedArm) -> float:
         """Give how far off an arm may be, m: by its places and by the direction of its force."""

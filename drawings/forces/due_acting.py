@@ -15,6 +15,7 @@ import numpy as np
 from drawings.checks.expected import Expected, measured
 from drawings.lettering.words import letter, with_index
 from drawings.paper.strokes import Kind
+from drawings.symbols.figure import plain_name
 from plans.forces.bill import ActingForce, ForceBill, LoadedPosition
 from plans.forces.cut import CutGroup, MomentEquation
 from plans.forces.loading import OutputStroke, asks
@@ -108,7 +109,7 @@ class ExpectedForces:
 
     def name(self, name: str) -> str:
         """Name a force or a moment by its letter, without braces."""
-        return unbraced(self.letter(name))
+        return plain_name(self.letter(name))
 
     @cached_property
     def arms(self) -> dict[str, tuple[ExpectedArm, ...]]:
@@ -205,15 +206,6 @@ def named(statics: Statics, comparison: ForceComparison) -> Iterator[tuple[str, 
     """Give the findings of forces that the table tells, each with what its row is lettered: R_34, M_bal."""
     every = (found for found in comparison.of("forces") if " " not in found.name)
     yield from ((lettered(statics, found.name), found) for found in every)
-
-
-def unbraced(markup: str) -> str:
-    """Name a mark by its letter, without the braces of its index.
-
-    >>> unbraced("R^t_{34}")
-    'R^t_34'
-    """
-    return markup.replace("{", "").replace("}", "")
 
 
 FIGURE = "load_diagram"

@@ -12,10 +12,11 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.expected import Expected
-from drawings.forces.due_acting import ABOUT, REACTION, ExpectedForces, unbraced
+from drawings.forces.due_acting import ABOUT, REACTION, ExpectedForces
 from drawings.lettering.words import letter, with_index
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Key, Kind, Text
+from drawings.symbols.figure import plain_name
 from plans.forces.bill import ActingForce, LoadedPosition
 from plans.forces.drive import BALANCING, DRIVING
 from plans.model.machine import GEAR
@@ -218,7 +219,7 @@ class _DrawnLever:
             size, off = abs(hung.value), self._off(hung)
             foot = -1j * hung.value / size * hung.power / size
             lost, allowed = self._doubtful or hung.length <= SEEN * self.mu + off, math.inf if self._doubtful else off
-            yield Expected(Kind.VECTOR, LEVER, unbraced(mark), foot, allowed, self.acting.k, lost, letter=mark)
+            yield Expected(Kind.VECTOR, LEVER, plain_name(mark), foot, allowed, self.acting.k, lost, letter=mark)
 
     def equation(self) -> Iterator[Expected]:
         """Give the numbers of the lever's equation: forces, arms in mm as drawn, the balancing moment."""
