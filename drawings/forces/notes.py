@@ -48,15 +48,15 @@ def _choice(statics: Statics, comparison: ForceComparison, position: int, langua
     rated = worth(statics, comparison.construction)
     if rated.loaded and rated.hardest != position:
         yield word(language, "position chosen", position=position, hardest=rated.hardest)
-    flat = [_plan(name, language) for name in rated.flat(position)]
-    if flat:
-        yield word(language, "no open plans", plans=", ".join(flat))
+    if rated.lines:
+        yield word(language, "no open plans", plans=", ".join(_plan(name, language) for name in rated.lines))
 
 
 def _plan(name: str, language: str) -> str:
     """Name a plan of a position."""
     _, _, group = name.partition("-")
-    return word(language, "force plan", group=group) if group else term(language, "plan", name)
+    title = word(language, "force plan", group=group) if group else term(language, "plan", name)
+    return f"{title[:1].lower()}{title[1:]}"
 
 
 def _loads(statics: Statics, language: str) -> Iterator[str]:

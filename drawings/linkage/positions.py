@@ -14,6 +14,7 @@ from drawings.linkage.notes import notes
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
+from drawings.paper.walk import PLACES
 from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit
@@ -156,9 +157,11 @@ def _working(study: LinkageStudy) -> Any:
 
 
 def _best(sizes: Any, preferred: Any, allowed: Any) -> int:
-    """Give the position of the largest size among the preferred, or else among the allowed."""
-    chosen = preferred if (preferred & ~np.isnan(sizes)).any() else allowed
-    return int(np.argmax(np.where(chosen & ~np.isnan(sizes), sizes, -1.0)))
+    """Give the position of the largest size among the preferred, or else among the allowed: the first of equal ones."""
+    known = ~np.isnan(sizes)
+    chosen = preferred if (preferred & known).any() else allowed
+    shares = sizes / (np.nanmax(sizes, initial=0.0) or 1.0)
+    return int(np.argmax(np.where(chosen & known, np.round(shares, PLACES), -1.0)))
 
 
 def _output_speed(study: LinkageStudy, comparison: MotionComparison) -> Any:

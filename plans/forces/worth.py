@@ -22,22 +22,18 @@ class PositionWorth(NamedTuple):
 
     loaded: bool  # does any useful load do work?
     done: Floats  # the power of the useful loads as a share of its greatest; of a machine without any |M_bal|
-    open: dict[str, Floats]  # by the names of plans, "velocities" or "forces-4-5": those that are open anywhere
+    open: dict[str, Floats]  # by the names of plans, "velocities" or "forces-4-5"
+    lines: tuple[str, ...] = ()  # those that are lines wherever loads act: no position is better for them
 
     @property
     def sizes(self) -> Floats:
         """What the positions are worth: the share of the work by the geometric mean of how open the plans are.
 
         At a dead centre no load does work, and one plan that is a line makes the whole mean nothing. A plan that is a
-        line wherever loads act, as that of a rod without mass is, tells no position from another: it is not counted.
+        line wherever loads act, as that of two forces is, tells no position from another: it is not counted.
         """
-        rows = [self.done, *self.open.values()]
-        mean = np.prod(rows[1:], axis=0) ** (1.0 / max(len(rows) - 1, 1))
-        return np.asarray(np.round(rows[0] * mean, PLACES))
-
-    def flat(self, position: int) -> tuple[str, ...]:
-        """Name the plans that are lines in a position."""
-        return tuple(name for name, row in self.open.items() if row[position] < FLAT)
+        rows = [row for name, row in self.open.items() if name not in self.lines]
+        return np.asarray(np.round(self.done * np.prod(rows, axis=0) ** (1.0 / max(len(rows), 1)), PLACES))
 
     @property
     def hardest(self) -> int:
@@ -50,11 +46,12 @@ def worth(statics: Statics, forces: Kinetostatics) -> PositionWorth:
     study, moments = statics.study, np.abs(forces.balancing.moment)
     motion = study.motion(2)
     power = np.where(np.isnan(moments), np.nan, useful_power(study.mechanism, motion, statics.loading(motion)))
-    loaded = bool(np.nanmax(power, initial=0.0) > 0.0)
+    largest = np.nanmax(moments, initial=0.0) * abs(study.mechanism.drive.omega)
+    loaded = bool(np.nanmax(power, initial=0.0) > 10.0**-PLACES * largest)  # less is rounding
     sizes = power if loaded else moments
     done = np.round(sizes / (np.nanmax(sizes, initial=0.0) or 1.0), PLACES)
     rows = {name: np.where(np.isnan(done), np.nan, row) for name, row in _plans(statics)}
-    return PositionWorth(loaded, done, {name: row for name, row in rows.items() if np.any(row[done > 0.0] >= FLAT)})
+    return PositionWorth(loaded, done, rows, tuple(k for k, row in rows.items() if not np.any(row[done > 0.0] >= FLAT)))
 
 
 def _plans(statics: Statics) -> Iterator[tuple[str, Floats]]:
