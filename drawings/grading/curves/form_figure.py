@@ -48,12 +48,19 @@ class Blank(NamedTuple):
 
     def lines(self, sheet: SeenSheet) -> Iterator[Complexes]:
         """Give the lines and chains that lie within the axes."""
-        straight = (np.array([line.start, line.end]) for line in flat(_ink(sheet)) if isinstance(line, Line))
+        every = (np.array([line.start, line.end]) for line in flat(_ink(sheet)) if isinstance(line, Line))
+        straight = (line for line in every if not _is_own(line - self.origin))
         for line in (*chains(_ink(sheet)), *straight):
             apart = line - self.origin
             high, wide = OVER * (self.top - self.origin.imag), OVER * (self.right - self.origin.real)
             if apart.real.min() >= -PLACED and apart.real.max() <= wide and np.abs(apart.imag).max() <= high:
                 yield line
+
+
+def _is_own(line: Complexes) -> bool:
+    """Tell whether a line from the origin of axes is one of them, or a tick: an editor may have regrouped them."""
+    along, up = np.abs(line.imag).max() <= FLUSH, np.abs(line.real).max() <= FLUSH
+    return bool(along or up or (np.ptp(line.real) <= FLUSH and abs(line.imag.sum()) <= FLUSH))
 
 
 def every_axes(sheet: SeenSheet) -> dict[str, Blank]:
