@@ -167,6 +167,8 @@ def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]
     if len(marked) == len(plans) and all(plan.whole for plan in marked):
         return tuple(marked)
     lines, places = segments(sheet.leaf, onlooker.heads), form_places(sheet.leaf)
+    if places:  # a form gives the fixed points of the plan of positions with their data
+        marked = [plan for plan in marked if not plan.asked.dotted]
     whole = tuple(redrawn(plan, lines) for plan in marked)
     if not places or any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cache
 
@@ -65,3 +66,34 @@ def _plan(plan: PlanAsked, place: FormPlace, scale: float, high: float) -> str:
         for letter, spot in at.items()
     )
     return "".join((*lines, *letters))
+
+
+SHAPES = re.compile(r"<(?:path|line|circle)\b[^>]*?/>|<text\b.*?</text>", re.DOTALL)
+
+
+def edited(source: bytes, how: str) -> bytes:
+    """Give a sheet as an editor leaves it: all of it in groups, moved, or taken out of its groups into another one."""
+    text = source.decode()
+    begun, ended = text.index("<g"), text.rindex("</svg>")
+    inner = text[begun:ended]
+    if how == "regrouped":
+        inner = inner.replace(MARKER, "")
+        inner = (
+            f'{MARKER}{SHAPES.sub("", inner)}<g transform="translate(5.3 -2.6)">{"".join(SHAPES.findall(inner))}</g>'
+        )
+        return f"{text[:begun]}{inner}</svg>".encode()
+    return f'{text[:begun]}<g transform="{how}"><g>{inner}</g></g></svg>'.encode()
+
+
+def position_on_form(leaf: Leaf, plan: PlanAsked, moved: complex = 0j) -> bytes:
+    """Draw the points of a plan of positions on a form, each with a circle and its letter; the first is moved, m."""
+    place = next(one for one in form_places(leaf) if one.plan == plan.place)
+    assert place.pole is not None
+    parts = []
+    for k, one in enumerate(plan.vectors):
+        at = place.pole + (one.true + (moved if k == 0 else 0) - place.value) / place.scale
+        parts.append(
+            f'<circle cx="{at.real:.3f}" cy="{leaf.height - at.imag:.3f}" r="1" style="fill:none;stroke:#000"/>'
+        )
+        parts.append(f'<text x="{at.real + 1.5:.2f}" y="{leaf.height - at.imag - 1.5:.2f}">{written(one.title)}</text>')
+    return blank_file(leaf).replace(b"</svg>", f"{''.join(parts)}</svg>".encode())

@@ -8,22 +8,35 @@ from drawings.grading.allowance import Allowances
 from drawings.grading.form_place import FormPlace, form_places, place_of
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask
+from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Text
-from tests.drawings.form_students import form_leaf, on_form, polygon_on_form
+from tests.drawings.form_students import edited, form_leaf, on_form, polygon_on_form, position_on_form
 from tests.drawings.students import task
 from tests.drawings.test_grading import laid
+from tests.parts import some
 
-SCALE = 0.25  # of the shaper's acceleration plans, (m/s2)/mm, as its form states it
+EDITED = ["", "translate(3 -2)", "scale(0.7)", "translate(594 0) rotate(90)", "regrouped"]
 
 
-@pytest.mark.rest
-def test_a_plan_on_a_form_is_the_one_that_its_pole_is_for() -> None:
+@pytest.mark.parametrize("how", some(EDITED, 2))
+def test_a_plan_on_a_form_is_the_one_that_its_pole_is_for_whatever_an_editor_did(how: str) -> None:
     """Each of the two plans stands nearer to the heading of the other, which is over the next place below."""
-    own = task("shaper")
+    own, leaf = task("shaper"), lettered(form_leaf("shaper"))
     plans = [plan for plan in own.plans if plan.plan == "accelerations"]
-    graded = grade(on_form(form_leaf("shaper"), plans, SCALE), SheetTask(own.plans), Allowances())
+    scale = next(one.scale for one in form_places(leaf) if one.plan == plans[0].place)
+    graded = grade(edited(on_form(leaf, plans, scale), how), SheetTask(own.plans), Allowances())
     said = {(one.position, one.kind) for one in graded.verdicts if one.plan == "accelerations"}
     assert said == {(2, "right"), (9, "right")}
+
+
+@pytest.mark.parametrize(("moved", "wrong"), [(0j, set()), (0.05 + 0j, {"wrong"})])
+def test_the_plan_of_positions_is_read_by_its_points(moved: complex, wrong: set[str]) -> None:
+    own, leaf = task("shaper"), form_leaf("shaper")
+    plan = next(
+        plan for plan in own.plans if plan.plan == "positions" and plan.place in {one.plan for one in form_places(leaf)}
+    )
+    graded = grade(position_on_form(leaf, plan, moved), SheetTask((plan,)), Allowances())
+    assert {one.kind for one in graded.verdicts} == {"right", *wrong}
 
 
 @pytest.mark.parametrize("share", [0.8, 1.2])

@@ -5,11 +5,12 @@ from __future__ import annotations
 import pytest
 
 from drawings.grading.asked import PlanAsked, VectorAsked
+from drawings.grading.drawing_faults import drawing_faults
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.form_place import FormPlace
 from drawings.grading.onlooker import Segment, spelled_labels
 from drawings.grading.plans_on_form import plans_on_form
-from drawings.paper.strokes import Text
+from drawings.paper.strokes import Group, Leaf, Text
 
 SPOTS = {"π": 0j, "a": 60 + 0j, "n_BA": 60 + 0.6j, "b": 30 + 40j}  # mm from the pole: n_BA is hardly off a
 PAIRS = [("π", "a"), ("a", "n_BA"), ("n_BA", "b"), ("π", "b")]
@@ -71,3 +72,37 @@ def test_a_letter_too_few_is_told_by_its_arrow_and_of_none_that_is_read_nothing_
     (found,) = read((lines, kept))
     assert [one.name for one in found.lacking] == lacking
     assert (found.unread is not None) == bool(lacking)
+
+
+def test_letters_in_each_others_place_are_told_and_the_plan_is_right() -> None:
+    lines, words = drawn(plan(2), 100 + 100j)
+    names = {"a": "b", "b": "a"}
+    words = [*words, Text(95 + 130j, "μ_a = 1 (m/s2)/mm", 3.5)]
+    (found,) = read((lines, [one._replace(content=names.get(one.plain, one.plain)) for one in words]))
+    assert all(abs(found.arrows[one.letters].vector - one.true) < 1e-9 for one in found.asked.vectors)
+    leaf = Leaf(400, 400, (Group(tuple(words)),))
+    said = {one.name for one in drawing_faults(leaf, spelled_labels(tuple(words)), found) if one.kind == "swapped"}
+    assert said == set()  # as they should stand; and as they do:
+    labels = spelled_labels(tuple(one._replace(content=names.get(one.plain, one.plain)) for one in words))
+    assert {one.name for one in drawing_faults(leaf, labels, found) if one.kind == "swapped"} == {"a", "b"}
+
+
+def test_lines_without_heads_go_as_their_letters_say_and_are_told() -> None:
+    lines, words = drawn(plan(2), 100 + 100j)
+    bare = lines[3]._replace(start=lines[3].end, end=lines[3].start, headed=False)
+    (found,) = read(([*lines[:3], bare], words))
+    assert (found.lacking, found.headless) == ([], ("a_b",))
+    assert found.arrows["π", "b"].vector == pytest.approx(SPOTS["b"])
+
+
+def test_what_lies_on_another_arrow_need_not_be_drawn_and_both_cost_once() -> None:
+    asked = plan(2)
+    twin = VectorAsked("a^n_A", "π", "n_A", asked.vectors[0].true, None)
+    asked = asked._replace(vectors=(twin, *asked.vectors))
+    lines, words = drawn(plan(2), 100 + 100j)
+    place = [FormPlace(("accelerations", 2), None, 60 + 90j, 180 + 180j)]
+    kept, gone = (
+        next(plans_on_form([asked], some, words, spelled_labels(tuple(words)), place)) for some in (lines, lines[1:])
+    )
+    assert kept.lacking == []
+    assert [(one.name, gone.is_covered(one)) for one in gone.lacking] == [("a^n_A", True), ("a_a", False)]
