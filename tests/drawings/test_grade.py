@@ -216,3 +216,10 @@ def test_plans_of_which_grading_knows_nothing_are_asked_for_as_others_are(monkey
 def test_a_sheet_of_another_task_is_rejected(folder: Path, capsys: Capture) -> None:
     assert cli.main(["grade", str(GALLERY / "feed-cam.toml"), str(folder / "ann.svg")]) == 5
     assert "plandraft form" in capsys.readouterr().out
+
+
+def test_a_figure_loses_no_more_than_its_cap() -> None:
+    wrong = [Verdict("velocities", 2, name, "wrong") for name in ("v_A", "v_B", "v_S2")]
+    right = [Verdict("forces-2-3", 2, "G_2", "right"), Verdict("table values", None, "v_B", "missing")]
+    for caps, won in (({}, 1.0), ({"velocities": 1}, 3.0), ({"velocities": 1, "table values": 0}, 3.25)):
+        assert points_of([*wrong, *right], Marking(caps=caps)) == (won, 4.25)
