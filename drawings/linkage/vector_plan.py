@@ -107,11 +107,13 @@ class VectorDiagram(NamedTuple):
         return [0j, *ends, *(end for line in (*self.rays, *self.sides) for end in line)]
 
     @property
-    def visible(self) -> set[str]:
-        """The letters at the ends of vectors that have a length, but for the pole: those at rest need no room there."""
-        size = max((abs(end) for end in self.points), default=0.0)
-        long = (arrow for arrow in self.arrows if abs(arrow.ends[1] - arrow.ends[0]) > SAME * size)
-        return {mark.name for arrow in long for mark in (arrow.start, arrow.end) if mark is not self.plan.pole}
+    def images(self) -> list[complex]:
+        """The places of images, but for the pole, each once: those at rest need no room there, nor several in one."""
+        near, found = SAME * max((abs(end) for end in self.points), default=0.0), list[complex]()
+        for end in (end for arrow in self.arrows for end in arrow.ends):
+            if all(abs(end - other) > near for other in (0j, *found)):
+                found.append(end)
+        return found
 
 
 def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] = NONE) -> VectorDiagram:
@@ -182,7 +184,7 @@ def measure(shown: VectorDiagram, drafting: Drafting) -> Picture:
     """Measure the room that a plan needs: its points, letters around them, its heading above."""
     kind, hand = shown.plan.board.subject, drafting.hand
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
-    least = hand.letter * max(PLAN_LETTERS, EACH * len(shown.visible))
+    least = hand.letter * max(PLAN_LETTERS, EACH * len(shown.images))
     scale = VECTOR[kind].symbol, VECTOR[kind].unit
     return picture(shown.name, shown.points, scale, around(MARGINS, hand), title, least)
 
