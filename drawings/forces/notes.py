@@ -43,7 +43,8 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
 
 def _choice(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
     """Say why another position is drawn than that in which the loads do most, and that none has open plans."""
-    if statics.form.sheet.forces or statics.study.form.sheet.position is not None:
+    asked = statics.study.form.sheet
+    if statics.form.sheet.forces or asked.position is not None or position in asked.plans:
         return
     rated = worth(statics, comparison.construction)
     if rated.loaded and rated.hardest != position:
