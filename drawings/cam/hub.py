@@ -11,7 +11,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
 from drawings.lettering.words import Slot, joined, telling
 from drawings.page.page import Drafting
-from drawings.paper.strokes import Arc, Kind, Line, Statement, Stroke
+from drawings.paper.strokes import Arc, Circle, Kind, Line, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension
 from drawings.symbols.symbols import fit
@@ -67,11 +67,12 @@ class KeyedBore(NamedTuple):
     def lines(self, drafting: Drafting) -> Iterator[Stroke]:
         """Draw the bore, the keyway with its axis, and their dimensions."""
         hand = drafting.hand
-        start, first, last, end = self.corners
-        radius, turn = abs(start - self.zero), cmath.phase(self.key)
-        half = math.asin(self.hub.width / self.hub.bore)
-        yield Arc(self.zero, radius, turn + half, turn + 2 * math.pi - half, hand.result)
-        if self.hub.width:
+        if not self.hub.width:
+            yield Circle(self.zero, self.place.length(self.hub.bore / 2), hand.result)
+        else:
+            start, first, last, end = self.corners
+            turn, half = cmath.phase(self.key), math.asin(self.hub.width / self.hub.bore)
+            yield Arc(self.zero, abs(start - self.zero), turn + half, turn + 2 * math.pi - half, hand.result)
             # each side tells by its corner where the keyway is
             for side, (corner, foot) in enumerate(((first, start), (last, end))):
                 states = Statement(Kind.POINT, self.plan, f"keyway {side}")
