@@ -207,10 +207,10 @@ def _command(commands: Commands, name: str, text: str) -> argparse.ArgumentParse
 
 
 def _orders(text: str) -> list[str]:
-    from plans.scene.forms import PLANS, plan_called  # only this option asks for the table
+    from plans.scene.forms import PLANS, called  # only this option asks for the table
 
     given = [name.strip() for name in text.split(",")]
-    names = [name if name in PLANS else plan_called(name) for name in given]
+    names = [called(name, "plan", PLANS) for name in given]
     wrong = [name for name, plan in zip(given, names, strict=True) if not plan]
     if wrong:
         raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(PLANS)}")

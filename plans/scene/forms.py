@@ -105,24 +105,19 @@ SHEETS = tuple(sheet for technique in techniques().values() for sheet in techniq
 PLANS = tuple(plan for technique in techniques().values() for plan in technique.plans)
 
 
-def sheet_called(name: object) -> str:
-    """Give the sheet that a text names in any language, large or small, in the singular or the plural; else nothing.
+def called(name: object, group: str = "kind", own: tuple[str, ...] = SHEETS) -> str:
+    """Give the sheet or plan that a text names in any language, large or small, in singular or plural; else nothing.
 
-    >>> sheet_called("силы"), sheet_called("Force"), sheet_called("positions"), sheet_called("speed")
-    ('forces', 'forces', 'positions', '')
+    >>> called("силы"), called("Force"), called("положения"), called("план скоростей", "plan", PLANS), called("speed")
+    ('forces', 'forces', 'positions', 'velocities', '')
     """
-    return _called("kind", SHEETS).get(_plain(name), "")
-
-
-def plan_called(name: str) -> str:
-    """Give the plan that a text names, as a sheet is named."""
-    return _called("plan", PLANS).get(_plain(name), "")
+    return str(name) if name in own else _called(group, own).get(_plain(name), "")
 
 
 def likely_sheet(name: object) -> str:
     """Give the sheet whose name in any language is nearest to a text, or begins alike: силовой расчёт."""
     names, text = _called("kind", SHEETS), _plain(name)
-    alike = [called for called in names if text.startswith(called[:3])]
+    alike = [known for known in names if text.startswith(known[:3])]
     return next((names[near] for near in [*nearest(text, names), *alike]), "")
 
 
@@ -141,11 +136,7 @@ def _plain(name: object) -> str:
 def with_sheets_named(data: Mapping[str, Any]) -> Mapping[str, Any]:
     """Give a file with its sheets by their own names, where another name is understood."""
     wanted = data.get("sheets")
-    return {**data, "sheets": [_own(name) for name in wanted]} if isinstance(wanted, list) else data
-
-
-def _own(name: object) -> object:
-    return name if name in SHEETS else sheet_called(name) or name
+    return {**data, "sheets": [called(name) or name for name in wanted]} if isinstance(wanted, list) else data
 
 
 def techniques_of(data: Mapping[str, Any]) -> tuple[str, ...]:
