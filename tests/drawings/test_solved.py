@@ -54,7 +54,7 @@ def test_solve_prints_every_number_of_the_scene(run: Run) -> None:
     ("only", "points", "links"),
     [
         ("positions", ["r"], ["angle"]),
-        ("velocities", ["v"], ["omega"]),
+        ("План скоростей", ["v"], ["omega"]),
         ("accelerations,positions", ["r", "a"], ["angle", "epsilon"]),
     ],
 )

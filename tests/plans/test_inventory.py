@@ -263,7 +263,7 @@ RUBBING = "[friction]\ncoefficient = 0.1\nradius = 0.02\n[friction.pairs]\n"
         (
             "[[loads.springs]]\nbetween = ['O', { on = 4, point = 'B' }]\nstiffness = '3 N*m'\nfree = 0",
             "loads.springs[0].stiffness",
-            "a unit of stiffness (N/m, kN/m, N/cm, N/mm)",
+            "a unit of stiffness (N/m, kN/m, N/cm, N/mm, kgf/cm and others)",
         ),
         ("[drive.gear]\nradius = 0.1\nat = 0\npressure_angle = 90\n" + LOADED, "drive.gear.pressure_angle", "45 deg"),
         ("[friction]\nradius = 0.02\n" + LOADED, "friction.coefficient", "coefficient = 0.1"),

@@ -77,7 +77,11 @@ def test_a_diagram_of_a_pump_over_lengths_counts_how_far_piston_and_cylinder_are
         ('value = 3\nbehind = "1 bar"\n', "loads.forces[0].behind", "a pressure, which behind belongs to"),
         ('pressure = 1\nbore = "80 mm"\nambient = 3\n', "loads.forces[0].rod", 'add it: rod = "30 mm"'),
         ('pressure = 1\nbore = "80 mm"\nrod = "80 mm"\n', "loads.forces[0].rod", "a rod thinner than the bore"),
-        ('pressure = "1 N"\nbore = "80 mm"\n', "loads.forces[0].pressure", "a unit of pressure (Pa, kPa, MPa, bar)"),
+        (
+            'pressure = "1 N"\nbore = "80 mm"\n',
+            "loads.forces[0].pressure",
+            "a unit of pressure (Pa, kPa, MPa, bar, at, atm",
+        ),
         ('value = 1\npressure = 1\nbore = "80 mm"\n', "loads.forces[0]", "either value or pressure, not both"),
         (
             CARD.replace("pressure", "force = [0, 1, 2], pressure"),
@@ -101,13 +105,13 @@ def test_a_diagram_of_a_pump_over_lengths_counts_how_far_piston_and_cylinder_are
             "loads.forces[0].diagram.pressure[0]",
             "bars, here and elsewhere in the list (1 more)",
         ),
-        (CARD.replace("0.1 MPa", "1 bars"), "loads.forces[0].diagram.pressure[0]", 'write it as "1 bar"'),
-        (CARD.replace("0.6 MPa", "6 bars"), "loads.forces[0].diagram.pressure[1]", 'bars. Fix: write it as "6 bar"'),
+        (CARD.replace("0.1 MPa", "1 bars"), "loads.forces[0].diagram.pressure[0]", 'did you mean "1 bar"'),
+        (CARD.replace("0.6 MPa", "6 bars"), "loads.forces[0].diagram.pressure[1]", 'bars. Fix: did you mean "6 bar"'),
         (
             CARD.replace(" }", ', back = ["1 bar", "6 bars", "2 bars"] }'),
             "loads.forces[0].diagram.back[1]",
-            "of force or pressure (N, kN, Pa, kPa, MPa, bar), but found bars, here and elsewhere in the list (1 more). "
-            'Fix: write it as "6 bar"',
+            "of force or pressure (N, kN, kgf, Pa, kPa, MPa, bar, at and others), but found bars, here and elsewhere in the list (1 more). "
+            'Fix: did you mean "6 bar"',
         ),
         (CARD.replace("1]", '"105 %"]'), "loads.forces[0].diagram.travel[2]", "from 0 % to 100 %, but found 105 %"),
         (CARD.replace("1]", '"-5 %"]'), "loads.forces[0].diagram.travel[2]", "from 0 % to 100 %, but found -5 %"),
@@ -117,7 +121,7 @@ def test_a_diagram_of_a_pump_over_lengths_counts_how_far_piston_and_cylinder_are
         (
             CARD.replace("[0, 0.5, 1]", '["10 mm", "20 mm", "200 mm"]'),
             "loads.forces[0].diagram.travel",
-            "it covers 0.010 to 0.200",
+            "it covers 0.01 to 0.2",
         ),
         (CARD.replace("[0, 0.5, 1]", '[0, "20 mm", "10 mm"]'), "loads.forces[0].diagram", "travel rising"),
     ],

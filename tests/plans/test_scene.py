@@ -152,7 +152,7 @@ def test_a_fault_is_one_line_that_names_everything() -> None:
     (fault,) = faults(ENGINE, ('OA = "60 mm"', 'OA = "60 kg"'))
     assert str(fault) == (
         'scene.toml:8:1: mechanism.lengths.OA = "60 kg": expected a unit of length (m, dm, cm, mm and others), but '
-        "found kg. Fix: convert it to one of these units, or write a bare number in m."
+        "found kg. Fix: write it in one of these units, or as a bare number in m."
     )
 
 

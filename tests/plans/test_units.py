@@ -163,7 +163,7 @@ def test_a_quantity_of_no_machine_is_refused_in_any_unit(kind: UnitKind, written
         ("0.8 mPa", units.PRESSURE, 'возможно, "0.8 MPa"?'),
         ("3 ати", units.PRESSURE, 'возможно, "3 ат"?'),
         ("3 мн", units.FORCE, 'возможно, "3 мН" или "3 МН"?'),
-        ("3 kg", units.LENGTH, "переведите в одну из этих единиц или напишите число без единицы, в м"),
+        ("3 kg", units.LENGTH, "запишите в одной из этих единиц или числом без единицы, в м"),
     ],
 )
 def test_a_wrong_unit_is_told_with_its_conversion(written: str, kind: UnitKind, cure: str) -> None:
