@@ -110,7 +110,8 @@ def test_a_diagram_of_a_pump_over_lengths_counts_how_far_piston_and_cylinder_are
         (
             CARD.replace(" }", ', back = ["1 bar", "6 bars", "2 bars"] }'),
             "loads.forces[0].diagram.back[1]",
-            "of force or pressure (N, kN, kgf, Pa, kPa, MPa, bar, at and others), but found bars, here and elsewhere in the list (1 more). "
+            "of force or pressure (N, kN, kgf, Pa, kPa, MPa, bar, at and others), but found bars, here and elsewhere "
+            "in the list (1 more). "
             'Fix: did you mean "6 bar"',
         ),
         (CARD.replace("1]", '"105 %"]'), "loads.forces[0].diagram.travel[2]", "from 0 % to 100 %, but found 105 %"),
