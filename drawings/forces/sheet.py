@@ -160,7 +160,7 @@ class _ForceSheet:
     def _scheme(self, cut: CutGroup) -> Exhibit:
         shown = loading_scheme.scheme(self.plan, cut, self.position)
         largest = LARGEST if cut is self.plan.cuts[-1] else 0.0
-        return exhibit(loading_scheme, shown, self.drafting, largest, together=cut.label)
+        return exhibit(loading_scheme, shown, self.drafting, largest, together=cut.label, scale="schemes")
 
     def _equations(self, cut: CutGroup) -> Caption:
         equations = SheetEquations(self.plan, cut, self.position, self.drafting, self.forces.nothing_at(self.position))
