@@ -84,13 +84,12 @@ class TextBlock(NamedTuple):
 class Notes(NamedTuple):
     """What the sheet says in words: the length of each paragraph in one line, the step of the lines, mm.
 
-    They stand in no column of less than `least` mm. `words` are the lengths of what is not broken, with its space.
+    They stand in no column of less than `least` mm.
     """
 
     lengths: tuple[float, ...]
     step: float
     least: float = NARROW * 3.5
-    words: tuple[tuple[float, ...], ...] = ()
 
     def height(self, width: float) -> float:
         """Give the height, mm, of the notes broken at a width."""
@@ -98,10 +97,8 @@ class Notes(NamedTuple):
 
     def lines(self, width: float) -> Iterator[tuple[float, float]]:
         """Give width and height, mm, of each paragraph written in a width: short lines leave paper beside them."""
-        for k, length in enumerate(self.lengths):
-            words = self.words[k] if self.words else ()
-            count = max(math.ceil(length / (BROKEN * width)), _rows(words, width))
-            yield min(width, length), count * self.step
+        for length in self.lengths:
+            yield min(width, length), math.ceil(length / (BROKEN * width)) * self.step
 
     def sizes(self, widest: float) -> tuple[tuple[float, float], ...]:
         """Give widths and heights, mm, that they may have up to a width, the narrowest first, each lower than the last.
@@ -115,18 +112,6 @@ class Notes(NamedTuple):
             if not found or self.height(width) < found[-1][1]:
                 found.append((width, self.height(width)))
         return tuple(found)
-
-
-def _rows(words: Sequence[float], width: float) -> int:
-    """Count the lines that words take in a width.
-
-    >>> _rows([50.0, 60.0, 30.0], 100.0)
-    2
-    """
-    rows, left = 0, -1.0
-    for wide in words:
-        rows, left = (rows, left - wide) if tied(left - wide) >= 0 else (rows + 1, width - wide)
-    return rows
 
 
 BANDS = 8  # of equal height, from below

@@ -41,11 +41,8 @@ STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7
 
 def measure(paragraphs: Sequence[str], size: float, least: float = 0.0) -> Notes:
     """Measure what notes need on paper, in columns of no less than `least` mm and none too narrow for their letters."""
-    marked = [_marked(note) for note in paragraphs]
-    lengths = tuple(text_width(Text(0j, note, size)) for note in marked)
-    space = text_width(Text(0j, "a a", size)) - 2 * text_width(Text(0j, "a", size))
-    words = (tuple(text_width(Text(0j, word, size)) + space for word in _words(note)) for note in marked)
-    return Notes(lengths, STEP * size, max(least, NARROW * size), tuple(words))
+    lengths = tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs)
+    return Notes(lengths, STEP * size, max(least, NARROW * size))
 
 
 def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> Group:
@@ -66,19 +63,14 @@ def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> 
 
 
 def _broken(note: str, width: float, size: float) -> list[str]:
-    """Break a note at its spaces where it is wider than its field."""
-    words, lines = _words(note), list[str]()
+    """Break a note at its spaces where it is wider than its field, but no equation and no range."""
+    kept = TOGETHER.sub(lambda sign: f"\N{NO-BREAK SPACE}{sign[1]}\N{NO-BREAK SPACE}", note)
+    words, lines = [word for word in ALONE.sub("\N{NO-BREAK SPACE}\\1", kept).split(" ") if word], list[str]()
     while words:
         count = 1 + bisect_right(range(2, len(words) + 1), width, key=partial(_reach, words, size))
         lines.append(" ".join(words[:count]))
         words = words[count:]
     return lines
-
-
-def _words(note: str) -> list[str]:
-    """Part a note at its spaces, but no equation and no range."""
-    kept = TOGETHER.sub(lambda sign: f"\N{NO-BREAK SPACE}{sign[1]}\N{NO-BREAK SPACE}", note)
-    return [word for word in ALONE.sub("\N{NO-BREAK SPACE}\\1", kept).split(" ") if word]
 
 
 def _reach(words: Sequence[str], size: float, count: int) -> float:
@@ -221,25 +213,20 @@ class _Leaves:
     @property
     def settled(self) -> _Leaves:
         """Compose anew until there is room for the remarks: with them the figures may stand otherwise."""
-        current, known = self, {self.reserved: self}
+        current, known = self, {self.reserved: self}  # two compositions may each bring about the remarks of the other
         for _ in range(ROUNDS if self.draft.remarks is not None else 0):
             said = current.notes[len(current.draft.notes) :]
-            if said == current.reserved:
+            other = known.setdefault(said, replace(current, reserved=said, known=current.cuts))
+            if said == current.reserved or not other.better(current):
                 break
-            if said in known:  # two compositions bring about the remarks of each other
-                return min(known.values(), key=lambda way: (len(way.composed), way.tight))
-            known[said] = other = replace(current, reserved=said, known=current.cuts)
-            if not (current.tight or fits(other.contents, other.page, other.cuts, len(current.composed))):
-                break  # room for them is not worth a further sheet where they can be read without
             current = other
         return current
 
-    @property
-    def tight(self) -> bool:
-        """Whether the lines of the notes stand too near one another."""
-        notes = measure(self.notes, self.page.hand.text, self.draft.narrow)
-        boxes = (composition.notes for composition in self.composed)
-        return any(box and box.height < TIGHT * notes.height(box.width) for box in boxes)
+    def better(self, other: _Leaves) -> bool:
+        """Tell whether room for remarks is worth it: no further sheet, where they can be read without that room."""
+        notes, boxes = self.contents.notes, (composition.notes for composition in other.composed)
+        tight = any(notes and box and box.height < TIGHT * notes.height(box.width) for box in boxes)
+        return tight or fits(self.contents, self.page, self.cuts, len(other.composed))
 
     @property
     def sheets(self) -> Sequence[Composition]:

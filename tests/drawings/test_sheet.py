@@ -54,7 +54,7 @@ def test_lettering_across_a_line_is_found() -> None:
 
 def test_a_mechanism_that_reaches_no_position_gets_a_sheet_that_explains_why() -> None:
     _, leaf = drawn(four_bar(rod=0.05, rocker=0.05))
-    said = " ".join(text.plain for text in texts(leaf))
+    said = " ".join(text.plain for text in texts(leaf)).replace("\N{NO-BREAK SPACE}", " ")
     assert "Gaps: 0–11: out of reach at B" in said and "reach from" in said
     assert "Velocity plan" not in said
 
