@@ -15,7 +15,6 @@ from drawings.grading import verdict
 from drawings.grading.asked import plan_told
 from drawings.grading.graded import UNREAD, Graded
 from drawings.grading.sheet_task import Hints
-from drawings.grading.units import shown
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, TABLE, Marking, Verdict, points_of
 from plans.words.words import Message, message, word
 
@@ -154,7 +153,7 @@ def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: 
     small = (verdict.DEAD, verdict.SMALL)
     wrong = [said for said in gathered(graded.verdicts) if not said.good and said.kind not in small]
     notes = [without_values(said, hints, language) for said in wrong] or [word(language, "grade.nothing_wrong")]
-    return annotated(shown(source, graded.box), graded.paper, plain_name(Path(path.name)), wrong, notes)
+    return annotated(source, graded.paper, plain_name(Path(path.name)), wrong, notes)
 
 
 def annotated(

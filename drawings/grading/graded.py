@@ -25,7 +25,6 @@ from drawings.grading.onlooker import Onlooker, legible, segments, spelled_label
 from drawings.grading.plans_on_form import plans_on_form, redrawn
 from drawings.grading.points_on_form import points_on_form
 from drawings.grading.scheme_arrows import arrow_verdicts, once
-from drawings.grading.units import in_millimetres
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
@@ -52,7 +51,6 @@ class Graded(NamedTuple):
     digest: str = ""  # of the bytes: the same file from two students is told
     scene: str = ""  # the checksum of the scene that it says it is of
     drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
-    box: str = ""  # the viewBox that a sheet without one was read in, if not in pixels
 
     @property
     def wrong(self) -> tuple[Verdict, ...]:
@@ -93,23 +91,18 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
         return Graded(UNREAD, reason=message("grade.unfinite"))
     said = tuple(_on_page(found, onlooker.moved) for found in said)
     scene = str(sheet.leaf.metadata.get("scene", ""))
-    graded = Graded(
-        PASS, said, paper=onlooker.page, scene=scene, drawn=tuple(plan.bare for plan in found.plans), box=onlooker.box
-    )
+    graded = Graded(PASS, said, paper=onlooker.page, scene=scene, drawn=tuple(plan.bare for plan in found.plans))
     if graded.wrong:
         return graded._replace(outcome=FAIL)
     return graded._replace(outcome=UNREAD) if graded.unseen else graded
 
 
 def _read(source: bytes) -> tuple[SeenSheet, Onlooker]:
-    """See what can be read of a sheet, in mm where its page does not say its units; laid back if it was moved."""
+    """See what can be read of a sheet, laid back by its corner marks if it was moved."""
     onlooker = Onlooker()
     sheet = see(source, onlooker)
-    if onlooker.boxless and in_millimetres(sheet.written):
-        onlooker = Onlooker(unit=1.0)
-        sheet = see(source, onlooker)
     if sheet.measured.moved != STAY:
-        onlooker = Onlooker(onlooker.unit, sheet.measured.moved)
+        onlooker = Onlooker(sheet.measured.moved)
         sheet = see(source, onlooker)
     return sheet._replace(leaf=legible(sheet.leaf)), onlooker
 

@@ -10,7 +10,6 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from drawings.checks.hold import Label, labels_of
-from drawings.grading.units import boxed_in, stated
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
 from drawings.lettering.words import with_index
 from drawings.paper.limits import SheetRefused
@@ -65,22 +64,18 @@ SHARES = MappingProxyType({"middle": 0.5, "end": 1.0})  # of a text that lie bef
 class Onlooker(Observer):
     """Sees the elements of a sheet one by one; `heads` are the ends with an arrowhead, of strokes by their ids.
 
-    `unit` is how many mm the units of a page are that does not say it, where this is known; `box` is the viewBox that
-    it is given then. What was `moved` as a whole, turned or scaled is laid back, on `paper` of its own size.
+    What was `moved` as a whole, turned or scaled, or is drawn in other units than its page says, is laid back; `page`
+    is what the student's own page measures, mm.
     """
 
-    def __init__(self, unit: float = 0.0, moved: Affine = STAY) -> None:
+    def __init__(self, moved: Affine = STAY) -> None:
         super().__init__()
         self.heads: dict[int, frozenset[str]] = {}
-        self.unit, self.moved, self.box, self.boxless = unit, moved, "", False
-        self.page = 0.0, 0.0
+        self.moved, self.page = moved, (0.0, 0.0)
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
-        """See the paper that a root lays what is drawn on, in the units that its editor meant."""
-        root = boxed_in(attributes, self.unit) if self.unit else stated(attributes)
-        self.boxless = "viewBox" not in root
-        self.box = "" if "viewBox" in attributes else root.get("viewBox", "")
-        self.paper = super().opened(root)
+        """See the paper that a root lays what is drawn on, as it lies."""
+        self.paper = super().opened(attributes)
         self.page = self.paper.width, self.paper.height
         if self.moved != STAY:
             self.paper = _laid_back(self.paper, self.moved)
