@@ -8,7 +8,6 @@ import numpy as np
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.dynamics_figures import CHORDS
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts
 from drawings.grading.curves.figure_records import BEARINGS, LENGTHS, ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import Arrow
@@ -69,8 +68,8 @@ class _Hand:
         wide = np.abs(np.diff(asked.paper.feet))
         rises = np.diff(asked.true.imag) / asked.scale
         pole = 40.0  # mm, as they are usual
-        board = integral(Board(CHORDS), "y", np.concatenate(([0.0], np.cumsum(wide))), rises / wide * pole, pole)
-        found = copies(Draughtsman(self.slip, {CHORDS: np.ones(1)}, 1, self.chance), *board.points)
+        board = integral(Board("chords"), "y", np.concatenate(([0.0], np.cumsum(wide))), rises / wide * pole, pole)
+        found = copies(Draughtsman(self.slip, {"chords": np.ones(1)}, 1, self.chance), *board.points)
         off = np.array([(np.ravel(found[one])[0] - np.ravel(one.point)[0]).imag for one in board.points]) * asked.scale
         # Where nothing is marked the value is nothing, and he lets his curve come back to its axis.
         known = np.setdiff1d(np.flatnonzero(np.abs(asked.true) <= 0.1 * asked.scale), asked.places)

@@ -16,12 +16,12 @@ from drawings.cam.size_view import NAME as SIZES
 from drawings.grading import verdict
 from drawings.grading.curves.cam_courses import DIAGRAM, POINTS, PRESSURE, CamCourses
 from drawings.grading.curves.diagram_figures import figures_of_cyclogram
-from drawings.grading.curves.dynamics_figures import chords_by_hand
 from drawings.grading.curves.figure_judge import SHORT
 from drawings.grading.curves.figure_records import (
     LENGTHS,
     ORDINATES,
     PRICKED,
+    STEP,
     FigureAsked,
     Mistake,
     SceneSheet,
@@ -82,7 +82,7 @@ class _CamSheet:
                 chorded = key in ABOVE
                 yield from self.sheet.figure(
                     key, plan, by_number(marks), np.asarray(1j * row.after), kind=ORDINATES, stepped=chorded,
-                    slack=np.abs(row.after - exact[key]), error=self._error(key), linear=chorded,
+                    slack=np.abs(row.after - exact[key]), linear=chorded,
                     paper=self.sheet.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
                     course=courses.get(key), why=because("integral_chord") if chorded else None,
                     mistakes=tuple(self._phases(key)),
@@ -92,23 +92,6 @@ class _CamSheet:
         other = self.cam.swapped
         if other is not None:
             yield Mistake(verdict.PHASES, np.asarray(1j * self.cam.law(other, key)))
-
-    def _error(self, key: str) -> Floats:
-        """Give how far a diagram is out that is drawn by chords, mm a mm of slip."""
-        edges, plain = self.expected.edges, np.full(len(self.expected.edges), PRICKED)
-        above = law_named(self.expected.cam, ABOVE.get(key, ""))
-        paper, marks = self.sheet.paper(above, edges), self.sheet.vectors(above)
-        if key not in ABOVE or paper is None or not marks:
-            return plain
-        wide, high = np.abs(np.diff(paper.feet)), next(iter(marks.values())).scale
-        mu = next(iter(self.sheet.vectors(law_named(self.expected.cam, key)).values())).scale
-        angle = float((edges[-1] - edges[0]) / wide.sum())
-        return chords_by_hand(wide, self.cam_means(ABOVE[key]) / high, mu / (high * angle))
-
-    def cam_means(self, key: str) -> Floats:
-        """Give the mean ordinates of the strips of a diagram."""
-        row = self.cam.rows[key]
-        return np.asarray((row.after[:-1] + row.before[1:]) / 2)
 
     @cached_property
     def _ends(self) -> dict[tuple[str, int | None], int]:
@@ -152,9 +135,9 @@ class _CamSheet:
         """
         marks, values = self.sheet.vectors(law_named(self.expected.cam, key)), self.cam.rows[key].after
         if marks:
-            mu, error = next(iter(marks.values())).scale, self._error(key)
+            mu = next(iter(marks.values())).scale
             bare = set(np.flatnonzero(np.abs(values) > SHORT * mu).tolist()) - marks.keys()
-            yield mu * float(np.hypot(1.0, np.sqrt(np.diff(error**2).max()) / PRICKED if bare else 0.0))
+            yield mu * float(np.hypot(1.0, STEP if bare else 0.0))
 
     def _sized(self) -> Floats:
         """Give by how much D is out that is laid off by the chords of the law."""
@@ -188,20 +171,7 @@ class _CamSheet:
         yield from self.sheet.figure(
             PRESSURE, ANGLES, names, np.asarray(1j * self.cam.angles), kind=ORDINATES, paper=paper,
             behind=(DIAGRAM,) if sized else (), course=self.cam.pressure if sized else None,
-            error=self._angles_by_hand(),
         )  # fmt: skip
-
-    def _angles_by_hand(self) -> Floats:
-        """Give how far angles are out that are measured off the diagram of the sizes, mm of their graph."""
-        marks, count = self.sheet.marks(SIZES), len(self.cam.turned)
-        angles = self.sheet.vectors(ANGLES)
-        if not marks or not angles:
-            return np.full(len(self.cam.angles), PRICKED)
-        rays = np.abs(self.cam.ends[:count] - self.cam.ends[count]) / self._scale(SIZES)
-        moved = np.degrees(2 * PRICKED / np.maximum(rays, 1.0)) / next(iter(angles.values())).scale
-        turned = [extreme.turned for extreme in self.expected.found.pressure.values()]
-        at = [int(np.abs(self.cam.turned - angle).argmin()) for angle in turned]
-        return np.asarray(np.hypot(PRICKED, np.concatenate((moved, moved[at]))))
 
     def profile(self) -> Iterator[FigureAsked]:
         """Give the profile by inversion: its points, sizes, the follower's places, the roller's normals."""

@@ -17,7 +17,6 @@ from drawings.grading import verdict
 from drawings.grading.curves.figure_records import (
     LENGTHS,
     ORDINATES,
-    PRICKED,
     FigureAsked,
     Mistake,
     SceneSheet,
@@ -117,18 +116,12 @@ def figures_of_diagrams(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked
 def _figure(sheet: SceneSheet, rows: Mapping[str, ExpectedRow], key: str, speed: float) -> Iterator[FigureAsked]:
     row, plan = rows[key], named(key)
     marks, places = sheet.vectors(plan), {number: k for k, number in reversed(list(enumerate(row.axis.numbers)))}
-    mu, above = next(iter(marks.values())).scale, _above(key)
+    above = _above(key)
     whole = bool(np.isclose(row.axis.turned[-1] - row.axis.turned[0], TURN))
     paper = sheet.paper(plan, row.axis.turned, places)
     course = None if above is None else Slope(above, rows[above].at, row.at, row.axis.turned / speed, whole)
-    vectors = [] if above is None else list(sheet.vectors(named(above)).values())
-    error = np.full(len(row.at), PRICKED)
-    if paper is not None and vectors:
-        # Both ends of a chord over two positions are out; what their rise says of the derivative is out by so much.
-        time = float(np.median(np.diff(row.axis.turned))) / speed
-        error = np.full(len(row.at), float(np.hypot(PRICKED, PRICKED * vectors[0].scale / (np.sqrt(2) * time * mu))))
     yield from sheet.figure(
-        key, plan, by_number(marks, places), np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES,
+        key, plan, by_number(marks, places), np.asarray(1j * row.at), slack=_slack(row), kind=ORDINATES,
         paper=paper, behind=() if above is None else (above,), course=course, linear=above is not None,
         why=None if above is None else because("derivative_point"),
         loose=frozenset(np.flatnonzero(np.isnan(rows[VELOCITY].at)).tolist()),

@@ -139,11 +139,14 @@ class DrawnFigure:
         """Give what its values may be out: on a form by its own scale, points by those of what they are laid off by."""
         if not self.free or not self.mu:
             return expected
+        plain, error = (expected - self.asked.slack) / self.asked.error, self.asked.error
         if self.asked.kind == ORDINATES:
-            return expected * max(1.0, self.mu / self.asked.scale)
+            own, before = PRICKED * max(1.0, self.mu / self.asked.scale), np.maximum(error**2 - PRICKED**2, 0.0)
+            return np.asarray(plain * np.sqrt(own**2 + before) + self.asked.slack)
         scales = [self.mu, self.mu, *behind]
-        plain = (expected - self.asked.slack) / (self.asked.error * self.asked.scale)
-        return np.asarray(np.minimum(plain * PRICKED * float(np.hypot.reduce(scales)) + self.asked.slack, expected))
+        return np.asarray(
+            np.minimum(plain * PRICKED * float(np.hypot.reduce(scales)) / self.asked.scale + self.asked.slack, expected)
+        )
 
     @property
     def there(self) -> npt.NDArray[np.bool_]:

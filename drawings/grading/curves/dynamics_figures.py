@@ -25,32 +25,12 @@ from drawings.grading.curves.figure_records import (
     by_number,
 )
 from drawings.grading.curves.run_figures import BEARING, CUT, TurnCourses, bare_speeds, tachogram
-from geometry.board import Board
-from geometry.calculus import integral
-from geometry.hand_error import SlippingHand, slopes
 from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy
 from plans.model.dynamics import edge_names
-from plans.model.motion import Complexes, Floats
+from plans.model.motion import Complexes
 from plans.study import Study
 from plans.words.words import Message, because
-
-CHORDS = "chords"
-
-
-def chords_by_hand(wide: Floats, high: Floats, pole: float) -> Floats:
-    """Give how far each ordinate of an integral curve is out, mm (standard deviation), if the hand slips by a mm.
-
-    The strips are so wide and their mean ordinates so high, mm, and the pole is so far away, mm.
-
-    >>> chords_by_hand(np.array([10.0, 10.0]), np.array([5.0, 5.0]), 20.0).round(2).tolist()
-    [0.82, 1.25, 1.63]
-    """
-    edges = np.concatenate(([0.0], np.cumsum(wide)))
-    found = integral(Board(CHORDS), "y", edges, high, pole)
-    moved = slopes(SlippingHand(1.0, {CHORDS: np.ones(1)}), *found.points)
-    return np.array([np.hypot(PRICKED, np.sqrt((moved[point].imag ** 2).sum())) for point in found.points])
-
 
 # By what the values of a graph are found.
 WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_chord"), SURPLUS: because("steady")})
@@ -81,8 +61,8 @@ class _GradedDynamics:
         """Give the graphs over the turn in the order in which they are drawn."""
         turn = TurnCourses(self.expected)
         yield from self._graph(MOMENTS, mistakes=tuple(self._unloaded()))
-        yield from self._graph(WORKS, (MOMENTS,), turn.works, self._works_by_hand)
-        yield from self._graph(SURPLUS, (WORKS,), turn.surplus, self._surplus_by_hand, tuple(self._undriven()))
+        yield from self._graph(WORKS, (MOMENTS,), turn.works)
+        yield from self._graph(SURPLUS, (WORKS,), turn.surplus, tuple(self._undriven()))
         yield from self._graph(INERTIA)
 
     def _graph(
@@ -90,7 +70,6 @@ class _GradedDynamics:
         name: str,
         behind: tuple[str, ...] = (),
         course: Course | None = None,
-        error: Floats | None = None,
         mistakes: tuple[Mistake, ...] = (),
     ) -> Iterator[FigureAsked]:
         marks = self.sheet.vectors(name)
@@ -100,7 +79,7 @@ class _GradedDynamics:
         slack = np.abs(values - self.exact.graphs.get(name, values))
         yield from self.sheet.figure(
             name, name, by_number(marks), np.asarray(way * values), kind=ORDINATES, way=way, slack=slack,
-            error=np.full(len(values), PRICKED) if error is None else error, why=WHY.get(name), behind=behind,
+            why=WHY.get(name), behind=behind,
             paper=self.sheet.paper(name, self.expected.cycle.turned), course=course, mistakes=mistakes,
             linear=course is not None and name != SPEEDS, stepped=name == WORKS,
             edges=edge_names(self.expected.cycle.turned, self.expected.task.divisions),
@@ -109,23 +88,6 @@ class _GradedDynamics:
     def scale(self, name: str) -> float:
         """Give the scale of a graph's ordinates, true units a mm."""
         return next((vector.scale for vector in self.sheet.vectors(name).values()), 1.0)
-
-    @property
-    def _works_by_hand(self) -> Floats:
-        """Give how far works are out that are drawn by chords, mm."""
-        paper = self.sheet.paper(WORKS, self.expected.cycle.turned)
-        if paper is None or not self.sheet.vectors(MOMENTS):
-            return np.full(len(self.expected.cycle.turned), PRICKED)
-        wide = np.abs(np.diff(paper.feet))
-        high = -self.expected.cycle.means / self.scale(MOMENTS)
-        areas = float(np.abs(np.diff(self.expected.cycle.turned)).sum() / wide.sum())  # rad a mm
-        return chords_by_hand(wide, high, self.scale(WORKS) / (self.scale(MOMENTS) * areas))
-
-    @property
-    def _surplus_by_hand(self) -> Floats:
-        """Give how far the surplus is out that is measured off the works, mm."""
-        measured = PRICKED * self.scale(WORKS) / self.scale(SURPLUS) if self.sheet.vectors(WORKS) else 0.0
-        return np.full(len(self.expected.cycle.turned), np.hypot(PRICKED, measured))
 
     def _unloaded(self) -> Iterator[Mistake]:
         """Give the graph of moments without what loads have over one of its stretches between jumps."""
@@ -151,9 +113,7 @@ class _GradedDynamics:
         yield from self._points(turn)
         if self.expected.wheel is not None and self.expected.omega is not None:
             yield from self._tangents(turn)
-            slips = turn.speed_slips({name: self.scale(name) for name in (SURPLUS, INERTIA)})
-            error = PRICKED * np.hypot(1.0, slips / self.scale(SPEEDS))
-            yield from self._graph(SPEEDS, (SURPLUS, INERTIA, CUT), turn.speeds, error)
+            yield from self._graph(SPEEDS, (SURPLUS, INERTIA, CUT), turn.speeds)
 
     def _points(self, turn: TurnCourses) -> Iterator[FigureAsked]:
         true = turn.loop(turn.true)

@@ -35,6 +35,7 @@ Course: TypeAlias = Callable[[Mapping[str, Complexes]], Complexes]
 
 # Of a slip of a mm: how far an ordinate is out, both of whose ends are pricked (standard deviation, mm).
 PRICKED = float(EVEN * np.sqrt(2))
+STEP = float(np.sqrt(2))  # of that: how far each step of a curve is out that is drawn on from step to step
 ORDINATES, POINTS, BEARINGS, LENGTHS = "ordinates", "points", "bearings", "lengths"
 SIZED = (BEARINGS, LENGTHS)  # of which a part alone is held
 
@@ -277,9 +278,27 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
     if row := CURVES.get(technique_of(sheet.kind)):
         read, others = originals.read_back(sheet), alterations(originals, sheet)
         shown = SceneSheet(sheet.name, read.leaf, read.measured, originals.expected(sheet))
+        figures = dict[str, FigureAsked]()
         for figure in named(row)(originals.study, shown):
             mistakes = (*(_altered(figure, other) for other in others), *figure.mistakes)
-            yield replace(figure, mistakes=mistakes)
+            figures[figure.key] = replace(figure, mistakes=mistakes, error=_by_hand(figure, figures))
+        yield from figures.values()
+
+
+def _by_hand(figure: FigureAsked, before: Mapping[str, FigureAsked]) -> Floats:
+    """Give how far a figure is out, mm a mm of slip, that is drawn on from what a hand has pricked before it."""
+    known = {key: other.true for key, other in before.items()}
+    if figure.course is None or not set(figure.behind) <= known.keys():
+        return figure.error
+    due, moved = figure.course(known), [np.zeros(len(figure.true))]
+    for other in (before[key] for key in figure.behind):
+        for way in (other.way,) if other.kind == ORDINATES else (1 + 0j, 1j):
+            for step in np.eye(len(other.true)) * PRICKED * other.scale * way:
+                both = (figure.course({**known, other.key: other.true + by}) - due for by in (step, -step))
+                moved.append(np.max([np.abs(part) for part in both], axis=0))  # of a tangent one way tells nothing
+    size = np.sqrt(np.nansum(np.square(moved), axis=0)) / figure.scale
+    steps = np.arange(len(figure.true)) if figure.stepped else np.zeros(len(figure.true))
+    return np.maximum(figure.error, np.hypot(size, PRICKED * np.sqrt(1 + STEP**2 * steps)))
 
 
 def _altered(figure: FigureAsked, other: Alteration) -> Mistake:

@@ -119,16 +119,6 @@ class TurnCourses(NamedTuple):
             for name, row in self.expected.graphs.items()
         }
 
-    def speed_slips(self, scales: Mapping[str, float]) -> Floats:
-        """Give how far a hand that slips by a mm is out in the speeds that it reckons from what it measures, rad/s."""
-        true = {**self.true, CUT: np.array([1j * cut for cut in self.wheel.cuts])}
-        rise = {SURPLUS: 1j * scales[SURPLUS], INERTIA: scales[INERTIA], CUT: 1j * self.scales[1]}
-        parts = []
-        for name, step in rise.items():
-            rows = [np.full(len(true[name]), step)] if name != CUT else [step * row for row in np.eye(2)]
-            parts += [self.speeds({**true, name: true[name] + row}) - self.speeds(true) for row in rows]
-        return np.sqrt(sum(np.abs(part) ** 2 for part in parts))
-
 
 # Shares of a stage at which its curve is read, by how the instants there are written: of the first, of any other.
 READ: Final = MappingProxyType(
