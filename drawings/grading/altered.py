@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import NamedTuple, TypeVar
-from weakref import WeakKeyDictionary
 
 from drawings.checks.expected import Expected
 from drawings.grading import verdict
@@ -31,23 +31,18 @@ class Alteration(NamedTuple):
         return self.due.get((row.kind, row.figure, row.name))
 
 
-_KNOWN: WeakKeyDictionary[Originals, dict[str, tuple[Alteration, ...]]] = WeakKeyDictionary()
-
-
 def alterations(originals: Originals, sheet: Original) -> tuple[Alteration, ...]:
-    """Give what is due on a sheet by the mistakes that are known of a whole task, found once."""
-    if sheet.kind not in KINDS:
-        return ()
-    known = _KNOWN.setdefault(originals, {})
-    if sheet.kind not in known:
-        leaves = [one.leaf for one in originals.sheets if one.kind == sheet.kind]
-        machine = _idle(originals.study.of(Statics).machine)
-        studies = [] if machine is None else [(verdict.IDLE, _bearing(originals.study, machine))]
-        rows = ((kind, sheet_kind(sheet.kind).expected(study, leaves)) for kind, study in studies)
-        known[sheet.kind] = tuple(
-            Alteration(kind, {(row.kind, row.figure, row.name): row for row in due}) for kind, due in rows
-        )
-    return known[sheet.kind]
+    """Give what is due on a sheet by the mistakes that are known of a whole task."""
+    return _found(originals, sheet.kind) if sheet.kind in KINDS else ()
+
+
+@lru_cache(maxsize=8)
+def _found(originals: Originals, kind: str) -> tuple[Alteration, ...]:
+    leaves = [sheet.leaf for sheet in originals.sheets if sheet.kind == kind]
+    machine = _idle(originals.study.of(Statics).machine)
+    studies = [] if machine is None else [(verdict.IDLE, _bearing(originals.study, machine))]
+    rows = ((mistake, sheet_kind(kind).expected(study, leaves)) for mistake, study in studies)
+    return tuple(Alteration(mistake, {(row.kind, row.figure, row.name): row for row in due}) for mistake, due in rows)
 
 
 def _bearing(study: Study, machine: Machine) -> Study:

@@ -29,7 +29,7 @@ def continued(target: Mark, drawn: Mapping[Mark, complex]) -> complex | None:
     3j
     """
     givens = {mark: value for mark, value in drawn.items() if mark is not target}
-    return _point(redraw([target], givens)[target])
+    return spot_of(redraw([target], givens)[target])
 
 
 def mirrored(target: Mark, drawn: Mapping[Mark, complex]) -> complex | None:
@@ -39,7 +39,7 @@ def mirrored(target: Mark, drawn: Mapping[Mark, complex]) -> complex | None:
     origin, vector = target.step.inputs
     base = vector.step.inputs[0]
     again = redraw([origin, base, vector], {mark: value for mark, value in drawn.items() if mark is not target})
-    start, along, there = (_point(again[mark]) for mark in (origin, base, vector))
+    start, along, there = (spot_of(again[mark]) for mark in (origin, base, vector))
     if start is None or along is None or there is None or along == 0:
         return None
     return start + along * (there / along).conjugate()
@@ -51,10 +51,11 @@ def turned_over(meeting: Mark) -> complex | None:
         return None
     first, second = meeting.step.inputs
     other = Board(meeting.subject).meet(meeting.name, first, second, -meeting.step.side)
-    return _point(other)
+    return spot_of(other)
 
 
-def _point(mark: Mark) -> complex | None:
+def spot_of(mark: Mark) -> complex | None:
+    """Give where a mark lies, if it is a place and known."""
     try:
         value = complex(np.asarray(mark.point).reshape(-1)[0])
     except (DraftError, TypeError):

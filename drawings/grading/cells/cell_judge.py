@@ -17,13 +17,13 @@ from drawings.grading.cells.asked_table import CellAsked, TableAsked
 from drawings.grading.cells.seen_table import Key, SeenCell
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places
+from drawings.grading.judgement import spot_of
 from drawings.grading.verdict import Verdict
 from drawings.grading.written_number import WrittenNumber, is_read, number
 from drawings.lettering.words import letter
 from drawings.paper.strokes import Text
 from drawings.reading.alphabet import folded
-from geometry.board import Mark, Reading
-from geometry.errors import DraftError
+from geometry.board import Reading
 from geometry.replay import redraw
 from plans.model.motion import Complexes
 from plans.words.words import term
@@ -77,7 +77,7 @@ class BesideTables(NamedTuple):
     def _rate(self, reading: Reading, position: int | None) -> float | None:
         """Give a rate as it is read off the student's own plans."""
         again = redraw(list(reading), drawn_places(self._of(position)))
-        arm, turning = (_point(again[mark]) for mark in reading)
+        arm, turning = (spot_of(again[mark]) for mark in reading)
         return None if arm is None or turning is None or arm == 0 else (turning / arm).imag
 
     def _of(self, position: int | None) -> list[DrawnPlan]:
@@ -92,14 +92,6 @@ def _read(name: str, language: str) -> str:
 
 def _written(unit: str, language: str) -> str:
     return Text(0j, term(language, "unit", unit)).plain
-
-
-def _point(mark: Mark) -> complex | None:
-    try:
-        value = complex(np.asarray(mark.point).reshape(-1)[0])
-    except (DraftError, TypeError):
-        return None
-    return value if np.isfinite(value) else None
 
 
 DEGREE, A_RADIAN, A_MINUTE = "°", 180 / math.pi, 30 / math.pi

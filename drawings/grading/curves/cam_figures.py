@@ -185,17 +185,14 @@ class _CamSheet:
             why=because("cam_back"), curved=tuple(range(count)),
         )  # fmt: skip
         turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(known["O_1"]))
-        for name, mistakes in (("K", ()), ("O_1", (turned,))):
-            places = {(name, k): k for k in range(count)}
-            yield from self.sheet.figure(f"profile {name}", PROFILE, places, known[name], mistakes=mistakes)
-        if curve == "P":
-            normals = {("Q", k): k for k in range(count)}
-            yield from self.sheet.figure("profile normals", PROFILE, normals, error=2 * PRICKED)
-        lengths, vectors = (
-            {(name, None): k for k, name in enumerate(names)} for names in (("R_0", "ρ_min"), ("e", "L"))
-        )
+        pivots, lengths = {("O_1", k): k for k in range(count)}, {("R_0", None): 0, ("ρ_min", None): 1}
+        yield from self.sheet.figure("profile O_1", PROFILE, pivots, known["O_1"], mistakes=(turned,))
         yield from self.sheet.figure("profile lengths", PROFILE, lengths, kind=LENGTHS)
-        yield from self.sheet.figure("profile vectors", PROFILE, vectors)
+        rest = [
+            place for place in self.sheet.marks(PROFILE) if place[0] != curve and place not in {**pivots, **lengths}
+        ]
+        others = {place: k for k, place in enumerate(rest)}
+        yield from self.sheet.figure("profile marks", PROFILE, others, error=2 * PRICKED)
 
     def radii(self) -> Iterator[FigureAsked]:
         """Give the radii of the finished profile, of a cam that translates its ordinates."""

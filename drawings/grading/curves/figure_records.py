@@ -7,7 +7,7 @@ is a point seen from the pole. The arrays of a figure have a value for each of i
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple, TypeAlias
@@ -236,17 +236,11 @@ class SceneSheet(NamedTuple):
 
     def over(self, plan: str, feet: Complexes, abscissas: Floats) -> Paper | None:
         """Give where a graph lies whose ordinates have some feet: the longest line of it that has all."""
-        axis = self._longest(line for line in self._lines(plan) if line.start != line.end and _through(line, feet))
-        return None if axis is None else Paper(axis, feet, abscissas)
-
-    def _lines(self, plan: str) -> Iterator[Line]:
         group = group_named(self.leaf.groups, plan)
-        return (stroke for stroke in flat(() if group is None else (group,)) if isinstance(stroke, Line))
-
-    @staticmethod
-    def _longest(lines: Iterable[Line]) -> tuple[complex, complex] | None:
-        longest = max(lines, key=lambda line: abs(line.end - line.start), default=None)
-        return None if longest is None else (longest.start, longest.end)
+        lines = (stroke for stroke in flat(() if group is None else (group,)) if isinstance(stroke, Line))
+        whole = (line for line in lines if line.start != line.end and _through(line, feet))
+        axis = max(whole, key=lambda line: abs(line.end - line.start), default=None)
+        return None if axis is None else Paper((axis.start, axis.end), feet, abscissas)
 
 
 WRITTEN = 1e-3  # of a scale: three digits are written at the least
