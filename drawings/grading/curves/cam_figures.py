@@ -188,9 +188,8 @@ class _CamSheet:
         pivots, lengths = {("O_1", k): k for k in range(count)}, {("R_0", None): 0, ("ρ_min", None): 1}
         yield from self.sheet.figure("profile O_1", PROFILE, pivots, known["O_1"], mistakes=(turned,))
         yield from self.sheet.figure("profile lengths", PROFILE, lengths, kind=LENGTHS)
-        rest = [
-            place for place in self.sheet.marks(PROFILE) if place[0] != curve and place not in {**pivots, **lengths}
-        ]
+        told = (curve, "O_1", "R_0", "ρ_min")
+        rest = [place for place in self.sheet.marks(PROFILE) if place[0] not in told]
         others = {place: k for k, place in enumerate(rest)}
         yield from self.sheet.figure("profile marks", PROFILE, others, error=2 * PRICKED)
 

@@ -292,7 +292,7 @@ def _by_hand(figure: FigureAsked, before: Mapping[str, FigureAsked]) -> Floats:
                 moved.append(np.max([np.abs(part) for part in both], axis=0))  # of a tangent one way tells nothing
     size = np.sqrt(np.nansum(np.square(moved), axis=0)) / figure.scale
     steps = np.arange(len(figure.true)) if figure.stepped else np.zeros(len(figure.true))
-    return np.maximum(figure.error, np.hypot(size, PRICKED * np.sqrt(1 + STEP**2 * steps)))
+    return np.asarray(np.maximum(figure.error, np.hypot(size, PRICKED * np.sqrt(1 + STEP**2 * steps))))
 
 
 def _altered(figure: FigureAsked, other: Alteration) -> Mistake:
