@@ -45,10 +45,7 @@ def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve 
 
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
-INERTIA, LOWEST = (
-    0.5,
-    0.62,
-)  # likewise, of the inertia over a loop and of the surplus energy, on the lower of two plates
+INERTIA, LOWEST = 0.5, 0.62  # likewise, of the inertia over a loop and of the surplus energy, on the lower plate
 WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
 LEFT, MIDDLE, RIGHT = 8.8, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise

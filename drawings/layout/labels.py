@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from typing import TypeAlias
 
 from drawings.layout.ink import LETTERED, Ink, padded
 from drawings.lettering.lettering import bounds
@@ -20,6 +21,7 @@ TURNED = 0.12  # cost of a direction, in mm of distance a step away from the pre
 SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
 STRAY = 1.0  # cost of a place that is nearer to another point with a label, in mm of distance
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
+Spots: TypeAlias = Sequence[complex]
 
 
 class Labels:
@@ -33,13 +35,7 @@ class Labels:
         self.ink, self._leader, self._slanted = ink, leader, slanted
 
     def beside(
-        self,
-        point: complex,
-        content: str,
-        size: float,
-        gap: float,
-        prefer: float = math.pi / 4,
-        others: Sequence[complex] = (),
+        self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4, others: Spots = ()
     ) -> Stroke:
         """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad.
 
@@ -53,7 +49,7 @@ class Labels:
         return label
 
     def free(
-        self, point: complex, content: str, size: float, gap: float, prefer: float, others: Sequence[complex] = ()
+        self, point: complex, content: str, size: float, gap: float, prefer: float, others: Spots = ()
     ) -> Stroke | None:
         """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
         box = bounds(Text(0j, content, size, "start", self._slanted))
@@ -92,7 +88,7 @@ class Labels:
                     return label
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across))
 
-    def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Sequence[complex] = ()) -> complex:
+    def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Spots = ()) -> complex:
         """Find the freest place beside a point; one that covers nothing is taken before any other."""
         best, cheapest = point, math.inf
         for reach in NEAR:
@@ -110,7 +106,7 @@ class Labels:
         return best
 
     def _led(
-        self, point: complex, box: Box, gap: float, prefer: float, others: Sequence[complex] = ()
+        self, point: complex, box: Box, gap: float, prefer: float, others: Spots = ()
     ) -> tuple[complex, complex, complex] | None:
         """Find a free place further off, and the leader to it: from beside the point to the label's nearer edge."""
         best, cheapest = None, math.inf
