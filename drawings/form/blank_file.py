@@ -9,7 +9,7 @@ from drawings.checks.verify import SelfCheckFailed
 from drawings.form.laid import SCALE, Given, given
 from drawings.page.page import BLOCK
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import Arc, Curve, Fill, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
 from drawings.reading.measure import check
@@ -72,8 +72,15 @@ def _astray(leaf: Leaf, sheets: Iterable[str]) -> Iterator[str]:
     """Name the groups with lines that are no place, no axes and no table of some sheets, beside the page itself."""
     for group in (group for group in leaf.groups if group.name not in PAGE):
         known = group.data.get("kind") in LINED or any(table_of(kind, group.name) for kind in sheets)
-        if not known and any(isinstance(stroke, STRAIGHT) for stroke in flat(group.strokes)):
+        if not known and any(isinstance(stroke, STRAIGHT) for stroke in _unled(group)):
             yield group.name or group.title or Line.__name__
+
+
+def _unled(group: Group) -> Iterator[Stroke]:
+    """Give the strokes of a group that are no leaders with their letters."""
+    if [type(stroke) for stroke in group.strokes] != [Line, Text]:
+        for stroke in group.strokes:
+            yield from _unled(stroke) if isinstance(stroke, Group) else (stroke,)
 
 
 def _numbers(leaf: Leaf, known: Given) -> Iterator[str]:

@@ -7,10 +7,24 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from drawings import VERSION
-from drawings.form.laid import CENTRED, PARTS, Given, LaidFigure, LaidTable, asked, blank, data, figures, given, tables
+from drawings.form.laid import (
+    CENTRED,
+    PARTS,
+    Given,
+    LaidFigure,
+    LaidTable,
+    asked,
+    assembly,
+    blank,
+    data,
+    figures,
+    given,
+    tables,
+)
 from drawings.kinds.axes import arrow
 from drawings.layout.contents import EVEN, Panel
 from drawings.layout.labels import Labels
@@ -54,6 +68,7 @@ class Fixed(NamedTuple):
     hinges: frozenset[str]
     guides: tuple[Guide, ...]
     positions: int = TICKS
+    sketch: Mapping[str, complex] = MappingProxyType({})  # where its points lie about
 
 
 NOTHING = Fixed({}, frozenset(), ())
@@ -64,7 +79,7 @@ def fixed(mechanism: Mechanism, positions: int) -> Fixed:
     points, slides = mechanism.links[GROUND].points, mechanism.slides
     guides = (Guide(slide.on_owner.through, slide.on_owner.direction) for slide in slides if slide.owner == GROUND)
     hinges = frozenset(name for name in points if name in mechanism.hinges)
-    return Fixed(dict(points), hinges, tuple(guides), positions)
+    return Fixed(dict(points), hinges, tuple(guides), positions, mechanism.sketch)
 
 
 @dataclass(frozen=True)
@@ -270,9 +285,9 @@ class _BlankTask(NamedTuple):
             yield self._draft(kind, title, tuple(places.values()), bands)
 
     def _draft(self, kind: str, title: str, places: Sequence[LaidFigure], bands: Sequence[LaidTable]) -> Draft:
-        drafting = drafting_of(self.scene)
+        drafting, language = drafting_of(self.scene), self.scene.sheet.language
         shows = tuple(_exhibit(kind, place, self.fixed, self.scene, drafting) for place in places)
-        notes = (*data(self.scene), *asked(places, bands, self.scene.sheet.language))
+        notes = (*data(self.scene), *assembly(self.fixed.sketch, language), *asked(places, bands, language))
         return Draft(kind, title, shows, blank(bands, drafting), notes, _facts)
 
 

@@ -26,10 +26,10 @@ class NotDrawnError(DraftError, AssertionError):
     """A plan or a vector that is asked of a sheet and is not on it."""
 
 
-class Bearing(float):
+class ReadAngle(float):
     """A direction, degrees from x, counter-clockwise, from 0 to 360; what it differs from another by is within a turn.
 
-    >>> Bearing(359.5) - 1.0, 1.0 - Bearing(359.5), Bearing(0.0) == 360.0
+    >>> ReadAngle(359.5) - 1.0, 1.0 - ReadAngle(359.5), ReadAngle(0.0) == 360.0
     (-1.5, 1.5, True)
     """
 
@@ -65,9 +65,9 @@ class ReadVector(NamedTuple):
         return abs(self.value)
 
     @property
-    def angle(self) -> Bearing:
+    def angle(self) -> ReadAngle:
         """Its direction, degrees from x, counter-clockwise, from 0 to 360; compared within a turn."""
-        return Bearing(math.degrees(cmath.phase(self.value)) % WHOLE)
+        return ReadAngle(math.degrees(cmath.phase(self.value)) % WHOLE)
 
     def __repr__(self) -> str:
         """Say it as a test that fails shows it."""

@@ -20,7 +20,7 @@ from drawings.pytest_plugin.assertions import (
     picture,
 )
 from drawings.pytest_plugin.assignment import AcceptanceError, Assignment
-from drawings.pytest_plugin.handed_sheet import Bearing, HandedSheet, NotDrawnError, handed
+from drawings.pytest_plugin.handed_sheet import HandedSheet, NotDrawnError, ReadAngle, handed
 from tests.drawings.students import TABLED, drawn, task, true_places
 from tests.drawings.test_grading import MISTAKES, made
 from tests.parts import first
@@ -64,7 +64,7 @@ def test_a_vector_is_asked_for_in_the_words_of_the_trade(right: Path, scene: Ass
     assert (b.size, b.unit) == (pytest.approx(abs(true("v_B")), abs=paper), "m/s")
     assert b.angle == pytest.approx(math.degrees(cmath.phase(true("v_B"))) % 360, abs=0.01)
     assert b.angle - 360 * 2 == pytest.approx(math.remainder(b.angle, 360))
-    assert Bearing(359.9) == pytest.approx(0.1, abs=0.3)
+    assert ReadAngle(359.9) == pytest.approx(0.1, abs=0.3)
     assert repr(b) == f"b = {b.size:.4g} m/s at {b.angle:.1f}°"
     assert complex(b.x, b.y) == b.value
 
