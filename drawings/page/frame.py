@@ -16,6 +16,7 @@ from drawings.paper.hand import Field, Hand
 from drawings.paper.strokes import INK, Anchor, Fill, Group, Line, LineStyle, Polyline, Run, Stroke, Text
 
 CLEAR = 0.55  # mm from the middle of a line to the lettering: half of the widest line, and paper between
+AIR = 1.0  # mm the same of several lines of lettering, which fill their graph and would seem to touch its lines
 STEP = 1.7  # from line to line in sizes, the least of GOST 2.304-81
 ELLIPSIS = "…"
 NUMBERS = "sheet-numbers"  # the name of what a title block says of the sheet among those of its document
@@ -81,7 +82,7 @@ class TitleCell(NamedTuple):
     def _takes(self, lines: list[str], size: float) -> bool:
         """Tell whether lines of a size stand clear of the graph's own, above and below."""
         low, high = _heights(lines, size)
-        return high - low <= self._room[1] - 2 * CLEAR
+        return high - low <= self._room[1] - 2 * (AIR if len(lines) > 1 else CLEAR)
 
 
 def write_title(area: TitleCell, corner: complex, title: str, subtitle: str) -> Iterator[Text]:
