@@ -1,4 +1,7 @@
-"""What a position is worth drawing for its forces: loads that do work, plans that are open (выбор положения)."""
+"""What a position is worth drawing for its forces: loads that do work, plans that are open (выбор положения).
+
+The position is chosen by it in drawings/linkage/positions.py, and the choice is told by drawings/forces/notes.py.
+"""
 
 from __future__ import annotations
 
