@@ -131,12 +131,7 @@ def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: 
     else:
         marks, lines = list(_pole(figure, place)), []
         letters = [(place.on(0j), figure.pole["name"], OFF)] if figure.pole else []
-    data = {
-        "kind": "place",
-        **figure.of,
-        "scale": numeral(spot.scale.mu),
-        "unit": figure.unit,
-    }
+    data = {"kind": "place", **figure.of, "scale": numeral(spot.scale.mu), "unit": figure.unit}
     strokes = (*_corners(_box(room, place), hand), *lines, *marks)
     return BlankFigure((head, Group(strokes, figure.name, data)), tuple(letters), hand)
 

@@ -128,14 +128,8 @@ def _heads(attributes: Mapping[str, str]) -> frozenset[str]:
 
 
 FORCE = "force"  # the kind of marks that are not to scale
-
-
 TIP = 1.0  # mm: how far the tip of an arrowhead may be from the end of its line
-
-
 HEAD = 12.0  # mm: a larger filled figure is no arrowhead
-
-
 JOINED = 2.0  # mm: ends of arrows that are nearer to each other are at one place
 
 

@@ -12,26 +12,12 @@ from drawings.paper.strokes import Text
 from drawings.reading.alphabet import UNREAD, folded
 
 SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough
-
-
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
-
-
 _LEVEL = str.maketrans(_RAISED, "0123456789-+")
-
-
 _POWERS = re.compile(f"[{_RAISED}]+")
-
-
 _SIGNS = str.maketrans({"−": "-", "–": "-", "—": "-", "‐": "-", "‑": "-", "µ": "μ", "∙": "·", "⋅": "·", "*": "·"})
-
-
 _GAPS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?!\d)")  # thousands, and no two numbers
-
-
 _POWER = r"\s*\(?(?P<{}>[-+]?\d{{1,2}})\)?"
-
-
 NUMBER = (
     r"(?P<sign>[-+]?)\s*(?P<digits>\d+(?:[.,]\d*)?|[.,]\d+)"
     rf"(?:\s*[·×xх]\s*10\s*\^?{_POWER.format('power')}"
@@ -41,15 +27,9 @@ NUMBER = (
 
 
 _WRITTEN = re.compile(rf"[=≈~±]?\s*{NUMBER}\s*(?P<unit>.*)")
-
-
 # What follows a number is no unit if it begins as another number does, or holds one.
 _ANOTHER = re.compile(r"(?!1/[^\W\d])[-+\d.,/×:^·]|.*\s[-+]?\d")
-
-
 _ANGLE = re.compile(r"(?P<sign>-?)\s*(?P<degrees>\d+)\s*°\s*(?P<minutes>\d{1,2}(?:[.,]\d+)?)\s*['′’]")
-
-
 MINUTE = 1 / 60  # of a degree
 
 
@@ -129,11 +109,7 @@ def levelled(text: Text) -> str:
 
 
 LENGTHS = "l"  # what a scale of lengths is lettered
-
-
 METRE = 1000.0  # mm
-
-
 _STATED = re.compile(
     r"(?<![^\W\d_])(?P<kind>μ|mu|K|К)[_\s]?[{(]?(?P<letter>[^\s=:≈{}()]{1,6}?)[})]?\s*[=:≈]\s*"
     rf"{NUMBER}(?:\s*/\s*(?P<under>\d+(?:[.,]\d+)?))?(?=(?P<rest>[^;=,]*))"

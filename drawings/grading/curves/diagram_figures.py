@@ -14,14 +14,7 @@ from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
 from drawings.forces.due_acting import branches
 from drawings.forces.load_diagram import NAME as LOAD
 from drawings.grading import verdict
-from drawings.grading.curves.figure_records import (
-    LENGTHS,
-    ORDINATES,
-    FigureAsked,
-    Mistake,
-    SceneSheet,
-    by_number,
-)
+from drawings.grading.curves.figure_records import LENGTHS, ORDINATES, FigureAsked, Mistake, SceneSheet, by_number
 from drawings.reading.marks import MeasuredVector
 from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics

@@ -66,11 +66,7 @@ class _GradedDynamics:
         yield from self._graph(INERTIA)
 
     def _graph(
-        self,
-        name: str,
-        behind: tuple[str, ...] = (),
-        course: Course | None = None,
-        mistakes: tuple[Mistake, ...] = (),
+        self, name: str, behind: tuple[str, ...] = (), course: Course | None = None, mistakes: tuple[Mistake, ...] = ()
     ) -> Iterator[FigureAsked]:
         marks = self.sheet.vectors(name)
         if not marks:
