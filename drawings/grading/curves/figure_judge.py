@@ -39,7 +39,8 @@ class FigureJudge:
         """Judge one figure, and keep it for those that go on from it."""
         asked = drawn.asked
         judged = _Answer(drawn, allowed, self._going_on(asked), set(asked.behind) <= self.right)
-        yield from judged.verdicts()
+        again = judged.mistake is not None and judged.mistake.kind == verdict.IDLE and bool(self.wholes)
+        yield from (said for said in judged.verdicts() if not (again and said.kind == verdict.IDLE))  # it costs once
         self.values[asked.key] = judged.whole_values
         if judged.mistake is not None:
             self.wholes[asked.key] = judged.mistake.values
