@@ -17,8 +17,8 @@ from drawings.paper.walk import tied
 from plans.model.motion import ORDERS
 from plans.quantity import Comparison, Quantity
 
-# Of every table of values, in this order: `table`, `by_roads` of checks/expected.py, form/laid.py and grading/cells count
-# on it. One more needs cells below, a word, and to be expected (due.py of a technique).
+# Of every table of values, in this order: `table`, `by_roads` of checks/expected.py, form/laid.py and grading/cells
+# count on it. One more needs cells below, a word, and to be expected (due.py of a technique).
 COLUMNS = ("by plan", "by analysis", "by hand")
 BOTH = "by both"  # heads the one column of a table in which plan and analysis agree in all that is printed
 NOTHING, WIDE = "—", "8"
