@@ -33,11 +33,11 @@ from drawings.files.signals import unstopped
 from drawings.paper.limits import SHEET_BYTES
 from drawings.reading.seal import digest, seal_of, sealed
 from geometry.errors import regular_bytes
-from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+    from plans.scene.scene import Scene
 
 FORMAT = 1
 MOST_BYTES = 1 << 20  # a set of a thousand sheets has a fifth of that
