@@ -64,11 +64,7 @@ def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:
 
 
 def _print(
-    options: argparse.Namespace,
-    graded: Sequence[tuple[Path, Graded]],
-    hints: Hints,
-    marking: Marking,
-    language: str,
+    options: argparse.Namespace, graded: Sequence[tuple[Path, Graded]], hints: Hints, marking: Marking, language: str
 ) -> None:
     if options.json:
         sheets = [plain(path, sheet, marking, language) for path, sheet in graded]

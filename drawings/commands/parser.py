@@ -147,10 +147,7 @@ def _solve(commands: Commands) -> None:
     )
     solve.add_argument("--json", action="store_true", help="JSON, which is the only form and the default")
     solve.add_argument(
-        "--only",
-        type=_orders,
-        metavar="PLANS",
-        help="some plans, joined by commas: positions,velocities or forces",
+        "--only", type=_orders, metavar="PLANS", help="some plans, joined by commas: positions,velocities or forces"
     )
     solve.add_argument("--trace", action=_TraceParser, nargs=0, help=TRACED)
 

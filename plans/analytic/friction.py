@@ -45,12 +45,7 @@ class Driven(NamedTuple):
 
 @np.errstate(divide="ignore", invalid="ignore")  # a gap is NaN; where nothing is used or lost there is no efficiency
 def friction(
-    road: Analysis,
-    machine: Machine,
-    motion: Motion,
-    loading: Loading,
-    statics: Kinetostatics,
-    pairs: tuple[Pair, ...],
+    road: Analysis, machine: Machine, motion: Motion, loading: Loading, statics: Kinetostatics, pairs: tuple[Pair, ...]
 ) -> Friction:
     """Find what friction takes from a machine over a motion of order 2, with the reactions of the same road."""
     rubs = [pair for key in machine.friction for pair in pairs if pair.key == key]

@@ -161,11 +161,7 @@ def _rates(slopes: list[Floats], drive: Rates) -> Iterator[Floats]:
 
 
 def _motion(
-    mechanism: Mechanism,
-    constraints: Constraints,
-    phi: Floats,
-    rows: list[Floats],
-    gaps: tuple[Gap, ...],
+    mechanism: Mechanism, constraints: Constraints, phi: Floats, rows: list[Floats], gaps: tuple[Gap, ...]
 ) -> Motion:
     """Read points and links off the poses and their rates (N, links, 3)."""
     points: dict[str, PointMotion] = {}

@@ -105,7 +105,7 @@ class Judged:
             INVERSION: (
                 lambda: profile(self.course, self.sizes, self.roller, self.turned).contour.profile,
                 self._chords,
-            ),
+            )
         }
         if find_spec("mpmath"):  # which judges it
             ways[ENVELOPE] = lambda: self.envelope(self.turned), self._digits

@@ -136,11 +136,7 @@ class VectorSums(NamedTuple):
         )  # fmt: skip
 
     def _slid(
-        self,
-        letters: tuple[str, str],
-        slot: tuple[int, str],
-        rates: tuple[Moved, Moved],
-        images: tuple[str, str, str],
+        self, letters: tuple[str, str], slot: tuple[int, str], rates: tuple[Moved, Moved], images: tuple[str, str, str]
     ) -> VectorSum:
         """Tell a point that slides on a link, from the base that lies under it."""
         (point, base), (link, label), (under_it, whole) = letters, slot, rates

@@ -33,12 +33,7 @@ def sample(example: str, how: str = "text") -> Message:
 def check_name(value: object) -> str:
     """Read the name of one point."""
     if not isinstance(value, str):
-        raise wrong(
-            "wrong_type",
-            wanted="the name of a point",
-            found=type_name(value),
-            example=sample("D"),
-        )
+        raise wrong("wrong_type", wanted="the name of a point", found=type_name(value), example=sample("D"))
     if not NAME.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
         raise wrong("name")
     return value
@@ -70,12 +65,7 @@ def choice(
     """Read one of the words that are allowed; `likely` gives the one that another value is nearest to, or ""."""
     meant = likely(value) if likely else ""
     if not isinstance(value, str):
-        raise wrong(
-            "wrong_type",
-            wanted="text",
-            found=type_name(value),
-            example=sample(meant or choices[0]),
-        )
+        raise wrong("wrong_type", wanted="text", found=type_name(value), example=sample(meant or choices[0]))
     if value not in choices:
         advice = message("advice.write", name=meant or choices[0])
         raise wrong(

@@ -50,9 +50,7 @@ class Scene(Table):
         meaning="The sheets that are wanted; default: the first that the tables of the file allow.",
     )
     sheet: SheetTable = key(
-        table(SheetTable),
-        SheetTable(),
-        meaning="What stands on the sheet: language, format, positions, title block.",
+        table(SheetTable), SheetTable(), meaning="What stands on the sheet: language, format, positions, title block."
     )
     techniques: tuple[str, ...]  # that it has a part in
     _source: Source

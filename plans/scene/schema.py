@@ -17,12 +17,7 @@ def schema() -> Form:
     needs = {name: _required(kinds_of(resting([name]))) for name in TECHNIQUES}
     tables = {table: needs[name] for name, technique in techniques().items() for table in technique.tables}
     rules = [_on_demand(technique, needs[name]) for name, technique in techniques().items()]
-    return {
-        **form,
-        "anyOf": [{"required": [table]} for table in tables],
-        "dependentRequired": tables,
-        "allOf": rules,
-    }
+    return {**form, "anyOf": [{"required": [table]} for table in tables], "dependentRequired": tables, "allOf": rules}
 
 
 def _required(kinds: Kinds) -> list[str]:

@@ -240,9 +240,7 @@ class StrokeTable(Table):
         missing=Missing("place along the guide", 'from = "100 mm"', 0),
     )
     to: Decimal = key(
-        f.COORDINATE,
-        meaning="Where it ends.",
-        missing=Missing("place along the guide", 'to = "500 mm"', 1),
+        f.COORDINATE, meaning="Where it ends.", missing=Missing("place along the guide", 'to = "500 mm"', 1)
     )
     speed: Decimal | None = key(
         SPEED,

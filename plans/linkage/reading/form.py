@@ -140,9 +140,7 @@ class DriveTable(Table):
     )
 
     stroke: StrokeTable | None = key(
-        table(StrokeTable),
-        None,
-        meaning="The stroke of a primary link that slides on the frame: a ram, a plunger.",
+        table(StrokeTable), None, meaning="The stroke of a primary link that slides on the frame: a ram, a plunger."
     )
 
     @property
