@@ -80,7 +80,10 @@ class Session:
             self._sheets(count)
         if self.order.startup:
             self.tell("start-up")
-            self._startup()
+            draw, imports, nothing = sheet.startup(Path(self.scene.file), min(self.order.rounds, STARTS))
+            goal = Goal(2.0, least=False)
+            self.ratios.append(Ratio(STARTED.format("import numpy, svgwrite"), None, draw, imports, goal))
+            self.ratios.append(Ratio(STARTED.format("python alone"), None, draw, nothing))
 
     def _study(self, count: int | None) -> Study:
         study = Study(with_positions(self.scene, count) if count else self.scene)
@@ -163,12 +166,6 @@ class Session:
         self.rows += sheet.by_hand(drawn)
         largest = max((leaf for _, leaf, _ in drawn.sheets), key=lambda leaf: len(leaf.groups))
         self.ratios.append(Ratio(PENS, count, *sheet.pens(largest, self.order.rounds), PENS_GOAL))
-
-    def _startup(self) -> None:
-        draw, imports, nothing = sheet.startup(Path(self.scene.file), min(self.order.rounds, STARTS))
-        goal = Goal(2.0, least=False)
-        self.ratios.append(Ratio(STARTED.format("import numpy, svgwrite"), None, draw, imports, goal))
-        self.ratios.append(Ratio(STARTED.format("python alone"), None, draw, nothing))
 
 
 def _too_long(seconds: float) -> str:

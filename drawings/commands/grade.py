@@ -89,7 +89,9 @@ def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], hints: H
         if source is None or not is_plain(source):
             tell(word(language, "grade.packed" if source else "grade.changed", sheet=plain_name(path)))
             continue
-        stem = _free(path.stem, taken)
+        names = chain((path.stem,), (f"{path.stem}-{number}" for number in count(2)))
+        stem = next(name for name in names if name.casefold() not in taken)  # however its letters are cased
+        taken.add(stem.casefold())
         write(folder / f"{stem}-feedback.svg", feedback(path, source, sheet, hints, language))
 
 
@@ -100,14 +102,6 @@ def _again(path: Path, graded: Graded) -> bytes | None:
     except OSError:
         return None
     return source if sha256(source).hexdigest() == graded.digest else None
-
-
-def _free(stem: str, taken: set[str]) -> str:
-    """Take a name that no other sheet has, however its letters are cased: by itself, or with a number."""
-    names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
-    free = next(name for name in names if name.casefold() not in taken)
-    taken.add(free.casefold())
-    return free
 
 
 def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:

@@ -71,15 +71,12 @@ def _levels(row: Sequence[Typeset], turn: complex, low: float, size: float) -> I
     """Give parts and their levels, and the spaces between them where they are apart."""
     before = [""] + [" " if _apart(text, after, turn, size) else "" for text, after in pairwise(row)]
     for part, space in zip(row, before, strict=True):
-        yield space + part.plain, _level(((part.at / turn).imag - low) / size)
+        rise = ((part.at / turn).imag - low) / size
+        yield space + part.plain, next((level for level, raised in _RISES.items() if abs(rise - raised) <= _EVEN), 0)
 
 
 def _apart(before: Typeset, after: Typeset, turn: complex, size: float) -> bool:
     return ((after.at - before.at) / turn).real - before.length > _WORDS * size
-
-
-def _level(rise: float) -> int:
-    return next((level for level, raised in _RISES.items() if abs(rise - raised) <= _EVEN), 0)
 
 
 # What each may say without any effect; editors write many of them so.
@@ -351,7 +348,11 @@ def see(source: bytes, observer: Observer | None = None) -> SeenSheet:
     """See a written sheet, and measure it: it is read once for both."""
     observer = observer or Observer()
     measured = measure(source, observer)
-    whole = _leaf(observer, measured)
+    root = observer.root
+    groups = _unwrapped(tuple(stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in root.strokes))
+    data = {key: value for key, value in measured.metadata.items() if key != "format"}
+    paper = observer.paper
+    whole = Leaf(paper.width, paper.height, groups, root.title, observer.description, data, observer.lettering)
     gone = {id(lost.stroke) for lost in observer.unseen}
     under = (lost for lost in veiled(whole, observer.clear, observer.gone) if id(lost.stroke) not in gone)
     unseen = (*observer.unseen, *under)
@@ -367,15 +368,6 @@ def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
     """Give a leaf without some of its strokes."""
     hidden = {id(stroke) for stroke in strokes}
     return leaf._replace(groups=tuple(_kept(group, hidden) for group in leaf.groups)) if hidden else leaf
-
-
-def _leaf(observer: Observer, measured: Measured) -> Leaf:
-    """Give all that is written; what stands in no group stands in one of its own."""
-    root = observer.root
-    groups = _unwrapped(tuple(stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in root.strokes))
-    data = {key: value for key, value in measured.metadata.items() if key != "format"}
-    paper = observer.paper
-    return Leaf(paper.width, paper.height, groups, root.title, observer.description, data, observer.lettering)
 
 
 def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:

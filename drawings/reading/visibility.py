@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache
 from operator import itemgetter
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from drawings.paper.limits import NUMERAL_LENGTH, REACH, SheetRefused
 from drawings.paper.strokes import LineStyle, Stroke
@@ -223,7 +223,7 @@ def ink(look: Look, scale: float) -> LineInk:
     fill = _blended(look.fill, share(look.fill_opacity) * look.shade)
     width = length(look.stroke_width) * scale
     dash, join = _dash(look.stroke_dasharray, scale), look.stroke_linejoin
-    style = LineStyle(width, dash, colour, fill, _cap(look.stroke_linecap), join)
+    style = LineStyle(width, dash, colour, fill, "round" if look.stroke_linecap == "round" else "butt", join)
     if colour == _NONE:
         style = LineStyle(0.0, (), colour, fill)
     return LineInk(style, _why(look, style), fill != _NONE and _clear(look, fill))
@@ -282,10 +282,6 @@ def _dash(text: str, scale: float) -> tuple[float, ...]:
         return ()
     lengths = numbers(re.sub(r"(?<=[0-9.])px", "", text))
     return tuple(length * scale for length in lengths) if sum(lengths) > 0 else ()
-
-
-def _cap(text: str) -> Literal["butt", "round"]:
-    return "round" if text == "round" else "butt"
 
 
 def _blended(paint: str, share_left: float) -> str:

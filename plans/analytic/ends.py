@@ -169,7 +169,7 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
     fold = _fold(constraints, last, sense)
     if fold is None:
         return Halt(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)
-    turned = _apart(constraints, fold.poses, last)
+    turned = float(constraints.drive.lag(constraints.place(fold.poses[None]), np.array([last.phi]))[0])
     limit = TOUCHING * EPS * _perimeter(block, fold.poses) / _parting(block, loss)
     return Halt(last.phi, last.phi + turned, DEAD_CENTRE, sense, fold, limit)
 
@@ -288,11 +288,6 @@ def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
     if not closed(constraints, poses[None], constraints.drive.coordinate(constraints.place(poses[None])))[0]:
         return None
     return Fold(poses, _pose(rates), _pose(bends), bend)
-
-
-def _apart(constraints: Constraints, poses: Floats, last: Station) -> float:
-    """Give how far the drive goes from a station to poses beside it."""
-    return float(constraints.drive.lag(constraints.place(poses[None]), np.array([last.phi]))[0])
 
 
 def _driven(constraints: Constraints, poses: Floats, rates: Floats, bends: Floats) -> tuple[float, float]:

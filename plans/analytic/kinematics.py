@@ -211,7 +211,7 @@ def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
     omega, lead = abs(mechanism.drive.omega), mechanism.drive.epsilon / mechanism.drive.omega
     rows = far.followed(axis.turned, _rows(mechanism, far.output, motion, axis.numbers))
     at = far.count.course(axis.turned, rows, omega)
-    speeds = _output_rates(at.s, axis.turned, omega, axis.joined)
+    speeds = np.asarray(np.where(axis.joined, omega * np.diff(at.s) / np.diff(axis.turned), np.nan))
     return Diagrams(
         by="analysis",
         axis=axis,
@@ -293,11 +293,6 @@ def _rows(
     through, direction, point = guide
     place, *rates = motion.points[point]
     return [np.asarray(((row * direction.conjugate()).real)[numbers]) for row in (place - through, *rates)]
-
-
-def _output_rates(values: Floats, turned: Floats, omega: float, there: np.ndarray) -> Floats:
-    """Give what values gain over each part, by its time; NaN of a part that is not passed."""
-    return np.asarray(np.where(there, omega * np.diff(values) / np.diff(turned), np.nan))
 
 
 def _gains(speeds: Floats, axis: Axis, omega: float) -> Floats:

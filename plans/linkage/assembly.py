@@ -230,7 +230,8 @@ def _out_of_reach(
 def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions) -> list[SideChoice]:
     plan, choices = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn), []
     for group in groups:
-        kind, shown = KINDS[group.kind], _shown(mechanism, group)
+        points = {point for link in group.links for point in mechanism.links[link].points}
+        kind, shown = KINDS[group.kind], sorted(points & set(mechanism.sketch))
         if (side := untold(mechanism, group)) is not None:
             kind.positions(plan, group, side)
             choices.append(_given(plan, side, len(turn)))
@@ -250,12 +251,6 @@ def _parallel(mark: Mark) -> npt.NDArray[np.bool_]:
     """Tell where the two lines that meet in a mark have one direction, but for rounding: their pin has no place."""
     turned = crossing(mark)
     return np.zeros(1, dtype=bool) if turned is None else np.asarray(~(np.abs(turned) > NOWHERE))
-
-
-def _shown(mechanism: Mechanism, group: Assur) -> list[str]:
-    """Give the sketched points of a group's links."""
-    points = {point for link in group.links for point in mechanism.links[link].points}
-    return sorted(points & set(mechanism.sketch))
 
 
 def untold(mechanism: Mechanism, group: Assur) -> float | None:

@@ -151,13 +151,9 @@ def _unplaced(
         if share < 0 and crossing(mark) is None:
             return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, mark.name, miss, _reach(mark, miss, k))
         if nowhere and crossing(mark) is None:
-            return _in_one(position, phi, mark.name)
+            advice = message("gap.one_line", point=mark.name)
+            return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, mark.name, 0.0, advice)
     return None
-
-
-def _in_one(position: int, phi: float, where: str) -> Gap:
-    advice = message("gap.one_line", point=where)
-    return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, where, 0.0, advice)
 
 
 def _unshown(position: int, phi: float) -> Gap:

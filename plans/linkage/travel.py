@@ -64,7 +64,7 @@ class OutputTravel:
         """Read the coordinate off a motion, with its derivatives by time; of an output that parts from no other."""
         if self.slide is None:
             return tuple(motion.links[self.out.link])
-        way, (place, *rates) = self.slide.way(FRAME), motion.points[self._pin(self.slide)]
+        way, (place, *rates) = self.slide.way(FRAME), motion.points[self.out.point or self.slide.point]
         return tuple(np.asarray(dot(way.direction, row)) for row in (place - way.through, *rates))
 
     def _parting(self, parting: Parting, motion: Motion) -> tuple[PointMotion, Complexes]:
@@ -74,9 +74,6 @@ class OutputTravel:
         with np.errstate(invalid="ignore"):  # a gap is NaN
             along = (end - start) / np.abs(end - start)
         return PointMotion(place - other for place, other in zip(near, far, strict=False)), along
-
-    def _pin(self, slide: Slide) -> str:
-        return self.out.point or slide.point
 
     @cached_property
     def path(self) -> tuple[Floats, Floats]:

@@ -29,7 +29,8 @@ def slip(text: str, file: str, message: str) -> Fault:
     lines = text.split("\n")
     written = lines[line - 1] if line <= len(lines) else ""
     if "Exceeds the limit" in message:
-        return Fault(file, *_huge(text), (), "", "huge_integer")
+        longest = max(re.finditer(r"\d+", text), key=lambda match: len(match[0]))
+        return Fault(file, *line_column(text, longest.start()), (), "", "huge_integer")
     hints = (_json, _yaml, _prime, _duplicate if re.search(TWICE, message) else _open_mark)
     for hint in hints:
         found = hint(text, line)
@@ -134,8 +135,3 @@ def _number_hints(code: str) -> Iterator[tuple[int, str, dict[str, object]]]:
             yield match.start(2), "number_form", {"written": written.format(match[2])}
     if match := re.search(r"\d[eE][+-]?(?!\d)", code):
         yield match.start(), "exponent", {}
-
-
-def _huge(text: str) -> tuple[int, int]:
-    longest = max(re.finditer(r"\d+", text), key=lambda match: len(match[0]))
-    return line_column(text, longest.start())

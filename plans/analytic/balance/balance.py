@@ -41,7 +41,9 @@ class Weighing:
     """
 
     def __init__(self, course: Course, partial: Sequence[Counterweight], step: complex) -> None:
-        self.forces, self.reactions = _shaking(course, partial, step), _bearing(course, partial, step)
+        before = mass_centre(course.mechanism, bodies(course.machine, partial), course.turn).force
+        given = step * _turning(course)
+        self.forces, self.reactions = lambda share: np.asarray(before + share * given), _bearing(course, partial, step)
         self.lightest = _lightest(course, partial, step)
 
     def force(self, share: float) -> float:
@@ -85,13 +87,6 @@ def _turning(course: Course) -> Complexes:
     return np.asarray((1j * epsilon - omega**2) * np.exp(1j * turn))
 
 
-def _shaking(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
-    """Give the shaking force of a share: that at share 0, and what the crank's counterweight gives up."""
-    before = mass_centre(course.mechanism, bodies(course.machine, partial), course.turn).force
-    given = step * _turning(course)
-    return lambda share: np.asarray(before + share * given)
-
-
 def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
     """Give the shaft's reaction on the crank of a share: without the crank's counterweight, and what that one adds.
 
@@ -131,7 +126,9 @@ def least(forces: Forces, bends: tuple[float, ...] = ()) -> float:
     """Find the share in [0, 1] whose largest force is least, on either side of its bends; 0 where there is none."""
     if np.isnan(_largest(forces(0.0))):  # a mechanism that cannot be assembled
         return 0.0
-    if _straight(forces):
+    ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
+    most = max(_largest(end) for end in ends)
+    if _largest((ends[0] + ends[1]) / 2 - middle) <= STRAIGHT * EPS * most:
         start = forces(0.0)
         return lowest(start, forces(1.0) - start)
     sides = pairwise((0.0, *bends, 1.0))
@@ -160,13 +157,6 @@ def _golden(height: Callable[[float], float], low: float, high: float) -> float:
             low, places = places[0], [places[1], places[0] + section * (high - places[0])]
             heights = [heights[1], height(places[1])]
     return min((low, *places, high), key=height)
-
-
-def _straight(forces: Forces) -> bool:
-    """Tell whether the forces are straight in the share but for rounding."""
-    ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
-    most = max(_largest(end) for end in ends)
-    return _largest((ends[0] + ends[1]) / 2 - middle) <= STRAIGHT * EPS * most
 
 
 def lowest(start: Complexes, slope: Complexes) -> float:

@@ -133,18 +133,13 @@ def slider_harmonic(unit: Unit, order: int) -> float:
 
 def _coefficient(m: int, p: float) -> float:
     """Give the coefficient of e^(2i m phi) in sqrt((1 + p e^(2i phi)) (1 + p e^(-2i phi)))."""
-    first, term = _binomials(m) * p**m, 1.0
+    first, term = math.prod((1.5 - k) / k for k in range(1, m + 1)) * p**m, 1.0
     terms, j = [term], 0
     while abs(term) > EPS * EPS:  # each next term is less than p^2 times the last
         term *= (j - 0.5) * (j + m - 0.5) / ((j + 1) * (j + m + 1)) * p * p
         terms.append(term)
         j += 1
     return first * math.fsum(terms)
-
-
-def _binomials(m: int) -> float:
-    """Give the binomial coefficient of 1/2 over m."""
-    return math.prod((1.5 - k) / k for k in range(1, m + 1))
 
 
 def slider_acceleration(unit: Unit, cosine: Floats, sine: Floats) -> Floats:

@@ -330,7 +330,10 @@ class Summed:
             found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
         sizes = ROUNDING * EPS * np.sum([mass * np.abs(row) for mass, row in borne], axis=0)
         off = [uncertain(weight, known.slack.get(weight.link, 0.0)) * np.abs(row) for weight, row in added]
-        return self._found(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
+        # How far rounding of the terms can have moved what is found, and what refinements leave of no term.
+        terms = ROUNDING * EPS * (np.abs(self.matrix) @ np.abs(found)) + np.sum([sizes, *off], axis=0)[1:]
+        left = (ROUNDING * EPS) ** REFINEMENTS * float(terms.max())
+        return self._found(known, found, np.asarray((np.abs(self.inverse) @ terms + left) / self.lengths))
 
     def _found(self, known: FoundWeights, found: Complexes, slack: Floats) -> FoundWeights:
         """Tell what is found; what rounding alone has left is nothing."""
@@ -342,12 +345,6 @@ class Summed:
         return FoundWeights(
             carried, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
         )
-
-    def _slack(self, found: Complexes, sizes: Floats) -> Floats:
-        """Give how far rounding of the terms can have moved what is found, and what refinements leave of no term."""
-        terms = ROUNDING * EPS * (np.abs(self.matrix) @ np.abs(found)) + sizes
-        left = (ROUNDING * EPS) ** REFINEMENTS * float(terms.max())
-        return np.asarray((np.abs(self.inverse) @ terms + left) / self.lengths)
 
 
 def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:

@@ -192,7 +192,10 @@ def breaks(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun], noise:
     ends = [reduction.turned(phi) for run in strokes.values() for phi in (run.begin, run.end)]
     crossed = _crossings(reduction, strokes, noise)
     turned = _reversals(reduction, noise)
-    return _merged(np.concatenate((ends, crossed, turned)), noise * TURN)
+    least = noise * TURN
+    within = np.mod(np.concatenate((ends, crossed, turned)), TURN)
+    within = np.sort(np.where(np.minimum(within, TURN - within) < least, 0.0, within))
+    return np.asarray(within[np.diff(within, prepend=-1.0) >= least])
 
 
 def _crossings(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
@@ -295,10 +298,3 @@ def _rests(reduction: ExactReduction, point: str, turned: Floats, noise: float) 
         return turned
     speeds = np.abs(reduction.motion(np.append(turned, np.arange(12) * (TURN / 12))).points[point].v)
     return np.asarray(turned[speeds[: len(turned)] <= noise * speeds.max()])
-
-
-def _merged(found: Floats, least: float) -> Floats:
-    """Bring angles into one turn, and keep the first of those that are nearer than `least`; a whole turn is 0."""
-    within = np.mod(found, TURN)
-    within = np.sort(np.where(np.minimum(within, TURN - within) < least, 0.0, within))
-    return np.asarray(within[np.diff(within, prepend=-1.0) >= least])

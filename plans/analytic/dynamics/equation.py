@@ -153,7 +153,8 @@ class Solver:
             going = parts[-1].reason == ANGLE and stop < ends.angle
             if ends.speed is not None and crawls(parts, equation.link.breaks):
                 break
-        return _joined(parts)
+        rows, turning = (np.concatenate([part[k] for part in parts]) for k in range(2))
+        return Leg(rows, turning, parts[-1].end, parts[-1].reason)
 
     def _piece(self, equation: Equation, start: RunState, ends: LegEnds) -> Leg:
         """Follow a motion without jumps of the forces; its end is refined by Newton's rule from a step of its own."""
@@ -229,11 +230,6 @@ def _refined(equation: Equation, t: float, near: Floats, reason: str, ends: LegE
     values = near + late * rates
     values[part] = wanted
     return RunState(t + late, equation.counted(values, -1))
-
-
-def _joined(parts: Sequence[Leg]) -> Leg:
-    rows, turning = (np.concatenate([part[k] for part in parts]) for k in range(2))
-    return Leg(rows, turning, parts[-1].end, parts[-1].reason)
 
 
 def size_of(link: ReducedLink, speed: float) -> Floats:

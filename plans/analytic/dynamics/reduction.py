@@ -78,19 +78,14 @@ class ExactReduction:
         constraints, poses = self.road.constraints, self.road.poses(motion)
         first, second = _transfers(constraints, poses, motion)
         loading = self.loads(motion)
-        weight = self._weights(poses, first)
+        down, weight = self.machine.gravity.conjugate(), np.zeros(len(poses))
+        for link, body in self.machine.bodies.items():
+            weight += body.mass * (down * speed(self.road.constraints, poses, first, link, body.centre)).real
         moment = reduced_moment(self.road, motion, loading, first) + weight
         inertia = reduced_inertia(constraints, self.machine, poses, first)
         slope = self._slope(poses, first, second)
         turning = self.sense * moment, inertia, self.sense * slope, self.sense * weight
         return ReducedRows(*turning, self._gross(loading, poses, first))
-
-    def _weights(self, poses: Floats, first: Floats) -> Floats:
-        """Reduce the weights to the crank, N*m."""
-        down, total = self.machine.gravity.conjugate(), np.zeros(len(poses))
-        for link, body in self.machine.bodies.items():
-            total += body.mass * (down * speed(self.road.constraints, poses, first, link, body.centre)).real
-        return total
 
     def _gross(self, loading: Loading, poses: Floats, first: Floats) -> Floats:
         """Add up what every load and weight could do if it acted along the motion, N*m."""
@@ -228,7 +223,9 @@ def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
     kept: list[tuple[Floats, Floats, Floats]] = []
     largest, error, settled = np.zeros((1, 1)), 0.0, True
     while low.size:
-        fitted, size = _fit(sample, low, high)
+        at = (low[:, None] * (1.0 - _PLACES) + high[:, None] * (1.0 + _PLACES)) / 2.0
+        ordinates, sizes = sample(at.ravel())
+        fitted, size = (ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None])
         largest = np.fmax(largest, size)  # NaN at gaps
         tails = _share(np.abs(fitted[:, :, -TAIL:]).max(axis=2), largest).max(axis=0)
         tails = np.where(np.isfinite(tails), tails, np.inf)
@@ -241,13 +238,6 @@ def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
         more = ~(done | lost)
         low, high, before = *_halves(low[more], high[more]), np.tile(tails[more], 2)
     return _joined(kept, error, settled)
-
-
-def _fit(sample: Sample, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Fit all quantities on some pieces: coefficients (k, p, n), and their sizes, (k, 1)."""
-    at = (low[:, None] * (1.0 - _PLACES) + high[:, None] * (1.0 + _PLACES)) / 2.0
-    ordinates, sizes = sample(at.ravel())
-    return ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None]
 
 
 def _share(part: Floats, whole: Floats) -> Floats:

@@ -165,16 +165,13 @@ class DriveTable(Table):
     def check(self) -> None:
         """See that a list of positions stands alone, and a stroke without what belongs to a crank."""
         if self.stroke is not None:
-            self._check_stroke()
+            alone = {"speed": "stroke_alone", "acceleration": "stroke_alone", "start": "turn_alone"}
+            if isinstance(self.positions, tuple):
+                raise wrong("stroke_with_list", at=("positions",))
+            for name in alone.keys() & self.given:
+                raise wrong(alone[name], name=name, at=(name,))
         elif isinstance(self.positions, tuple) and "start" in self.given:
             raise wrong("start_with_list", at=("start",))
-
-    def _check_stroke(self) -> None:
-        alone = {"speed": "stroke_alone", "acceleration": "stroke_alone", "start": "turn_alone"}
-        if isinstance(self.positions, tuple):
-            raise wrong("stroke_with_list", at=("positions",))
-        for name in alone.keys() & self.given:
-            raise wrong(alone[name], name=name, at=(name,))
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
