@@ -122,7 +122,6 @@ class Session:
         self.ratios += _ratios(self.rows[before:], technique)
 
     def _timed(self, ways: Sequence[Timing]) -> None:
-        """Time some roads but for those that will take too long."""
         long = [(way, self._expected(name, way.positions)) for way in ways for name in [*way.judged][:1]]
         for way, seconds in long:
             self._left_out(way.judged if seconds > PATIENCE else (), way.positions, _too_long(seconds))

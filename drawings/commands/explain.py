@@ -79,13 +79,11 @@ def explained(study: Study, position: int, name: str) -> Explanation:
 
 
 def _as_asked(found: Explanation, name: str) -> Explanation:
-    """Head an explanation with the letter as it was asked for."""
     parts = {**dict(found.title.parts), "mark": name}
     return found._replace(title=message(found.title.key, **parts))
 
 
 def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
-    """Ask the techniques for a letter until one explains it."""
     for technique in reversed(study.techniques):
         answer = techniques()[technique].marks(study, position, name)
         yield answer
@@ -151,7 +149,6 @@ def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
 
 
 def _size(value: complex | float) -> float:
-    """Give how long a vector is; a number as it is."""
     return abs(value) if np.iscomplexobj(value) else float(value.real)
 
 
@@ -211,7 +208,6 @@ def _size_on(sheet: OnSheet, of: Explanation) -> Iterator[Message]:
 
 
 def _short(part: str) -> str:
-    """Write a number with the digits that a screen has."""
     return _written(float(part)) if LONG.fullmatch(part) else part
 
 
@@ -258,7 +254,6 @@ def _drawn_on(mark: Mark) -> str:
 
 
 def _written(value: float, digits: int = DIGITS) -> str:
-    """Write a number; on the screen without an exponent."""
     return f"{value:.10g}" if digits == FULL else number(value, digits=digits).replace("−", "-")
 
 

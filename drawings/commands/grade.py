@@ -48,7 +48,9 @@ def run(options: argparse.Namespace) -> int:
     if options.output:
         write_feedback(options.output, graded, task.hints, language)
     _tell_twins(graded, language)
-    _tell_strangers(graded, originals.digest, language)
+    # Sheets that were drawn of another scene, by their own data: a variant of somebody else's.
+    if names := tuple(plain_name(path) for path, sheet in graded if sheet.scene not in ("", originals.digest)):
+        tell(word(language, "grade.strangers", names=names))
     outcomes = {sheet.outcome for _, sheet in graded}
     return next(code for outcome, code in CODES.items() if outcome in outcomes)
 
@@ -112,9 +114,3 @@ def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     for digest, twins in names.items():
         if digest and len(twins) > 1:
             tell(word(language, "grade.twins", names=tuple(twins)))
-
-
-def _tell_strangers(graded: Sequence[tuple[Path, Graded]], scene: str, language: str) -> None:
-    """Say which sheets were drawn of another scene, by their own data: a variant of somebody else's."""
-    if names := tuple(plain_name(path) for path, sheet in graded if sheet.scene not in ("", scene)):
-        tell(word(language, "grade.strangers", names=names))

@@ -47,13 +47,9 @@ def found(entries: Sequence[Entry], name: str) -> Entry:
     for entry in entries:
         if entry.name == name:
             return entry
-    near = _near(entries, name.removesuffix(".toml").casefold())
-    hint = message("gallery.near", name=near[0]) if near else message("gallery.any")
-    raise UnknownName(message("gallery.unknown", name=name, names=listed(entries), hint=hint))
-
-
-def _near(entries: Sequence[Entry], asked: str) -> list[str]:
-    """Find the scene that is likely meant: its name or title holds what is asked, or else is spelt nearly so."""
+    asked = name.removesuffix(".toml").casefold()
     holding = [entry.name for entry in entries if asked in f"{entry.name} {entry.title}".casefold()]
     named = difflib.get_close_matches(asked, [entry.name for entry in entries], 1)
-    return difflib.get_close_matches(asked, holding, 1, 0.0) if len(asked) >= WORD and holding else named
+    near = difflib.get_close_matches(asked, holding, 1, 0.0) if len(asked) >= WORD and holding else named
+    hint = message("gallery.near", name=near[0]) if near else message("gallery.any")
+    raise UnknownName(message("gallery.unknown", name=name, names=listed(entries), hint=hint))

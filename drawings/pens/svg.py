@@ -257,7 +257,6 @@ def _path(strokes: Iterable[Plain], style: LineStyle, height: float) -> Any:
 
 
 def _one(stroke: Stroke, leaf: Leaf) -> Any:
-    """Draw one stroke as one element."""
     height = leaf.height
     match stroke:
         case Line(start, end, style):
@@ -327,7 +326,6 @@ def _run(stroke: Text, height: float) -> Any:
 
 
 def _transforms(stroke: Text, place: Attributes, narrow: float) -> Iterator[str]:
-    """Turn a text, and narrow it, about the place where it begins."""
     if stroke.rotation:
         yield f"rotate({number(-stroke.rotation)} {place['x']} {place['y']})"
     if narrow < 1:

@@ -234,7 +234,6 @@ def _thinned(spots: list[complex]) -> list[complex]:
 
 
 def _letters(text: Text) -> Iterator[complex]:
-    """Give the middles of letters."""
     turn, pen = cmath.rect(1, math.radians(text.rotation)), text.size / 10
     middle, along = text.at + _MIDDLE * pen * turn, 0.0
     for run in text.runs:

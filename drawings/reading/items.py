@@ -67,7 +67,6 @@ def inside(stroke: Stroke, figure: str) -> list[Item]:
 
 
 def _lettering(group: Group, tables: object) -> str:
-    """Tell what the lettering of a group at the top is, by the group's name."""
     stem = group.name.rpartition("-")[0]
     if isinstance(tables, Mapping) and stem in tables:
         return "cell"

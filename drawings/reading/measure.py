@@ -81,7 +81,6 @@ def profile(mark: SheetMark, pole: complex, scale: float, stated: complex, resol
 
 
 def _parts(mark: SheetMark) -> Iterator[tuple[complex, ...]]:
-    """Give the points of each piece."""
     place = 0
     for count in mark.parts:
         yield mark.points[place : place + count]

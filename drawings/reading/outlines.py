@@ -135,7 +135,6 @@ def _tracks(tag: str, attributes: Mapping[str, str]) -> list[PenTrack]:
 
 
 def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
-    """Write a rectangle or an ellipse as path data."""
     if tag == "rect":
         x, y, width, height = (sizes[name] for name in ("x", "y", "width", "height"))
         if not (width > 0 and height > 0):
@@ -152,7 +151,6 @@ def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
 
 
 def _round_cornered(x: float, y: float, width: float, height: float, rx: float, ry: float) -> str:
-    """Write a rectangle whose corners are quarters of ellipses."""
     across, down, arc = width - 2 * rx, height - 2 * ry, f"a{rx!r} {ry!r} 0 0 1 "
     sides = f"h{across!r}{arc}{rx!r} {ry!r}v{down!r}{arc}{-rx!r} {ry!r}h{-across!r}{arc}{-rx!r} {-ry!r}v{-down!r}{arc}"
     return f"M{x + rx!r} {y!r}{sides}{rx!r} {-ry!r}z"

@@ -68,7 +68,6 @@ def joined(parts: Sequence[Typeset], said: str, ink: LineStyle) -> Text:
 
 
 def _levels(row: Sequence[Typeset], turn: complex, low: float, size: float) -> Iterator[tuple[str, int]]:
-    """Give parts and their levels, and the spaces between them where they are apart."""
     before = [""] + [" " if _apart(text, after, turn, size) else "" for text, after in pairwise(row)]
     for part, space in zip(row, before, strict=True):
         rise = ((part.at / turn).imag - low) / size
@@ -183,7 +182,12 @@ class Observer:
         elif what := unread(frame):
             self._leave_aside(what)
         if frame.tag in SHAPES:
-            self._draw(element)
+            try:
+                ink = ink_of(element.frame)
+                if not self._letter(element, ink):
+                    self._line(element, ink)
+            except SheetRefused:
+                self._leave_aside(f"<{element.frame.tag}>")
 
     def hear(self, text: str) -> None:
         """Take the characters within the innermost element."""
@@ -206,15 +210,6 @@ class Observer:
                 self.description = "".join(element.heard)
             case _ if element.strokes and self.open:  # a link, or what no viewer knows
                 self._close(element)
-
-    def _draw(self, element: Opened) -> None:
-        """Take a shape: as letters where it is one path of them, or else as lines."""
-        try:
-            ink = ink_of(element.frame)
-            if not self._letter(element, ink):
-                self._line(element, ink)
-        except SheetRefused:
-            self._leave_aside(f"<{element.frame.tag}>")
 
     def _line(self, element: Opened, ink: LineInk) -> None:
         outline = outlines(element.frame.tag, element.attributes, element.frame.to_paper, ink.style)
@@ -260,7 +255,6 @@ class Observer:
         return True
 
     def _typeset(self, element: Opened) -> None:
-        """Take an element of text."""
         plain, outer = "".join(element.heard), self.open[-1]
         if not plain.strip():
             return
@@ -305,12 +299,10 @@ class Observer:
 
     @property
     def _group(self) -> str:
-        """The name of the innermost group that has one."""
         return next((name for element in reversed(self.open[1:]) if (name := element.attributes.get("id", ""))), "")
 
 
 def _text(element: Opened) -> Text | None:
-    """Read the letters that were collected in a group."""
     if not element.letters:
         return None
     typed = [part for part in element.letters if isinstance(part, Typeset)]
@@ -381,6 +373,5 @@ def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
 
 
 def _kept(group: Group, hidden: Collection[int]) -> Group:
-    """Give a group with what can be seen in it."""
     left = (child for child in group.strokes if id(child) not in hidden)
     return group._replace(strokes=tuple(_kept(child, hidden) if isinstance(child, Group) else child for child in left))

@@ -241,7 +241,6 @@ def _why(look: Look, style: LineStyle) -> str:
 
 
 def _clear(look: Look, fill: str) -> bool:
-    """Tell whether black can be told from paper under a filling."""
     black = "#" + "".join(f"{max(part - round(255 * _left(look)), 0):02x}" for part in _parts(fill))
     return _contrast(_parts(fill), _parts(black)) >= CONTRAST
 

@@ -304,7 +304,6 @@ def _one_place(item: Item, other: Item, rounding: float) -> bool:
 
 
 def _paper(right: Leaf, there: Leaf) -> Iterator[Message]:
-    """Tell paper of another size."""
     if abs(right.width - there.width) > MILLIMETRE or abs(right.height - there.height) > MILLIMETRE:
         sizes = ((f"{leaf.width:.6g}", f"{leaf.height:.6g}") for leaf in (there, right))
         (width, height), (must_width, must_height) = sizes
@@ -345,7 +344,6 @@ def _laid_back(right: Leaf, there: Leaf) -> tuple[Affine, tuple[Message, ...]]:
 
 
 def _corners(leaf: Leaf) -> Mapping[str, complex]:
-    """Give the corner marks of a sheet by what they state."""
     corners = (group for group in groups(leaf.groups) if group.data.get("kind") == "corner")
     return {
         corner.data.get("value", ""): corner.strokes[0].centre

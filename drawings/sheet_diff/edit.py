@@ -103,7 +103,6 @@ def together(items: list[Item], figures: SheetFigures, shift: Shift, whole: bool
 
 
 def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
-    """Name a motion by what it does beside moving."""
     if shift.how != "moved":
         return shift.how, {}
     scale, turn = f"{shift.scale:.4g}", f"{shift.turn:.2f}"  # as exactly as an arrow of a few mm shows them
@@ -147,7 +146,6 @@ def _edit(how: str, item: Item, figures: SheetFigures, by: float | None, said: M
 
 
 def _thing(item: Item, figures: SheetFigures) -> Message:
-    """Name a stroke: what it is, where it stands, of which figure."""
     part: object = message(f"part.{item.what}")
     if item.name:
         quoted = isinstance(item.stroke, Text)

@@ -148,7 +148,11 @@ def shift_of(right: Sequence[Item], there: Sequence[Item], rounding: float) -> S
         return None
     ours = [spot for item in right for spot in spots(item.stroke)]
     theirs = [spot for item in there for spot in spots(item.stroke)]
-    by = _fitted(ours, theirs)
+    centre, target = sum(ours) / len(ours), sum(theirs) / len(theirs)
+    z, w = [a - centre for a in ours], [b - target for b in theirs]
+    spread = sum(abs(a) ** 2 for a in z)
+    p = _times(w, [a.conjugate() for a in z]) / spread if spread else 1
+    by = Affine(complex(p), 0j, target - p * centre)
     off = max(abs(by(a) - b) for a, b in zip(ours, theirs, strict=True))
     allowed = MORE * rounding * max(1.0, abs(by.p))
     if not (off <= allowed and _round_off(right, there, abs(by.p)) <= allowed):
@@ -169,15 +173,6 @@ def _of_one_kind(ours: Item, theirs: Item) -> bool:
 
 def _as_many(ours: Item, theirs: Item) -> bool:
     return type(ours.stroke) is type(theirs.stroke) and len(spots(ours.stroke)) == len(spots(theirs.stroke))
-
-
-def _fitted(ours: Sequence[complex], theirs: Sequence[complex]) -> Affine:
-    """Fit a similarity by least squares; a mere shift where the points are all one."""
-    centre, target = sum(ours) / len(ours), sum(theirs) / len(theirs)
-    z, w = [a - centre for a in ours], [b - target for b in theirs]
-    spread = sum(abs(a) ** 2 for a in z)
-    p = _times(w, [a.conjugate() for a in z]) / spread if spread else 1
-    return Affine(complex(p), 0j, target - p * centre)
 
 
 def stretch_of(right: Sequence[Item], there: Sequence[Item], rounding: float) -> Shift | None:

@@ -127,7 +127,6 @@ class Closure(NamedTuple):
 
 
 def _at(poses: Floats, local: complex) -> Complexes:
-    """Place a point of a link by its poses (N, 3)."""
     x, y, turn = poses.T
     return np.asarray(x + 1j * y + local * np.exp(1j * turn))
 

@@ -277,7 +277,10 @@ def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
             poses, rates, bends = _on_path(constraints, poses, along)
         except np.linalg.LinAlgError:
             return None
-        rate, bend = _driven(constraints, poses, rates, bends)
+        at = constraints.place(poses[None])
+        row = constraints.jacobian(at)[0, -1]
+        quadratic = constraints.convective(at, as_poses(rates[None]))[0, -1]
+        rate, bend = float(row @ rates), float(row @ bends + quadratic)
         if not bend * sense < 0.0:
             return None
         before, step = step, -rate / bend
@@ -288,14 +291,6 @@ def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
     if not closed(constraints, poses[None], constraints.drive.coordinate(constraints.place(poses[None])))[0]:
         return None
     return Fold(poses, _pose(rates), _pose(bends), bend)
-
-
-def _driven(constraints: Constraints, poses: Floats, rates: Floats, bends: Floats) -> tuple[float, float]:
-    """Give the first and the second derivative of the drive's coordinate on a path, from those of the poses."""
-    at = constraints.place(poses[None])
-    row = constraints.jacobian(at)[0, -1]
-    quadratic = constraints.convective(at, as_poses(rates[None]))[0, -1]
-    return float(row @ rates), float(row @ bends + quadratic)
 
 
 def _on_path(constraints: Constraints, poses: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:

@@ -115,7 +115,6 @@ def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output
 
 
 def _spot(mechanism: Mechanism, constraints: Constraints, name: str) -> _OutputSpot:
-    """Find a point on the first link that has it."""
     link = next(number for number in constraints.numbers if name in mechanism.links[number].points)
     return _OutputSpot(constraints.numbers.index(link), mechanism.links[link].points[name] / constraints.size)
 
@@ -214,7 +213,6 @@ def _doubtful(low: Floats, middle: Floats, high: Floats, step: Floats) -> Flags:
 
 
 def _changes(values: Floats) -> Floats:
-    """Count the changes of sign along each column."""
     return np.asarray(((values[1:] >= 0.0) != (values[:-1] >= 0.0)).sum(axis=0))
 
 

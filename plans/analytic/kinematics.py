@@ -212,6 +212,11 @@ def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
     rows = far.followed(axis.turned, _rows(mechanism, far.output, motion, axis.numbers))
     at = far.count.course(axis.turned, rows, omega)
     speeds = np.asarray(np.where(axis.joined, omega * np.diff(at.s) / np.diff(axis.turned), np.nan))
+    gains = np.full(len(axis.turned), np.nan)
+    gains[1:-1] = omega * np.diff(speeds) / np.diff(axis.middles)
+    if axis.closed:
+        apart = axis.middles[0] + math.tau - axis.middles[-1]
+        gains[[0, -1]] = omega * (speeds[0] - speeds[-1]) / apart
     return Diagrams(
         by="analysis",
         axis=axis,
@@ -219,7 +224,7 @@ def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
         lead=lead,
         at=at,
         speeds=speeds,
-        growths=_gains(speeds, axis, omega),
+        growths=gains,
         true_speeds=np.where(axis.joined, far.course(axis.middles).v, np.nan),
         true_growths=np.where(axis.between, far.course(axis.places).even(lead), np.nan),
     )
@@ -293,13 +298,3 @@ def _rows(
     through, direction, point = guide
     place, *rates = motion.points[point]
     return [np.asarray(((row * direction.conjugate()).real)[numbers]) for row in (place - through, *rates)]
-
-
-def _gains(speeds: Floats, axis: Axis, omega: float) -> Floats:
-    """Give what the mean velocity gains from part to part, by the time from middle to middle, (M,)."""
-    gains = np.full(len(axis.turned), np.nan)
-    gains[1:-1] = omega * np.diff(speeds) / np.diff(axis.middles)
-    if axis.closed:
-        apart = axis.middles[0] + math.tau - axis.middles[-1]
-        gains[[0, -1]] = omega * (speeds[0] - speeds[-1]) / apart
-    return gains

@@ -126,7 +126,6 @@ def _off(true: float, largest: float, value: float) -> Errors:
 
 
 def _mean(turn: Exact, count: int) -> float:
-    """Give the driving moment as the mean of so many positions."""
     turned = np.asarray(np.arange(count) * (TURN / count), dtype=np.float64)
     return -float(np.mean(turn.moment(turned) + turn.moment(turned, -1))) / 2
 

@@ -194,7 +194,6 @@ def _reach(mark: Mark, miss: float, k: int) -> Message:
 
 
 def _written(sizes: Mapping[str, float]) -> dict[str, str]:
-    """Write sizes in metres with six digits."""
     return {name: f"{size:.6g}" for name, size in sizes.items()}
 
 

@@ -88,7 +88,6 @@ def find(study: LinkageStudy, drafts: Drafts, name: str) -> Reading | tuple[Mark
 
 
 def _image(study: LinkageStudy, drafts: Drafts, name: str) -> Mark | None:
-    """Find a point or a mass centre: where it is, its velocity or its acceleration."""
     points, centres = letters(study), unnamed(study.scene, study.mechanism.links)
     for order, symbol in enumerate(("", "v_", "a_")):
         letter = name.removeprefix(symbol) if name.startswith(symbol) else ""

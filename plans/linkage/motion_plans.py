@@ -264,7 +264,6 @@ class PlanTemplate:
         return tracing.acts.do(heading, tracing.place(arm), tracing.acts.fix(span))
 
     def _rates(self, link: int) -> Iterator[int]:
-        """Tell where a link's angular velocity and acceleration are."""
         for readings in (plan.readings for plan in self.plans[1:]):
             if link in readings:
                 yield self.tracing.acts.rate(*map(self.tracing.place, (readings[link].turning, readings[link].arm)))
@@ -300,18 +299,15 @@ class PlanTemplate:
     def read(self, numbers: list[Any], turn: CrankPositions) -> Motion:
         """Read all named points and moving links off the plans."""
         shown = numbers.copy()
-        for place, row in self._resting(len(turn)).items():
+        count = len(turn)
+        if self._rows[0] != count:
+            self._rows = count, {place: resting(value, count) for place, value in self._still.items()}
+        for place, row in self._rows[1].items():
             shown[place] = row
         shown[self._crank] = turn.headings
         points = {letter: PointMotion([shown[place] for place in places]) for letter, places in self._points.items()}
         links = {link: LinkMotion([shown[place] for place in places]) for link, places in self._links.items()}
         return Motion("construction", turn.phi, points, links, ())
-
-    def _resting(self, count: int) -> dict[int, npt.NDArray[Any]]:
-        """Give what is the same at all positions as rows of as many."""
-        if self._rows[0] != count:
-            self._rows = count, {place: resting(value, count) for place, value in self._still.items()}
-        return self._rows[1]
 
 
 def resting(value: npt.NDArray[Any], count: int) -> npt.NDArray[Any]:

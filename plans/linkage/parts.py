@@ -105,7 +105,6 @@ class AnalysedVectors:
         yield ("accelerations", end, self.letters.small(tip)), self.a(tip) - self.a(start) - normal
 
     def _slotted(self, vector: Slotted) -> Iterator[tuple[Arrow, complex]]:
-        """The point of the slotted link under the pin: its velocity, the slip, Coriolis and normal parts (M3.4)."""
         link, pivot, pin = vector
         under, spin = self.letters.under(pin, link), self.omega(link)
         arm = self.r(pin) - self.r(pivot)
@@ -187,8 +186,6 @@ def carried_from(line: Mark, direction: Mark) -> bool:
 
 
 class _PlanParts(NamedTuple):
-    """The parts on the plans of some positions, and the motion there by analysis."""
-
     study: LinkageStudy
     drafts: Drafts
     motion: Motion
@@ -240,7 +237,6 @@ class _PlanParts(NamedTuple):
         yield VectorPart(ACCELERATIONS, f"a^{TANGENTIAL}_{over}", Span(normal, end), 1j * epsilon * arm)
 
     def _slotted(self, vector: Slotted) -> Iterator[VectorPart]:
-        """Tell the point of a slotted link that lies under the pin."""
         link, pivot, pin = vector
         speeds, plan = self.drafts.velocities, self.drafts.accelerations
         under, letter = plan.written.under(pin, link), self._under(pin, link)

@@ -140,7 +140,6 @@ class Sliding(NamedTuple):
 
 Vector: TypeAlias = Turning | Slotted | Sliding
 
-
 Key = TypeVar("Key")
 
 
@@ -290,9 +289,7 @@ _POLE_WHY = {
     "accelerations": because("acceleration_pole"),
 }
 
-
 RUN = 40  # positions whose angles are measured from the middle one, where they are close to it
-
 
 CLOSE = 1 / 64  # tangent of an angle whose series may leave out t9/9: less than a rounding
 

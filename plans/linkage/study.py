@@ -77,7 +77,6 @@ BLOCK = 8000  # positions constructed together: enough to hide the calls, few en
 # this size come and go (32 MiB is the most it heeds); nothing is ever written in it.
 np.empty(2**25 - 2**16, dtype=np.int8)
 
-
 EXTREMES = "extremes"
 ALL = (EXTREMES, *PLANS)
 

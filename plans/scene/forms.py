@@ -184,7 +184,6 @@ def _rank(path: Path) -> int:
 
 
 def _parts(technique: Technique, data: Mapping[str, Any]) -> Iterator[Path]:
-    """Give the keys of a file by which it asks for a technique."""
     wanted = data.get("sheets")
     if isinstance(wanted, list) and any(sheet in wanted for sheet in technique.sheets):
         yield ("sheets",)

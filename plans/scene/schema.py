@@ -21,7 +21,6 @@ def schema() -> Form:
 
 
 def _required(kinds: Kinds) -> list[str]:
-    """Name the tables that a technique needs, and those that it rests on."""
     return [name for kind in kinds for name, known in kind.keys.items() if known.default is REQUIRED]
 
 

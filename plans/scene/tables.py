@@ -218,7 +218,6 @@ def _parts(kinds: Kinds, value: object, path: Path, refused: Refusals) -> Any:
 
 
 def _key(holders: Kinds, name: str, value: object, path: Path, refused: Refusals) -> list[tuple[type[Table], Any]]:
-    """Read the value of a key for each kind that states it."""
     if len(holders) == 1:
         return [(holders[0], holders[0].keys[name].field.read(value, path, refused))]
     found = _parts(_inner(holders, name), value, path, refused)

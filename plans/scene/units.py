@@ -156,7 +156,6 @@ def _units(forms: tuple[str, ...], si: str) -> Mapping[str, Fraction]:
 
 
 def _spellings(group: str) -> Iterator[tuple[str, Fraction]]:
-    """Give the spellings of a group's units, with what one is."""
     for size, *symbols in map(str.split, SYMBOLS[group]):
         yield from ((symbol, Fraction(size)) for symbol in symbols)
 

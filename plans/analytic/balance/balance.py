@@ -43,7 +43,8 @@ class Weighing:
     def __init__(self, course: Course, partial: Sequence[Counterweight], step: complex) -> None:
         before = mass_centre(course.mechanism, bodies(course.machine, partial), course.turn).force
         given = step * _turning(course)
-        self.forces, self.reactions = lambda share: np.asarray(before + share * given), _bearing(course, partial, step)
+        self.forces: Forces = lambda share: np.asarray(before + share * given)
+        self.reactions = _bearing(course, partial, step)
         self.lightest = _lightest(course, partial, step)
 
     def force(self, share: float) -> float:
@@ -174,7 +175,10 @@ def lowest(start: Complexes, slope: Complexes) -> float:
 
 def _lowest_of(start: Complexes, slope: Complexes) -> float:
     """Take the lowest of where the envelope of a few parabolas can be lowest: ends, bottoms, meetings."""
-    points = np.clip([0.0, 1.0, *_bottoms(start, slope), *_meetings(start, slope)], 0.0, 1.0)
+    # The parabolas are |F0|^2 + 2 k F0.F1 + k^2 |F1|^2.
+    rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
+    meetings = [root for row, other in combinations(rows, 2) for root in _roots(*(row - other)) if np.isfinite(root)]
+    points = np.clip([0.0, 1.0, *_bottoms(start, slope), *meetings], 0.0, 1.0)
     heights = np.abs(start[:, None] + slope[:, None] * points).max(axis=0)
     return float(points[int(np.argmin(heights))])
 
@@ -183,16 +187,6 @@ def _bottoms(start: Complexes, slope: Complexes) -> Floats:
     moving = np.abs(slope) > 0
     start, slope = start[moving], slope[moving]
     return np.asarray(-(start.conj() * slope).real / np.abs(slope) ** 2)
-
-
-def _meetings(start: Complexes, slope: Complexes) -> list[float]:
-    """Find where two of the parabolas |F0|^2 + 2 k F0.F1 + k^2 |F1|^2 meet."""
-    found: list[float] = []
-    rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
-    for row, other in combinations(rows, 2):
-        roots = _roots(*(row - other))
-        found += [root for root in roots if np.isfinite(root)]
-    return found
 
 
 def _roots(a: float, b: float, c: float) -> list[float]:

@@ -236,7 +236,6 @@ def _single(mechanism: BankMechanism, order: int) -> Harmonic:
 
 
 def _summed(harmonic: Harmonic, members: Sequence[Member], weights: Sequence[float]) -> Harmonic:
-    """Sum the vectors of an order over the bank, each with its weight."""
     order, axes = harmonic.order, [direction(member.axis) for member in members]
     phases = [direction(order * member.phase) for member in members]
     rows = list(zip(weights, axes, phases, strict=True))
@@ -282,7 +281,6 @@ def _couple_angle(forces: Sequence[complex], offset: float) -> float:
 
 
 def _pushes(compensator: Compensator, speed: float, phi: Floats) -> Complexes:
-    """Give the force of a compensator over a turn."""
     square, turn = (compensator.asked.order * speed) ** 2, compensator.asked.order * phi
     ahead = compensator.with_crank * np.exp(1j * (turn + (compensator.with_angle or 0.0)))
     return np.asarray(square * (ahead + compensator.against * np.exp(1j * ((compensator.against_angle or 0.0) - turn))))

@@ -37,7 +37,12 @@ class Formal:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
-        self.turned = _turned(mechanism)
+        found: dict[int, Turned] = {}
+        for leader in sorted(mechanism.links):
+            if leader not in found:
+                found[leader] = Turned(leader, 1 + 0j)
+                _follow(mechanism, leader, found)
+        self.turned = found
         leaders = sorted({turned.leader for turned in self.turned.values()} - {FRAME})
         self.columns = {link: k for k, link in enumerate((FRAME, *leaders))}
         self.size = len(self.columns) + len(mechanism.slides)
@@ -93,20 +98,9 @@ class Formal:
 
 
 def _joints(mechanism: Mechanism) -> Iterator[tuple[int, int, str | Slide]]:
-    """Give all pairs: two links and what joins them, of a slide slider and owner."""
     for point, links in mechanism.hinges.items():
         yield from ((links[0], link, point) for link in links[1:])
     yield from ((slide.slider, slide.owner, slide) for slide in mechanism.slides)
-
-
-def _turned(mechanism: Mechanism) -> dict[int, Turned]:
-    """Tell of every link with which other it turns; the frame, or else the lowest, leads those that turn together."""
-    found: dict[int, Turned] = {}
-    for leader in sorted(mechanism.links):
-        if leader not in found:
-            found[leader] = Turned(leader, 1 + 0j)
-            _follow(mechanism, leader, found)
-    return found
 
 
 def _follow(mechanism: Mechanism, link: int, found: dict[int, Turned]) -> None:

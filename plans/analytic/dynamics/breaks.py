@@ -245,7 +245,6 @@ def _acts(reduction: ExactReduction, run: StrokeRun, curve: TurnQuantity, law: L
 
 
 def _laws(machine: Machine, track: Track) -> Iterator[LoadLaw]:
-    """Give what changes over a stroke."""
     for load in machine.loads:
         if load.stroke == track:
             places = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()

@@ -225,7 +225,7 @@ def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
     while low.size:
         at = (low[:, None] * (1.0 - _PLACES) + high[:, None] * (1.0 + _PLACES)) / 2.0
         ordinates, sizes = sample(at.ravel())
-        fitted, size = (ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None])
+        fitted, size = ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None]
         largest = np.fmax(largest, size)  # NaN at gaps
         tails = _share(np.abs(fitted[:, :, -TAIL:]).max(axis=2), largest).max(axis=0)
         tails = np.where(np.isfinite(tails), tails, np.inf)
@@ -246,13 +246,11 @@ def _share(part: Floats, whole: Floats) -> Floats:
 
 
 def _halves(low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Halve pieces."""
     middle = (low + high) / 2.0
     return np.concatenate((low, middle)), np.concatenate((middle, high))
 
 
 def _joined(kept: list[tuple[Floats, Floats, Floats]], error: float, settled: bool) -> list[Pieced]:
-    """Put the pieces in order and integrate each quantity along them."""
     low, high = (np.concatenate([part[k] for part in kept]) for k in (0, 1))
     order = np.argsort(low)
     edges = np.append(low[order], high[order][-1])

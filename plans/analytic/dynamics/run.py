@@ -187,7 +187,6 @@ class _GrowingRun:
             self._fails(RUN_DOWN, UNSETTLED, 0.0)
 
     def _append(self, name: str, since: RunState, legs: Sequence[Leg]) -> None:
-        """Add a stage made of some legs."""
         first = sum(len(leg.rows) for leg in self.legs)
         self.legs += legs
         end = self._now
@@ -201,7 +200,6 @@ class _GrowingRun:
 
 
 def _at(omega: float) -> RunState:
-    """Give the beginning of a turn at a speed."""
     return RunState(0.0, np.array([0.0, omega, 0.0, 0.0, 0.0, 0.0]))
 
 

@@ -108,7 +108,6 @@ def _on_crank(survey: LinkageSurvey, points: tuple[str, str], ends: tuple[str, s
 
 
 def _moves(survey: LinkageSurvey) -> bool:
-    """See that the cylinder has a speed."""
     stroke = survey.form.drive.stroke
     assert stroke is not None  # it is a cylinder's
     if not stroke.rates[0]:
@@ -201,7 +200,6 @@ def _check_turnless(survey: LinkageSurvey) -> None:
 
 
 def _pushed(survey: LinkageSurvey) -> SlideTable | None:
-    """Give the slide on the frame of the drive's link."""
     frame, link = survey.points_of[FRAME], survey.form.drive.link
     tables = (table for table in survey.form.mechanism.slides if table.link == link)
     return next((table for table in tables if _on_frame(table.along, frame)), None)

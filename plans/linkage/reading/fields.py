@@ -178,7 +178,6 @@ def law_speed(value: object) -> Decimal:
 
 SPEEDS = one(law_speed, partial(forms.quantity, units.VELOCITY, minimum=0), units.VELOCITY.si)
 
-
 Place = tuple[Decimal, Decimal]
 
 

@@ -244,7 +244,6 @@ def _twins(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
 
 
 def _placed(form: LinkageForm) -> Iterator[tuple[str, Iterable[str]]]:
-    """Give the tables of points that have their own places."""
     yield from (("points", form.mechanism.points), ("frame", form.mechanism.frame))
 
 
