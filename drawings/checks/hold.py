@@ -201,9 +201,7 @@ def stated_keys(leaf: Leaf) -> frozenset[Key]:
 
 def _keys(group: Group) -> Iterator[Key]:
     if group.data.get("kind") in MARKS:
-        position = group.data.get("position")
-        at = None if position is None else int(position)
-        yield MARKS[group.data["kind"]], group.data["plan"], group.data["name"], at
+        yield _key(MARKS[group.data["kind"]], group)
     if (said := group.states) is not None and said.kind is Kind.PHRASE:
         yield from ((said.kind, said.figure, name, said.position) for name in SLOT.findall(said.name))
     elif said is not None and said.kind not in FRAMES:

@@ -6,7 +6,6 @@ import argparse
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 
 from drawings.commands.stderr import tell
 from drawings.files.atomic_files import print_json
@@ -29,7 +28,11 @@ def run(options: argparse.Namespace) -> int:
         raise type(refused)("file", sheet=options.sheet, why=refused.reason) from None
     if not measured.marks and not measured.profiles:
         raise SheetRefused("bare", sheet=options.sheet)
-    language = _language(options.scene) if options.scene else ENGLISH
+    language = ENGLISH
+    if options.scene:
+        from plans.scene.source import language_of  # a sheet alone needs no scene
+
+        language = language_of(options.scene)
     manifest = manifest_beside(options.sheet)
     if manifest is not None:
         for name in manifest.strangers(options.sheet.parent):
@@ -57,12 +60,6 @@ def _lines(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[s
             if part is not None
         )
         yield word(language, f"measure.{how}", mark=" ".join(names))
-
-
-def _language(scene: Path) -> str:
-    from plans.scene.source import language_of  # a sheet alone needs no scene
-
-    return language_of(scene)
 
 
 def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[MarkKey]]:

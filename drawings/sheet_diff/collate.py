@@ -125,29 +125,27 @@ class Pairing:
         a, b = ours.stroke, theirs.stroke
         if isinstance(a, Text) and isinstance(b, Text):
             return self._text(ours, a, b)
-        by = max(abs(x - y) for x, y in zip(spots(a), spots(b), strict=True))
+        pairs = [*zip(spots(a), spots(b), strict=True)]
+        by, least = (most(abs(x - y) for x, y in pairs) for most in (max, min))
         if reversed_lies(a, b, self.rounding) and not lies(a, b, self.rounding):
-            return edit.retouched("reversed", ours, self.figures)
+            return edit.lone("reversed", ours, self.figures)
         if lies(a, b, self.rounding) or not alike_in_style(a.style, b.style):
-            return edit.retouched("style", ours, self.figures, look=edit.style(a.style, b.style))
+            return edit.lone("style", ours, self.figures, look=edit.style(a.style, b.style))
         if isinstance(a, Circle) and isinstance(b, Circle) and abs(a.centre - b.centre) <= self.rounding:
             return edit.moved("radius", ours, self.figures, abs(a.radius - b.radius))
-        if isinstance(a, Line) and min(abs(x - y) for x, y in zip(spots(a), spots(b), strict=True)) <= self.rounding:
+        if isinstance(a, Line) and least <= self.rounding:
             return edit.moved("end", ours, self.figures, by)
-        return edit.moved("moved" if self._same_shape(ours, theirs) else "reshaped", ours, self.figures, by)
-
-    def _same_shape(self, ours: Item, theirs: Item) -> bool:
-        a, b = spots(ours.stroke), spots(theirs.stroke)
-        return all(abs((y - b[0]) - (x - a[0])) <= 2 * self.rounding for x, y in zip(a, b, strict=True))
+        same_shape = all(abs((y - pairs[0][1]) - (x - pairs[0][0])) <= 2 * self.rounding for x, y in pairs)
+        return edit.moved("moved" if same_shape else "reshaped", ours, self.figures, by)
 
     def _text(self, ours: Item, a: Text, b: Text) -> Edit:
         if a.runs != b.runs:
-            return edit.retouched("text", ours, self.figures, is_=edit.written(b), must=edit.written(a))
+            return edit.lone("text", ours, self.figures, is_=edit.written(b), must=edit.written(a))
         if abs(a.at - b.at) > self.rounding:
             return edit.moved("moved", ours, self.figures, abs(a.at - b.at))
         if not alike_in_style(a.style, b.style):
-            return edit.retouched("style", ours, self.figures, look=edit.style(a.style, b.style))
-        return edit.retouched("lettered", ours, self.figures)
+            return edit.lone("style", ours, self.figures, look=edit.style(a.style, b.style))
+        return edit.lone("lettered", ours, self.figures)
 
 
 def _of_texts(ours: Item, theirs: Item) -> float:
@@ -255,7 +253,7 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
     edits = (
         *(change for item, change in unseen if id(item) not in patched),
         *marks,
-        *pairing.edits(_counts(ours, figures)),
+        *pairing.edits(Counter(figures.of(item) for item in ours)),
         *copies,
         *others,
     )
@@ -266,10 +264,6 @@ def _shares(ours: Sequence[Item], missing: Sequence[Item]) -> tuple[int, int]:
     """Count what is as it must be, and all that must be, without what every sheet has."""
     kept, gone = ([item for item in some if item.home.figure not in STILL] for some in (ours, missing))
     return len(kept) - len(gone), len(kept)
-
-
-def _counts(ours: Sequence[Item], figures: SheetFigures) -> dict[str, int]:
-    return Counter(figures.of(item) for item in ours)
 
 
 def _hidden(
@@ -314,8 +308,7 @@ def _stated(right: Leaf, there: Leaf) -> Iterator[Message]:
     """Tell what a file says of itself otherwise than it must, beside who drew it and from what."""
     if (right.title, right.description) != (there.title, there.description):
         yield message("edit.title")
-    keys = sorted({*right.metadata, *there.metadata} - set(SIGNED))
-    for key in keys:
+    for key in sorted({*right.metadata, *there.metadata} - set(SIGNED)):
         if _json(right.metadata.get(key)) != _json(there.metadata.get(key)):
             yield message("edit.metadata", key=key)
 

@@ -40,7 +40,7 @@ class Edit(NamedTuple):
 
 
 def lone(how: str, item: Item, figures: SheetFigures, **parts: object) -> Edit:
-    """Tell of a stroke that stands alone: missing, hidden, added, or there twice."""
+    """Tell of one stroke: missing, hidden, added, there twice, or where it must be and written or drawn otherwise."""
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
 
 
@@ -62,11 +62,6 @@ def restated(item: Item, there: Item, figures: SheetFigures) -> Edit:
     key = next(key for key in (*ours, *theirs) if ours.get(key) != theirs.get(key))
     said = {"key": key, "is_": theirs.get(key, "—")[:LETTERS], "must": ours.get(key, "—")[:LETTERS]}
     return lone("restated", item, figures, **said)
-
-
-def retouched(how: str, item: Item, figures: SheetFigures, **parts: object) -> Edit:
-    """Tell of a stroke that lies where it must, and is written or drawn otherwise."""
-    return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
 
 
 def moved(how: str, item: Item, figures: SheetFigures, by: float) -> Edit:
@@ -117,13 +112,8 @@ def style(right: LineStyle, there: LineStyle) -> Message:
         return message("look.width", is_=_number(there.width), must=_number(right.width))
     if right.dash != there.dash:
         return message("look.dash", is_=_dashes(there), must=_dashes(right))
-    if right.colour != there.colour:
-        return message("look.colour", is_=there.colour, must=right.colour)
-    if right.fill != there.fill:
-        return message("look.fill", is_=there.fill, must=right.fill)
-    if right.cap != there.cap:
-        return message("look.cap", is_=there.cap, must=right.cap)
-    return message("look.join", is_=there.join, must=right.join)
+    name = next((name for name in ("colour", "fill", "cap") if getattr(right, name) != getattr(there, name)), "join")
+    return message(f"look.{name}", is_=getattr(there, name), must=getattr(right, name))
 
 
 def written(text: Text) -> str:

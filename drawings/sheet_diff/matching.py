@@ -168,11 +168,8 @@ def _round_off(right: Sequence[Item], there: Sequence[Item], scale: float) -> fl
 
 
 def _of_one_kind(ours: Item, theirs: Item) -> bool:
-    return ours.what == theirs.what and ours.name == theirs.name and _as_many(ours, theirs)
-
-
-def _as_many(ours: Item, theirs: Item) -> bool:
-    return type(ours.stroke) is type(theirs.stroke) and len(spots(ours.stroke)) == len(spots(theirs.stroke))
+    named = ours.what == theirs.what and ours.name == theirs.name and type(ours.stroke) is type(theirs.stroke)
+    return named and len(spots(ours.stroke)) == len(spots(theirs.stroke))
 
 
 def stretch_of(right: Sequence[Item], there: Sequence[Item], rounding: float) -> Shift | None:
@@ -182,7 +179,10 @@ def stretch_of(right: Sequence[Item], there: Sequence[Item], rounding: float) ->
     ours = [spot for item in right for spot in spots(item.stroke)]
     theirs = [spot for item in there for spot in spots(item.stroke)]
     by = _sheared(ours, theirs)
-    if by is None or not max(abs(by(a) - b) for a, b in zip(ours, theirs, strict=True)) <= MORE * rounding * _reach(by):
+    if by is None:
+        return None
+    reach = max(1.0, abs(by.p) + abs(by.q))  # as many times as long it makes what it makes longest
+    if not max(abs(by(a) - b) for a, b in zip(ours, theirs, strict=True)) <= MORE * rounding * reach:
         return None
     return Shift(by, max(abs(a - b) for a, b in zip(ours, theirs, strict=True)))
 
@@ -199,11 +199,6 @@ def _sheared(ours: Sequence[complex], theirs: Sequence[complex]) -> Affine | Non
     straight, turned = _times(w, back), _times(w, z)
     p, q = (straight * spread - turned * lean) / area, (turned * spread - straight * lean.conjugate()) / area
     return Affine(p, q, target - p * centre - q * centre.conjugate())
-
-
-def _reach(by: Affine) -> float:
-    """Give how many times as long a map makes what it makes longest, and 1 at the least."""
-    return max(1.0, abs(by.p) + abs(by.q))
 
 
 def _times(a: Sequence[complex], b: Sequence[complex]) -> complex:

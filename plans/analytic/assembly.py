@@ -75,9 +75,8 @@ BOTH = np.array([1.0, -1.0])  # signs of a determinant
 # Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
 # rounding must not choose between them.
 ALIKE = 1e-9
-INFINITE = 1.0 / (
-    1000.0 * EPS
-)  # sizes of the mechanism: a pin farther away is where guides are parallel but for rounding
+# Sizes of the mechanism: a pin farther away is where guides are parallel but for rounding.
+INFINITE = 1.0 / (1000.0 * EPS)
 
 
 class ClosedPosition(NamedTuple):

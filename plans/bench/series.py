@@ -65,8 +65,7 @@ class KnownDiagram(NamedTuple):
         edges = strips(0.0, self.end, count, self.breaks)
 
         def judge(values: Floats) -> Errors:
-            share = departure(values, self.whole(edges)).share
-            return Errors.alone(share)
+            return Errors.alone(departure(values, self.whole(edges)).share)
 
         means = self.ordinate(middles(edges))
         return Timing(lambda: integral(Board("bench"), "A", edges, means).values, count, {self.name: judge}, self.note)

@@ -98,10 +98,7 @@ def margins(plan: Plan, groups: Sequence[Assur], sides: Sequence[float]) -> tupl
         miss = np.broadcast_to(np.asarray(mark.miss, dtype=float), count)
         sharpness = np.broadcast_to(np.asarray(mark.sharpness, dtype=float), count)
         turned = crossing(mark)
-        if turned is None:
-            rows.append(np.where(miss > 0, -1.0, sharpness**2))
-        else:
-            rows.append(np.broadcast_to(side * turned, count))
+        rows.append(np.where(miss > 0, -1.0, sharpness**2) if turned is None else np.broadcast_to(side * turned, count))
     return np.array(rows).reshape(len(marks), count), marks
 
 

@@ -309,11 +309,8 @@ def heading(vector: Vectors, span: complex = 1 + 0j) -> Floats:
 
 def _turned(vectors: Complexes) -> Floats:
     turned = np.arctan2(vectors.imag, vectors.real)
-    return (
-        turned
-        if np.minimum.reduce(turned, None, initial=np.inf) > -np.pi
-        else np.where(turned <= -np.pi, np.pi, turned)
-    )
+    least = np.minimum.reduce(turned, None, initial=np.inf)
+    return turned if least > -np.pi else np.where(turned <= -np.pi, np.pi, turned)
 
 
 def _close(runs: Complexes) -> Floats | None:
