@@ -79,8 +79,7 @@ def explained(study: Study, position: int, name: str) -> Explanation:
 
 
 def _as_asked(found: Explanation, name: str) -> Explanation:
-    parts = {**dict(found.title.parts), "mark": name}
-    return found._replace(title=message(found.title.key, **parts))
+    return found._replace(title=message(found.title.key, **{**dict(found.title.parts), "mark": name}))
 
 
 def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
@@ -158,9 +157,7 @@ def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
     examples = ", ".join(example for answer in none for example in answer.examples)
     also = (message("mark.also", examples=examples),) if examples else ()
     parts: dict[str, object] = {"mark": name, "listed": (*(answer.listed for answer in none if answer.listed), *also)}
-    if not near:
-        return message("mark.unknown", **parts)
-    return message("mark.meant", near=near[0], **parts)
+    return message("mark.unknown", **parts) if not near else message("mark.meant", near=near[0], **parts)
 
 
 def sentence(mark: Mark, of: Explanation, language: str, sheet: OnSheet | None = None) -> str:

@@ -96,9 +96,7 @@ def is_heading(group: Group) -> bool:
 def _what(stroke: Stroke, home: Home) -> str:
     if isinstance(stroke, Text):
         return home.lettering
-    if isinstance(stroke, Fill) and len(stroke.points) == TRIANGLE:
-        return "arrowhead"
-    return _KINDS[type(stroke)]
+    return "arrowhead" if isinstance(stroke, Fill) and len(stroke.points) == TRIANGLE else _KINDS[type(stroke)]
 
 
 def spots(stroke: Ink) -> tuple[complex, ...]:

@@ -210,8 +210,7 @@ def _written(rows: tuple[PathLetters, ...], said: str) -> Text:
     spaces = (0, *_spaces(row, size))
     glyphs = [(letter[0] if space >= 0 else UNREAD, letter[5]) for letter, space in zip(row, spaces, strict=True)]
     runs = picked(glyphs, [max(space, 0) for space in spaces], said)
-    low = next((letter[2] for letter in row if letter[5] == 0), 0.0)
-    at = stance.turn * complex(row[0][1], low)
+    at = stance.turn * complex(row[0][1], next((letter[2] for letter in row if letter[5] == 0), 0.0))
     return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation)
 
 

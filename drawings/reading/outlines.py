@@ -96,9 +96,7 @@ def scale_of(place: Affine) -> float:
 def _chain(points: tuple[complex, ...], closed: bool, style: LineStyle) -> Stroke:
     if style.colour == "none" and style.fill != "none":
         return Fill(points, style)
-    if len(points) == 2 and not closed:
-        return Line(*points, style)
-    return Polyline(points, closed, style)
+    return Line(*points, style) if len(points) == 2 and not closed else Polyline(points, closed, style)
 
 
 def _arc(track: PenTrack, style: LineStyle) -> Arc | None:

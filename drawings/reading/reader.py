@@ -63,8 +63,7 @@ def _unpacked(source: bytes) -> bytes:
         raise SheetRefused("foreign", what=what)
     if source.startswith(_GZIP):
         try:
-            unpacking = zlib.decompressobj(wbits=31)
-            source = unpacking.decompress(source[: limits.SHEET_BYTES], limits.SHEET_BYTES + 1)
+            source = zlib.decompressobj(wbits=31).decompress(source[: limits.SHEET_BYTES], limits.SHEET_BYTES + 1)
         except zlib.error as error:
             raise SheetRefused("packed") from error
     if len(source) > limits.SHEET_BYTES:

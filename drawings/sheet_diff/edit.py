@@ -73,8 +73,7 @@ def moved(how: str, item: Item, figures: SheetFigures, by: float) -> Edit:
 def whole(how: str, items: Sequence[Item], figures: SheetFigures) -> Edit:
     """Tell of a figure as a whole."""
     first = items[0]
-    figure = figures.called(figures.of(first))
-    thing = message("edit.figure", figure=figure, at=_place(middle(first.stroke)))
+    thing = message("edit.figure", figure=figures.called(figures.of(first)), at=_place(middle(first.stroke)))
     edit = _edit(how, first, figures, None, message(f"edit.{how}", thing=thing))
     return edit._replace(what="figure", name="", strokes=len(items))
 
@@ -92,8 +91,7 @@ def together(items: list[Item], figures: SheetFigures, shift: Shift, whole: bool
     )  # fmt: skip
     by = _size(shift.farthest, figures.scale(first) if mark or not whole else None)
     key, parts = _motion(shift)
-    said = message(f"edit.{key}", thing=thing, by=by, **parts)
-    edit = _edit(shift.how, first, figures, shift.farthest, said)
+    edit = _edit(shift.how, first, figures, shift.farthest, message(f"edit.{key}", thing=thing, by=by, **parts))
     return edit._replace(what=first.what if mark else "figure", name=mark, strokes=len(items))
 
 

@@ -219,8 +219,7 @@ def _probe(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Float
     probes = lost[::every]
     if probes.size:
         found[:, probes] = _from_rough(block, poses[probes], phi[probes])
-        rest = lost[np.arange(lost.size) % every > 0]
-        _from_next(block, found, rest, probes, poses, phi)
+        _from_next(block, found, lost[np.arange(lost.size) % every > 0], probes, poses, phi)
 
 
 def _from_next(block: Block, found: Floats, here: Indices, done: Indices, poses: Floats, phi: Floats) -> None:

@@ -150,15 +150,13 @@ def transfer(constraints: Constraints, poses: Floats, order: int) -> tuple[Float
     first = constraints.drive.stated(as_poses(_refine(jacobian, unit)), 1.0)
     if order == 1:
         return (first,)
-    second = as_poses(_refine(jacobian, -constraints.convective(at, first)))
-    return first, constraints.drive.stated(second, 0.0)
+    return first, constraints.drive.stated(as_poses(_refine(jacobian, -constraints.convective(at, first))), 0.0)
 
 
 def _refine(jacobian: Floats, right: Floats) -> Floats:
     """Solve N linear systems, and once more for what their rounding left."""
     found = solutions(jacobian, right)
-    left = right - (jacobian @ found[..., None])[..., 0]
-    return found + solutions(jacobian, left)
+    return found + solutions(jacobian, right - (jacobian @ found[..., None])[..., 0])
 
 
 def _descend(constraints: Constraints, poses: Floats, phi: Floats, step: Floats, size: Floats) -> tuple[Floats, Floats]:

@@ -190,8 +190,7 @@ class _Around(NamedTuple):
             low, high = np.where(before, phi, low), np.where(before, high, phi)
             with np.errstate(divide="ignore", invalid="ignore"):
                 step = phi - value / slope
-            out = ~((step - low) * (step - high) <= 0.0)
-            last, phi = phi, np.where(out, (low + high) / 2.0, step)
+            last, phi = phi, np.where(~((step - low) * (step - high) <= 0.0), (low + high) / 2.0, step)
             if (np.abs(phi - last) <= ROUNDINGS * EPS * np.maximum(np.abs(phi), 1.0)).all():
                 break
         return np.asarray(phi)

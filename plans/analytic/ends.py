@@ -40,8 +40,7 @@ def least_of(blocks: Sequence[Block], dets: Floats, jacobian: Floats, poses: Flo
     """Give the sharpness of the bluntest block, (N,), from the determinants of all blocks, (blocks, N)."""
     found = np.ones(len(poses))
     for block, det in zip(blocks, dets, strict=True):
-        part = block.of(jacobian)
-        sharp = np.abs(det) / np.sqrt((part**2).sum(axis=1)).prod(axis=1)
+        sharp = np.abs(det) / np.sqrt((block.of(jacobian) ** 2).sum(axis=1)).prod(axis=1)
         doubtful = np.flatnonzero(sharp < PLAIN)
         if doubtful.size:
             sharp[doubtful] = sharpness(block, poses[doubtful])

@@ -166,8 +166,7 @@ def _balance(
 def _lost(constraints: Constraints, poses: Floats, motion: Motion) -> dict[int, str]:
     """Give the gaps of the velocities where the equations lose rank, and why there are no forces."""
     reasons = {gap.position: without_forces(gap) for gap in motion.gaps if np.isfinite(poses[gap.position]).all()}
-    at = constraints.place(poses[list(reasons)])
-    matrices = constraints.jacobian(at)
+    matrices = constraints.jacobian(constraints.place(poses[list(reasons)]))
     blunt = reciprocal_condition(matrices, inverses(matrices)) <= BLUNT
     return {k: reasons[k] for k, faint in zip(reasons, blunt, strict=True) if faint}
 

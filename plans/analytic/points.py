@@ -148,8 +148,7 @@ class Constraints(NamedTuple):
         moving = (rates[:, :, X] + 1j * rates[:, :, Y])[:, sliding] + 1j * (spins * at.arms)[:, :, self.hinges :]
         off = at.apart[:, self.hinges :]
         lines = apart[:, self.hinges :] - 2j * turning * (moving[:, 0] - moving[:, 1]) - turning**2 * off
-        bends = (at.ways[:, 1].conj() * lines).imag
-        rows = (still.real, still.imag, np.zeros_like(turning), bends)
+        rows = (still.real, still.imag, np.zeros_like(turning), (at.ways[:, 1].conj() * lines).imag)
         return np.concatenate((*rows, self.drive.bend(at, lines)[:, None]) if self.driven else rows, axis=1)
 
 

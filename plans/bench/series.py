@@ -120,8 +120,7 @@ def dynamics(study: Study, order: Demand) -> Iterator[Timing]:
 
 
 def _off(true: float, largest: float, value: float) -> Errors:
-    share = abs(value - true) / (abs(largest) or 1.0)
-    return Errors.alone(share)
+    return Errors.alone(abs(value - true) / (abs(largest) or 1.0))
 
 
 def _mean(turn: Exact, count: int) -> float:
@@ -159,8 +158,7 @@ def diagrams(study: Study, order: Demand) -> Iterator[Timing]:
 def _by_chords(study: Study, letter: str, _: Any) -> Errors:
     found = {quantity.name: quantity for quantity in quantities(study, "diagrams")}
     chords, exact = (found[f"{letter} {which}"] for which in ("chords", "middles"))
-    share = float(np.nanmax(np.abs(chords.construction - exact.analysis))) / (exact.largest or 1.0)
-    return Errors.alone(share)
+    return Errors.alone(float(np.nanmax(np.abs(chords.construction - exact.analysis))) / (exact.largest or 1.0))
 
 
 def bank(study: Study, _: Demand) -> Iterator[Timing]:
@@ -174,8 +172,7 @@ def bank(study: Study, _: Demand) -> Iterator[Timing]:
         return Errors.of({name: away / largest for name, away in off.items()})
 
     for count in FEW:
-        fewer = partial(_few, found, count)
-        yield Timing(fewer, count, {ORDINATES: judge})
+        yield Timing(partial(_few, found, count), count, {ORDINATES: judge})
 
 
 def _few(found: BankStudy, count: int) -> Harmonics:

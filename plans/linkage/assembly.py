@@ -236,11 +236,9 @@ def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions
         trials = [plan.trial(), plan.trial()]
         for trial, side in zip(trials, (1.0, -1.0), strict=True):
             kind.positions(trial, group, side)
-        places = [_places(trial, shown, len(turn)) for trial in trials]
-        choice = _choose(mechanism, shown, places, len(turn))
+        choice = _choose(mechanism, shown, [_places(trial, shown, len(turn)) for trial in trials], len(turn))
         kind.positions(plan, group, choice.side)
-        there = np.where(_parallel(meeting(plan, group)), np.nan, choice.misfit)
-        choices.append(choice._replace(misfit=there))
+        choices.append(choice._replace(misfit=np.where(_parallel(meeting(plan, group)), np.nan, choice.misfit)))
     return choices
 
 
@@ -279,8 +277,7 @@ def _places(plan: Plan, shown: list[str], count: int) -> Complexes:
 
 def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], count: int) -> SideChoice:
     if not shown:
-        finite = np.where(np.isfinite(places[0][0]), 0.0, np.nan)
-        return SideChoice(np.ones(count), np.zeros(count), finite)
+        return SideChoice(np.ones(count), np.zeros(count), np.where(np.isfinite(places[0][0]), 0.0, np.nan))
     rough = np.array([[mechanism.sketch[point]] for point in shown])
     misfits = [np.sum(np.abs(place - rough) ** 2, axis=0) for place in places]
     apart = np.sum(np.abs(places[0] - places[1]) ** 2, axis=0)

@@ -106,8 +106,7 @@ class VectorSums(NamedTuple):
             self.letters.coriolis(pin, link, key(dyad.slide())),
             self.letters.under(pin, link),
         )
-        slot = dyad.slide().label
-        return self._slid((under(pin, link), pin), (link, slot), (self.rates(pin), whole), images)
+        return self._slid((under(pin, link), pin), (link, dyad.slide().label), (self.rates(pin), whole), images)
 
     def _owner(self, dyad: Dyad) -> VectorSum:
         """Tell the slotted link's point under the pin from what the slotted link hangs on."""

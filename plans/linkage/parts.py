@@ -269,8 +269,7 @@ class _PlanParts(NamedTuple):
 
     def _slip(self, plan: Plan, vector: Sliding) -> tuple[Span, Span | None]:
         """Find the vector along the guide in the line it was drawn by, and the Coriolis part on which that stands."""
-        under = plan.written.under(vector.pin, vector.host)
-        end = plan.board[under] if vector.held else plan.point(vector.pin)
+        end = plan.board[plan.written.under(vector.pin, vector.host)] if vector.held else plan.point(vector.pin)
         direction = plan.positions.units[vector.pair]
         assert direction is not None  # every guide has a direction on the plan of positions
         line = next(

@@ -226,9 +226,7 @@ class Plan:
 
     def point(self, point: str) -> Mark:
         """Give the image of a named point, drawn by similarity where it is not drawn yet."""
-        if point in self.letters:
-            return self.letters[point]
-        return self.name(point, self._construct(point))
+        return self.letters[point] if point in self.letters else self.name(point, self._construct(point))
 
     def _construct(self, point: str) -> Mark:
         if point in self.mechanism.links[FRAME].points:
@@ -340,9 +338,7 @@ def _close(runs: Complexes) -> Floats | None:
 
 def angle(plan: Plan, link: int) -> Floats:
     """Read off the plan of positions the direction of a link's own +x axis, rad in (-pi, pi]."""
-    if link == FRAME:
-        return np.zeros(1)
-    return heading(plan.arm(link).point, plan.images[link].span)
+    return np.zeros(1) if link == FRAME else heading(plan.arm(link).point, plan.images[link].span)
 
 
 def rate(plan: Plan, link: int) -> Floats:

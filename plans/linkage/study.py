@@ -56,8 +56,7 @@ def obstruction(sweep: Sweep) -> Message:
 def _mending(sweep: Sweep, barrier: Barrier) -> Message:
     phi = np.linspace(barrier.start, barrier.end, FAN)
     _, marks = margins(sweep.plan(phi), sweep.groups, sweep.sides)
-    miss = np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)
-    worst = int(np.nanargmax(miss))
+    worst = int(np.nanargmax(np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)))
     return gaps_of(sweep, at_angles(phi[worst : worst + 1]), [0], None, ())[0].advice
 
 

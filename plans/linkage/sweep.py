@@ -270,8 +270,7 @@ class Sweep:
 
     def _barrier(self, start: tuple[float, float], end: tuple[float, float], nodes: Floats) -> Barrier:
         """Name a barrier by the groups that fail at its edges; one where no group misses is a change point."""
-        plan = self.plan(np.concatenate((nodes, (start[1], end[1]))))
-        field, marks = margins(plan, self.groups, self.sides)
+        field, marks = margins(self.plan(np.concatenate((nodes, (start[1], end[1])))), self.groups, self.sides)
         with np.errstate(invalid="ignore"):
             missing = (field < 0).any(axis=1)
             failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well

@@ -101,8 +101,7 @@ class OutputTravel:
         low, high = nodes[turns], nodes[turns] + step
         for between in self._touches(nodes, speeds):
             low, high = np.append(low, (between - step, between)), np.append(high, (between, between + step))
-        places = changes_of_sign(lambda phi: self.speed(at_angles(phi)), low, high)
-        return np.asarray(np.mod(places, 2 * np.pi))
+        return np.asarray(np.mod(changes_of_sign(lambda phi: self.speed(at_angles(phi)), low, high), 2 * np.pi))
 
     def _touches(self, nodes: Floats, speeds: Floats) -> list[float]:
         """Find where the speed goes through zero and back between two nodes: two rests less than a node apart."""

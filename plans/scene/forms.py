@@ -46,8 +46,7 @@ def _products(factors: list[tuple[str, str, str]]) -> Iterator[str]:
     if len(factors) == 1:
         yield from dict.fromkeys(map(_pattern, symbols[0]))
     else:
-        groups = ("|".join(dict.fromkeys(map(_pattern, some))) for some in symbols)
-        parts = zip(factors, groups, strict=True)
+        parts = zip(factors, ("|".join(dict.fromkeys(map(_pattern, some))) for some in symbols), strict=True)
         yield "".join(f"{_pattern(sign)}({group}){_pattern(power)}" for (sign, _, power), group in parts)
 
 

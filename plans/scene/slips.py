@@ -59,8 +59,7 @@ def _json(text: str, line: int) -> Hint:
 
 
 def _yaml(text: str, line: int) -> Hint:
-    written = text.split("\n")[line - 1]
-    match = re.match(r"\s*(?:---\s*$|[\w-]++\s*:(?:\s|$))", written)
+    match = re.match(r"\s*(?:---\s*$|[\w-]++\s*:(?:\s|$))", text.split("\n")[line - 1])
     return ((line, 1), "yaml", {}) if match else None
 
 

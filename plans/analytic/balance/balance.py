@@ -97,8 +97,7 @@ def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) ->
     apart = np.exp(1j * how.at) * math.tan(how.pressure) / how.radius if how.kind == GEAR else 0.0
     course = replace(course, machine=replace(course.machine, transmission=how._replace(pressure=0.0)))
     key = pair(FRAME, drive.link, drive.pivot).key
-    others = [weight for weight in partial if weight.link != drive.link]
-    bare = course.forces(others)
+    bare = course.forces([weight for weight in partial if weight.link != drive.link])
     without, asked = bare.reactions[key].force, bare.balancing.moment
     twisted = course.twisted().reactions[key].force
     turning, gravity = _turning(course), course.machine.gravity
@@ -179,8 +178,7 @@ def _lowest_of(start: Complexes, slope: Complexes) -> float:
     rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
     meetings = [root for row, other in combinations(rows, 2) for root in _roots(*(row - other)) if np.isfinite(root)]
     points = np.clip([0.0, 1.0, *_bottoms(start, slope), *meetings], 0.0, 1.0)
-    heights = np.abs(start[:, None] + slope[:, None] * points).max(axis=0)
-    return float(points[int(np.argmin(heights))])
+    return float(points[int(np.argmin(np.abs(start[:, None] + slope[:, None] * points).max(axis=0)))])
 
 
 def _bottoms(start: Complexes, slope: Complexes) -> Floats:

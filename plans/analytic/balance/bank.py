@@ -114,8 +114,7 @@ class ExactLinkage:
         return self._force(start + 2 * np.pi * np.arange(STEPS + 1) / STEPS)
 
     def _force(self, phi: Floats) -> Complexes:
-        motion = self.road.around(np.mod(phi, 2 * np.pi))
-        return mass_centre(self.mechanism, self.bodies, motion).force
+        return mass_centre(self.mechanism, self.bodies, self.road.around(np.mod(phi, 2 * np.pi))).force
 
 
 def slider_harmonic(unit: Unit, order: int) -> float:
@@ -127,8 +126,7 @@ def slider_harmonic(unit: Unit, order: int) -> float:
     if order % 2:
         return unit.crank if order == 1 else 0.0
     root = math.sqrt((unit.rod - unit.crank) * (unit.rod + unit.crank)) / unit.rod
-    p = (unit.ratio / (1 + root)) ** 2
-    return unit.rod * (1 + root) * _coefficient(order // 2, p)
+    return unit.rod * (1 + root) * _coefficient(order // 2, (unit.ratio / (1 + root)) ** 2)
 
 
 def _coefficient(m: int, p: float) -> float:
@@ -145,8 +143,7 @@ def _coefficient(m: int, p: float) -> float:
 def slider_acceleration(unit: Unit, cosine: Floats, sine: Floats) -> Floats:
     """Give the second derivative of the slider's distance by the crank angle, m."""
     ratio = unit.ratio
-    root = np.sqrt((1 - ratio * sine) * (1 + ratio * sine))
-    rod = (cosine**2 - sine**2 + ratio**2 * sine**4) / root**3
+    rod = (cosine**2 - sine**2 + ratio**2 * sine**4) / np.sqrt((1 - ratio * sine) * (1 + ratio * sine)) ** 3
     return np.asarray(-unit.crank * (cosine + ratio * rod))
 
 
@@ -237,8 +234,7 @@ def _single(mechanism: BankMechanism, order: int) -> Harmonic:
 
 def _summed(harmonic: Harmonic, members: Sequence[Member], weights: Sequence[float]) -> Harmonic:
     order, axes = harmonic.order, [direction(member.axis) for member in members]
-    phases = [direction(order * member.phase) for member in members]
-    rows = list(zip(weights, axes, phases, strict=True))
+    rows = list(zip(weights, axes, [direction(order * member.phase) for member in members], strict=True))
     ahead = [harmonic.ahead * (weight * axis * phase) for weight, axis, phase in rows]
     back = [harmonic.back * (weight * axis * phase.conjugate()) for weight, axis, phase in rows]
     sizes = [max(abs(a), abs(b)) for a, b in zip(ahead, back, strict=True)]

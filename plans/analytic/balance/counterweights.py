@@ -182,8 +182,7 @@ def sought(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> 
             links.add(carrier)
         if task.aim != FULL and (carrier is None or carrier == rod):
             left += _left(mechanism, group)
-    blanks = tuple(_blank(mechanism, groups, place) for place in task.places)
-    return Sought(blanks, frozenset(links), tuple(left))
+    return Sought(tuple(_blank(mechanism, groups, place) for place in task.places), frozenset(links), tuple(left))
 
 
 def _rod(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> int | None:
@@ -226,8 +225,7 @@ def _blank(mechanism: Mechanism, groups: Sequence[Assur], place: Site) -> Counte
     """Give a counterweight that has yet to be found, counted from the hinge of its link toward the frame."""
     begin = mechanism.drive.pivot
     if place.link != mechanism.drive.link:
-        ends = {pair.taker: pair.joint for group in groups for pair in group.outer_pairs}
-        joint = ends[place.link]
+        joint = {pair.taker: pair.joint for group in groups for pair in group.outer_pairs}[place.link]
         if not isinstance(joint, str):
             raise ValueError(place)  # a link that is guided and not hinged is refused before
         begin = joint

@@ -61,8 +61,7 @@ class Wave:
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
-        orders = np.arange(1, len(self.harmonics) + 1)
-        waves = self.harmonics / (1j * orders)
+        waves = self.harmonics / (1j * np.arange(1, len(self.harmonics) + 1))
         return self.mean * turned + _sum(waves, turned) - 2.0 * float(waves.real.sum())
 
 
@@ -240,8 +239,7 @@ def _acts(reduction: ExactReduction, run: StrokeRun, curve: TurnQuantity, law: L
         return np.ones(len(turned), dtype=bool)
     if law.directed:
         return np.asarray((curve.slope.at(turned) > 0.0) == (law.during == FORWARD))
-    working = run.working(reduction.start + reduction.sense * turned)
-    return np.asarray(working == (law.during == WORKING))
+    return np.asarray(run.working(reduction.start + reduction.sense * turned) == (law.during == WORKING))
 
 
 def _laws(machine: Machine, track: Track) -> Iterator[LoadLaw]:

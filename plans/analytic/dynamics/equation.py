@@ -47,8 +47,7 @@ class Equation:
     def moments(self, turned: float, omega: float) -> tuple[float, float, float, float]:
         """Give the moments N*m of the drive, the resistance, the brake and the weights, positive in the motion."""
         driving = self.motor.moment(omega) if self.motor else 0.0
-        inside = min(max(turned, self.piece[0]), self.piece[1])
-        resisting = self.link.resistance(inside) if self.loaded else 0.0
+        resisting = self.link.resistance(min(max(turned, self.piece[0]), self.piece[1])) if self.loaded else 0.0
         return driving, resisting, -self.brake, self.link.weight(turned)
 
     def epsilon(self, turned: float, omega: float) -> float:
@@ -169,8 +168,7 @@ class Solver:
         rows = np.array([found.t[at], found.y[0, at], equation.base + found.y[1, at], np.zeros(len(at))]).T
         rows[-1, :3] = end.t, *end.values[:2]
         rows[:, 3] = [equation.epsilon(*place) for place in rows[:, 1:3].tolist()]
-        turning = np.array([equation.place(state)[1] for state in found.y_events[0]])
-        return Leg(rows, turning, end, reason)
+        return Leg(rows, np.array([equation.place(state)[1] for state in found.y_events[0]]), end, reason)
 
     def _kept(self, t: Floats) -> npt.NDArray[np.intp]:
         """Choose the steps that become rows, the first and the last among them: no more than a drawing needs."""

@@ -182,8 +182,7 @@ class Pieced:
     @property
     def slope(self) -> Pieced:
         """Its derivative by the angle turned."""
-        wide = np.diff(self.edges)[:, None]
-        fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / wide
+        fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / np.diff(self.edges)[:, None]
         return Pieced(self.edges, fitted, self.coefficients, self.error, self.settled)
 
     @cached_property

@@ -107,8 +107,7 @@ class _GrowingRun:
         """The run with all its stages."""
         if self._runs_up() and self._goes_on() and self.task.brake is not None:
             self._runs_down(self.task.brake)
-        rows = np.concatenate([leg.rows for leg in self.legs] or [np.zeros((1, 4))])
-        t, turned, omega, epsilon = rows.T
+        t, turned, omega, epsilon = np.concatenate([leg.rows for leg in self.legs] or [np.zeros((1, 4))]).T
         stages = tuple(self.stages)
         return MachineRun(ANALYSIS, t, turned, omega, epsilon, stages, self.steady, self._method, self.failure)
 

@@ -203,9 +203,7 @@ class LineTable(Table):
 
     def place(self, points: Mapping[str, Place]) -> Place | None:
         """Give the point of the line, by the places of its link's points."""
-        if isinstance(self.through, tuple):
-            return self.through
-        return points.get(self.through or next(iter(points)))
+        return self.through if isinstance(self.through, tuple) else points.get(self.through or next(iter(points)))
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
@@ -228,10 +226,9 @@ class StrokeTable(Table):
     between: tuple[str, ...] | None = key(
         LINE,
         None,
-        meaning=(
-            'A cylinder that drives, by the points that it acts between, "EF": of two links, or a fixed one and one '
-            "of a link; the stroke is told by their distance. Default: a link that slides on the frame is pushed along."
-        ),
+        meaning='A cylinder that drives, by the points that it acts between, "EF": of two links, or a fixed one and '
+        "one of a link; the stroke is told by their distance. Default: a link that slides on the frame is pushed "
+        "along.",
     )
     from_: Decimal = key(
         f.COORDINATE,
@@ -251,10 +248,8 @@ class StrokeTable(Table):
     speeds: tuple[Decimal, ...] = key(
         many(SPEEDS, first=f.FEW),
         (),
-        meaning=(
-            "In place of a speed its law over the stroke (закон движения): speeds at places, straight lines between "
-            "them; the acceleration follows. 0 at an end is rest, with one acceleration from it or to it."
-        ),
+        meaning="In place of a speed its law over the stroke (закон движения): speeds at places, straight lines "
+        "between them; the acceleration follows. 0 at an end is rest, with one acceleration from it or to it.",
     )
     places: tuple[Decimal, ...] = key(
         many(f.COORDINATE, first=f.FEW),
