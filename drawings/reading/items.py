@@ -206,9 +206,7 @@ class SheetFigures:
         """Give the scale at which an item is drawn: its own mark's, or the first that is stated in its figure."""
         group = self.named.get(self.of(item))
         marks = [item.home.mark, *(part.data for part in groups((group,) if group is not None else ()))]
-        return next(
-            (found for data in marks if (found := _scale(data.get("scale"), data.get("unit"))) is not None), None
-        )
+        return next(filter(None, (_scale(data.get("scale"), data.get("unit")) for data in marks)), None)
 
     def called(self, name: str) -> Message:
         """Name a figure for a message: by its heading, or by what it is."""

@@ -142,9 +142,8 @@ def telling(sheet: str) -> str:
     if "\\" in sheet or "@import" in sheet.lower():
         return "\\" if "\\" in sheet else "@import"
     words = sheet.lower().replace("{", ";").replace("/", ";").replace("*", ";").split(";")
-    return next(
-        (name for name in (word.partition(":")[0].strip(SPACE) for word in words) if name in _MOVING | _FOLLOWED), ""
-    )
+    names = (word.partition(":")[0].strip(SPACE) for word in words)
+    return next((name for name in names if name in _MOVING | _FOLLOWED), "")
 
 
 def _goes(tag: str, properties: Mapping[str, str]) -> Message | None:
@@ -241,15 +240,11 @@ def _why(look: Look, style: LineStyle) -> str:
 
 
 def _clear(look: Look, fill: str) -> bool:
-    black = "#" + "".join(f"{max(part - round(255 * _left(look)), 0):02x}" for part in _parts(fill))
-    return _contrast(_parts(fill), _parts(black)) >= CONTRAST
-
-
-def _left(look: Look) -> float:
-    """Give the share of what is under a filling that shows through it."""
     paint = look.fill.lower()
     alpha = _alpha(paint) if _HEX.fullmatch(paint) else 1.0
-    return 1 - alpha * share(look.fill_opacity) * look.shade
+    left = 1 - alpha * share(look.fill_opacity) * look.shade  # of what is under a filling, which shows through it
+    black = "#" + "".join(f"{max(part - round(255 * left), 0):02x}" for part in _parts(fill))
+    return _contrast(_parts(fill), _parts(black)) >= CONTRAST
 
 
 @lru_cache(maxsize=256)

@@ -85,9 +85,8 @@ def _rate(road: Analysis, motion: Motion, first: Floats, pair: Pair) -> Floats:
     k, poses = road.mechanism.slides.index(pair.joint), road.poses(motion)
     feet = constraints.size * constraints.points[:, constraints.hinges + k]
     links = pair.joint.slider, pair.joint.owner
-    slider, owner = (
-        speed(constraints, poses, rates, link, complex(foot)) for link, foot in zip(links, feet, strict=True)
-    )
+    spots = zip(links, feet, strict=True)
+    slider, owner = (speed(constraints, poses, rates, link, complex(foot)) for link, foot in spots)
     # Both feet lie on the common line: that it turns moves neither along it.
     slip = (constraints.place(poses).ways[:, 1, k].conj() * (slider - owner)).real
     return slip if pair.taker == pair.joint.slider else -slip

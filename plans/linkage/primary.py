@@ -241,7 +241,7 @@ class Slider(Primary):
         board, way = plan.board, slide.way(FRAME)
         along, link = leads.direction(plan, slide, FRAME), mechanism.drive.link
         start = plan.place(FRAME, way.through, f"K{link}")
-        left = leads.offset(plan, slide, link, slide.point).left
+        left = leads.offset(plan, slide, link, slide.point)
         if left:
             step = board.turn(f"h{link}", along, 1j * left, because("offset"))
             start = board.lay_off(f"K{link}'", start, step, because("line_offset"))

@@ -72,10 +72,8 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
     path = refusal.path
     if refusal.kind == "missing":
         missing, why = _missing(path, tables), refusal.details.get("why")
-        details = {"thing": missing.thing, "example": missing.example}
-        return (
-            source.fault(path, "missing_for", why=why, **details) if why else source.fault(path, "missing", **details)
-        )
+        details = {"thing": missing.thing, "example": missing.example, **({"why": why} if why else {})}
+        return source.fault(path, "missing_for" if why else "missing", **details)
     if refusal.kind == "unknown_key":
         return _unknown_key(path, source, tables)
     if refusal.kind in ("not_a_list", "not_a_table"):
@@ -141,16 +139,11 @@ def table_name(pattern: Path) -> str | Message:
 
 def doubts_of(faults: list[Fault]) -> frozenset[Path]:
     """Give the paths of which nothing more should be said: those at fault, and those a misspelt key was meant for."""
-    return frozenset(path for fault in faults for path in (fault.path, _meant(fault), *_lacked(fault)) if path)
+    return frozenset(path for fault in faults for path in (fault.path, _meant(fault), *_meant(fault, "lacks")) if path)
 
 
-def _lacked(fault: Fault) -> tuple[Path, ...]:
-    lacks = fault.details.get("lacks", ())
-    return lacks if isinstance(lacks, tuple) else ()
-
-
-def _meant(fault: Fault) -> Path:
-    meant = fault.details.get("meant")
+def _meant(fault: Fault, detail: str = "meant") -> tuple[Any, ...]:
+    meant = fault.details.get(detail)
     return meant if isinstance(meant, tuple) else ()
 
 

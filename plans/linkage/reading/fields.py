@@ -14,7 +14,7 @@ from plans.model.mechanism import FRAME
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import Wrong, wrong
-from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, sample, whole
+from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, no_repeats, sample, whole
 from plans.scene.forms import Form
 from plans.scene.readers import Check, either, many, one
 from plans.scene.tables import Missing, Table, key
@@ -58,10 +58,7 @@ def check_letters(value: object) -> tuple[str, ...]:
             raise wrong("letters")
     else:
         raise wrong("wrong_type", wanted="letters of points", found=type_name(value), example=sample("OA"))
-    for name in names:
-        if names.count(name) > 1:
-            raise wrong("repeated", entry=name)
-    return names
+    return no_repeats(names)
 
 
 def check_line(value: object) -> tuple[str, ...]:
@@ -81,11 +78,9 @@ def check_pair_name(value: object) -> str:
     """Read the name of a pair of links, the lower number first: 0-1."""
     found = LINKS_OF_PAIR.fullmatch(value) if isinstance(value, str) else None
     low, high = sorted((int(found[1]), int(found[2]))) if found else (0, 0)
-    if low == high:
-        raise wrong("pair_name", example="0-1")
-    if value != f"{low}-{high}":
-        raise wrong("pair_name", example=f"{low}-{high}")
-    return value
+    if low == high or value != f"{low}-{high}":
+        raise wrong("pair_name", example="0-1" if low == high else f"{low}-{high}")
+    return f"{low}-{high}"
 
 
 def moving_link(value: object) -> int:

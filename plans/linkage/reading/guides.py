@@ -140,12 +140,7 @@ def as_complex(spot: Spot) -> complex:
 
 
 # Directions of whole right angles have exact unit numbers.
-RIGHT_ANGLES: Mapping[Decimal, complex] = {
-    Decimal(0): 1 + 0j,
-    Decimal(90): 1j,
-    Decimal(180): -1 + 0j,
-    Decimal(270): -1j,
-}
+RIGHT_ANGLES = {Decimal(0): 1 + 0j, Decimal(90): 1j, Decimal(180): -1 + 0j, Decimal(270): -1j}
 
 
 def direction(angle: Decimal) -> complex:
