@@ -215,9 +215,8 @@ def _rounded(leaf: Leaf, there: Leaf) -> Leaf:
 def same(leaf: Leaf, there: Leaf) -> bool:
     """Tell whether two leaves have the same groups, and in them the same strokes, one by one in their order."""
     even = _even(leaf)
-    return len(leaf.groups) == len(there.groups) and all(
-        _same(group, other, even) for group, other in zip(leaf.groups, there.groups, strict=True)
-    )
+    pairs = zip(leaf.groups, there.groups, strict=False)
+    return len(leaf.groups) == len(there.groups) and all(_same(group, other, even) for group, other in pairs)
 
 
 def _even(leaf: Leaf) -> float:

@@ -177,9 +177,8 @@ def readings(measured: Measured, leaf: Leaf) -> Seen:
     for kind, mark in ((kind, mark) for kind, group in marks for mark in group):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
     for curve in measured.profiles:
-        found.setdefault((Kind.CURVE, curve.plan, curve.name, None), []).append(
-            Read(np.array(curve.places), curve.scale)
-        )
+        known = found.setdefault((Kind.CURVE, curve.plan, curve.name, None), [])
+        known.append(Read(np.array(curve.places), curve.scale))
     places = frames(leaf)
     for group in stated(leaf.groups):
         said = group.states

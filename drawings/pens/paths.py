@@ -164,9 +164,8 @@ def _quarters(x: float, y: float, across: float, up: float, start: float, end: f
 
 
 def _shifted(curve: LetterStroke, way: complex) -> LetterStroke:
-    return LetterStroke(
-        curve.start + way, tuple(tuple(point + way for point in piece) for piece in curve.pieces), curve.closed
-    )
+    pieces = tuple(tuple(point + way for point in piece) for piece in curve.pieces)
+    return LetterStroke(curve.start + way, pieces, curve.closed)
 
 
 HUNDREDTH = 100  # of a millimetre: a tenth of what a thin line is wide

@@ -260,9 +260,8 @@ def _one(stroke: Stroke, leaf: Leaf) -> Any:
     height = leaf.height
     match stroke:
         case Line(start, end, style):
-            return _element(
-                shapes.Line, _at(("x1", "y1"), start, height) | _at(("x2", "y2"), end, height) | _style(style)
-            )
+            ends = _at(("x1", "y1"), start, height) | _at(("x2", "y2"), end, height)
+            return _element(shapes.Line, ends | _style(style))
         case Circle(centre, radius, style):
             return _element(shapes.Circle, _at(("cx", "cy"), centre, height) | {"r": number(radius)} | _style(style))
         case Polyline() | Arc() | Fill():

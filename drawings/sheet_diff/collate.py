@@ -67,9 +67,8 @@ class Pairing:
 
     def _stretched(self) -> Iterator[Edit]:
         """Tell lines of a figure that were stretched or mirrored as one, in whatever width."""
-        ours, theirs = (
-            _by(self.figures.of, [item for item in left if isinstance(item.stroke, Line)]) for left in self._left
-        )
+        lines = ([item for item in left if isinstance(item.stroke, Line)] for left in self._left)
+        ours, theirs = (_by(self.figures.of, left) for left in lines)
         for name, group in ours.items():
             others = theirs.get(name, [])
             shift = stretch_of(group, others, self.rounding)
@@ -330,9 +329,8 @@ def _laid_back(right: Leaf, there: Leaf) -> tuple[Affine, tuple[Message, ...]]:
     if all(abs(a - b) <= QUANTUM for a, b in zip(stated, found, strict=True)):
         return STAY, ()
     by = placing(stated, found)
-    moved = message(
-        "edit.all", by=f"{max(abs(a - b) for a, b in zip(stated, found, strict=True)):.4g}", scale=f"{abs(by.p):.6g}"
-    )
+    farthest = max(abs(a - b) for a, b in zip(stated, found, strict=True))
+    moved = message("edit.all", by=f"{farthest:.4g}", scale=f"{abs(by.p):.6g}")
     return Affine(1 / by.p, 0j, -by.t / by.p), (moved,)
 
 

@@ -50,9 +50,8 @@ def unseen(item: Item, reason: str, figures: SheetFigures, under: Sequence[Item]
         parts = {"count": len(under), "first": _thing(under[0], figures)}
         return lone("patch", item, figures, **parts)._replace(strokes=len(under))
     if reason == UNREAD:
-        return _edit(
-            UNREAD, item, figures, None, message("edit.unread", name=f"{item.home.figure} {item.name}".strip())
-        )
+        said = message("edit.unread", name=f"{item.home.figure} {item.name}".strip())
+        return _edit(UNREAD, item, figures, None, said)
     return lone("unseen", item, figures, reason=reason)
 
 

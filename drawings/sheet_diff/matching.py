@@ -98,9 +98,8 @@ def alike(right: Ink, there: Ink) -> bool:
 
 def alike_in_style(right: LineStyle, there: LineStyle) -> bool:
     """Tell whether two lines are drawn in one pen: width, dashes, colour, filling, ends."""
-    dashes = len(right.dash) == len(there.dash) and all(
-        abs(a - b) <= WIDTH for a, b in zip(right.dash, there.dash, strict=True)
-    )
+    pairs = zip(right.dash, there.dash, strict=False)
+    dashes = len(right.dash) == len(there.dash) and all(abs(a - b) <= WIDTH for a, b in pairs)
     return dashes and abs(right.width - there.width) <= WIDTH and right[2:] == there[2:]
 
 
@@ -213,7 +212,5 @@ def looks_alike(right: Sequence[Item], there: Sequence[Item], scale: float) -> b
 
 def _wider(stroke: Ink, scale: float) -> Ink:
     """Give a stroke with its line so many times as wide, and its dashes so many times as long."""
-    style = stroke.style._replace(
-        width=stroke.style.width * scale, dash=tuple(dash * scale for dash in stroke.style.dash)
-    )
-    return stroke._replace(style=style)
+    width, dash = stroke.style.width * scale, tuple(dash * scale for dash in stroke.style.dash)
+    return stroke._replace(style=stroke.style._replace(width=width, dash=dash))

@@ -131,9 +131,8 @@ class Constraints(NamedTuple):
         full = np.empty((count, self.pattern.size))
         full[:] = self.pattern.ravel()
         # A vector that turns by a small angle moves by so much of itself, square to itself.
-        full[:, self.changing] = np.concatenate(
-            (-hinged.imag, hinged.real, -way.imag, way.real, way.imag, -way.real, *levers), axis=1
-        )
+        columns = (-hinged.imag, hinged.real, -way.imag, way.real, way.imag, -way.real, *levers)
+        full[:, self.changing] = np.concatenate(columns, axis=1)
         shaped = full.reshape(count, *self.pattern.shape)
         if self.driven:
             shaped[:, -1] = self.drive.row(at, self.pattern.shape[1])

@@ -206,9 +206,8 @@ def _crossed(
     """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
     plan = positions(mechanism, groups, sides, turn)
     turned = [crossing(mark) for mark in margins(plan, groups, sides)[1]]
-    return tuple(
-        side if sine is None else float(np.sign(sine.flat[0])) for side, sine in zip(sides, turned, strict=True)
-    )
+    pairs = zip(sides, turned, strict=True)
+    return tuple(side if sine is None else float(np.sign(sine.flat[0])) for side, sine in pairs)
 
 
 def _out_of_reach(

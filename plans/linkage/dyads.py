@@ -44,9 +44,8 @@ class RRR(Hinged):
     def velocities(self, plan: Plan, dyad: Dyad) -> None:
         """Meet the velocity of B about A, square to AB, with that about C, square to CB (M3.2)."""
         a, c = leads.outer_hinges(plan, dyad)
-        b = leads.meet_directions(
-            plan, dyad.pin, leads.about(plan, dyad.links[0], a), leads.about(plan, dyad.links[1], c)
-        )
+        lines = leads.about(plan, dyad.links[0], a), leads.about(plan, dyad.links[1], c)
+        b = leads.meet_directions(plan, dyad.pin, *lines)
         leads.keep_turning(plan, dyad.links[0], a, a, b)
         leads.keep_turning(plan, dyad.links[1], c, c, b)
 
@@ -57,9 +56,8 @@ class RRR(Hinged):
             leads.normal(plan, link, start, (dyad.hinge(end), dyad.pin))
             for end, (link, start) in enumerate(zip(dyad.links, starts, strict=True))
         ]
-        b = leads.meet_directions(
-            plan, dyad.pin, leads.about(plan, dyad.links[0], ends[0]), leads.about(plan, dyad.links[1], ends[1])
-        )
+        lines = leads.about(plan, dyad.links[0], ends[0]), leads.about(plan, dyad.links[1], ends[1])
+        b = leads.meet_directions(plan, dyad.pin, *lines)
         for link, start, end in zip(dyad.links, starts, ends, strict=True):
             leads.keep_turning(plan, link, start, end, b)
 

@@ -205,9 +205,8 @@ class _PlanParts(NamedTuple):
                 span = Span(plan.pole, plan.place(link, place, plan.letter(name)))
                 origin, first = next(iter(self.study.mechanism.links[link].points.items()))
                 turned = (place - first) * np.exp(1j * self._rate(link, 0))
-                yield VectorPart(
-                    order, f"{order.point.symbol}_{name}", span, self._over(link, origin, turned, order.number)
-                )
+                found = self._over(link, origin, turned, order.number)
+                yield VectorPart(order, f"{order.point.symbol}_{name}", span, found)
 
     def _of(self, vector: Vector) -> Iterator[VectorPart]:
         match vector:
@@ -245,9 +244,8 @@ class _PlanParts(NamedTuple):
         speed = 1j * self._rate(link, 1) * arm
         yield VectorPart(VELOCITIES, f"v_{over}", Span(speeds.point(pivot), speeds.board[under]), speed)
         if not self._still(pivot):
-            yield VectorPart(
-                VELOCITIES, f"v_{letter}", Span(speeds.pole, speeds.board[under]), self._carried(link, pin, 1)
-            )
+            span = Span(speeds.pole, speeds.board[under])
+            yield VectorPart(VELOCITIES, f"v_{letter}", span, self._carried(link, pin, 1))
         whole = Span(plan.pole, plan.board[under])
         yield VectorPart(ACCELERATIONS, f"a_{letter}", whole, self._carried(link, pin, 2))
         normal = plan.board[plan.written.normal(under.upper())]
@@ -272,9 +270,8 @@ class _PlanParts(NamedTuple):
         end = plan.board[plan.written.under(vector.pin, vector.host)] if vector.held else plan.point(vector.pin)
         direction = plan.positions.units[vector.pair]
         assert direction is not None  # every guide has a direction on the plan of positions
-        line = next(
-            locus for locus in end.step.inputs if locus.step.op == "parallel" and carried_from(locus, direction)
-        )
+        parallels = (locus for locus in end.step.inputs if locus.step.op == "parallel")
+        line = next(locus for locus in parallels if carried_from(locus, direction))
         start = line.step.inputs[0]
         drawn = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
         return Span(start, end), Span(start.step.inputs[0], start) if drawn else None

@@ -210,9 +210,8 @@ class Plan:
             link: image._replace(origin=made[image.origin], arm=image.arm and made[image.arm])
             for link, image in self.images.items()
         }
-        other.readings = {
-            link: Reading(made[reading.arm], made[reading.turning]) for link, reading in self.readings.items()
-        }
+        readings = self.readings.items()
+        other.readings = {link: Reading(made[reading.arm], made[reading.turning]) for link, reading in readings}
         return other
 
     def letter(self, point: str) -> str:
@@ -269,9 +268,8 @@ class Plan:
         if image.arm is None or base.arm is None or point is base.origin:
             return image.origin
         reach = self.positions.board.join(f"{base.origin.name}{point.name}", base.origin, point)
-        carried = self.board.similar(
-            f"{image.origin.name}{name}", image.arm, base.arm, reach, why=because("turns", link=link)
-        )
+        why = because("turns", link=link)
+        carried = self.board.similar(f"{image.origin.name}{name}", image.arm, base.arm, reach, why=why)
         return self.board.lay_off(name, image.origin, carried, because("under", link=link, point=point.name))
 
     def carry(self, mark: Mark) -> Mark:

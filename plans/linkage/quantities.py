@@ -176,9 +176,8 @@ def _points(
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Quantity]:
     letters = ORDERS[order]
     pairs = {n: (drawn.links[n][order], solved.links[n][order]) for n in drawn.links}
-    largest = (
-        np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
-    )
+    most = largest_of([np.abs(ours) for ours, _ in pairs.values()])
+    largest = np.pi if order == 0 else max(most, _slowest(drawn, order))
     for number, (ours, theirs) in pairs.items():
         allowed = with_analysis(_turn_bound(drafts, order, number), order, kappa, largest)
         named, read = (letters.plan, f"{letters.link.symbol}_{number}", letters.link.unit), drafts.plan(order).readings

@@ -74,9 +74,8 @@ class RedrawnPlans:
         """Read all named points and moving links off the plans."""
         links = plans[0].mechanism.links
         letters = sorted({point for link in links.values() for point in link.points})
-        points = {
-            letter: PointMotion(_row(plan.point(letter).point, len(turn)) for plan in plans) for letter in letters
-        }
+        count = len(turn)
+        points = {letter: PointMotion(_row(plan.point(letter).point, count) for plan in plans) for letter in letters}
         moving = [link for link, image in sorted(plans[0].images.items()) if image.arm]
         turned = {
             link: LinkMotion(

@@ -68,9 +68,8 @@ def choice(
         raise wrong("wrong_type", wanted="text", found=type_name(value), example=sample(meant or choices[0]))
     if value not in choices:
         advice = message("advice.write", name=meant or choices[0])
-        raise wrong(
-            kind, choices=", ".join(choices), suggestion=advice if meant else suggestion(value, choices, advice)
-        )
+        advice = advice if meant else suggestion(value, choices, advice)
+        raise wrong(kind, choices=", ".join(choices), suggestion=advice)
     return value
 
 
@@ -139,9 +138,8 @@ def words(*choices: str, kind: str = "choice", likely: Callable[[object], str] |
 
 def pair(entry: FieldReader, what: str = "[x, y]") -> FieldReader:
     """Read a list of two."""
-    return many(entry, first=Check(partial(check_pair, what=what), least=2, most=2))._replace(
-        shown=f"{what} {entry.shown}"
-    )
+    two = Check(partial(check_pair, what=what), least=2, most=2)
+    return many(entry, first=two)._replace(shown=f"{what} {entry.shown}")
 
 
 FEW = Check(partial(few, limit=ENTRIES_LIMIT, name="ENTRIES_LIMIT"))

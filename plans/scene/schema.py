@@ -26,9 +26,8 @@ def _required(kinds: Kinds) -> list[str]:
 
 def _on_demand(technique: Technique, required: list[str]) -> Form:
     """Say which tables the sheets of a technique need, and its keys of shared tables."""
-    sheets = [
-        {"properties": {"sheets": {"contains": {"const": sheet}}}, "required": ["sheets"]} for sheet in technique.sheets
-    ]
+    asked = ({"sheets": {"contains": {"const": sheet}}} for sheet in technique.sheets)
+    sheets = [{"properties": properties, "required": ["sheets"]} for properties in asked]
     keys = [_with_key(table, name) for table, names in technique.shares.items() for name in names]
     return {"if": {"anyOf": sheets + keys}, "then": {"required": required}}
 

@@ -84,10 +84,8 @@ class Formal:
 
     def _pinned(self, first: int, second: int, point: str) -> Complexes:
         """Give how far the origin of a hinge's first link is from that of its second."""
-        links = self.mechanism.links
-        return np.asarray(
-            self.along(second, links[second].points[point]) - self.along(first, links[first].points[point])
-        )
+        ours, theirs = (self.along(link, self.mechanism.links[link].points[point]) for link in (first, second))
+        return np.asarray(theirs - ours)
 
     def _slid(self, slide: Slide) -> Complexes:
         """Give how far the origin of a slider is from that of its owner: along the line by what it slides."""
@@ -334,9 +332,8 @@ class Summed:
         carried = tuple(carrying(weight, moments.get(weight.link, 0j)) for weight in known.counterweights)
         left = dict(zip(self.left, values[count:], strict=False))
         off = slack.tolist()
-        return FoundWeights(
-            carried, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
-        )
+        slack, loose = dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
+        return FoundWeights(carried, left, slack, loose)
 
 
 def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:
