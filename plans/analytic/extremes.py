@@ -99,11 +99,8 @@ Coordinate: TypeAlias = OutputCoordinate | PartedCoordinate
 def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output) -> Coordinate:
     """Give the coordinate of an output."""
     if output.parting is not None:
-        spots = (
-            _spot(mechanism, constraints, name)
-            for name in (output.point or "", output.parting.other, *output.parting.line)
-        )
-        here, other, start, end = spots
+        names = output.point or "", output.parting.other, *output.parting.line
+        here, other, start, end = (_spot(mechanism, constraints, name) for name in names)
         return PartedCoordinate((here, other, start, end), constraints.size)
     guides = [s for s in mechanism.slides if {s.slider, s.owner} == {FRAME, output.link}]
     guide = guides[0] if guides else None

@@ -100,12 +100,8 @@ class VectorSums(NamedTuple):
     def _slot(self, dyad: Dyad) -> VectorSum:
         """Tell the slotted link's point under the pin from the pin itself, along the slot."""
         pin, link = dyad.hinge(0), dyad.links[1]
-        whole = self.carried(link, self._place(pin))
-        images = (
-            self.letters.small(pin),
-            self.letters.coriolis(pin, link, key(dyad.slide())),
-            self.letters.under(pin, link),
-        )
+        whole, written = self.carried(link, self._place(pin)), self.letters
+        images = written.small(pin), written.coriolis(pin, link, key(dyad.slide())), written.under(pin, link)
         return self._slid((under(pin, link), pin), (link, dyad.slide().label), (self.rates(pin), whole), images)
 
     def _owner(self, dyad: Dyad) -> VectorSum:

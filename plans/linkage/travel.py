@@ -200,8 +200,8 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     reached = float(reach[first]), float(reach[second])
     found = Extremes(begun, reached, travel.sliding, _cleared(max(more, 0.0)), back and more >= EQUAL)
     by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
-    directions = complex(exact.directions[first]), complex(exact.directions[second])
-    return ExtremePositions(found, directions, by_notch, tuple(places))
+    ends = complex(exact.directions[first]), complex(exact.directions[second])
+    return ExtremePositions(found, ends, by_notch, tuple(places))
 
 
 def _resting(sweep: Sweep) -> Sweep:

@@ -50,9 +50,8 @@ def harmonics(vector: Callable[[Floats], Complexes], orders: Iterable[int], scal
     samples = vector(even(FEWEST))
     before, now = np.fft.fft(samples) / FEWEST, _finer(vector, samples)
     while not _settled(before, now, ordered, scale) and len(now[0]) < MOST:
-        before, now = np.fft.fft(now[0]) / len(now[0]), _finer(vector, now[0])
-    samples = now[0]
-    row = np.fft.fft(samples) / len(samples)
+        before, now = now[1], _finer(vector, now[0])
+    samples, row = now
     slack = ROUNDING * EPS * max(float(np.abs(samples).max()), scale)
     return {n: _harmonic(n, row, before, slack) for n in ordered}
 

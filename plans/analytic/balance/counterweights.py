@@ -332,8 +332,8 @@ class Summed:
         carried = tuple(carrying(weight, moments.get(weight.link, 0j)) for weight in known.counterweights)
         left = dict(zip(self.left, values[count:], strict=False))
         off = slack.tolist()
-        slack, loose = dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
-        return FoundWeights(carried, left, slack, loose)
+        slacks, loose = dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
+        return FoundWeights(carried, left, slacks, loose)
 
 
 def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:

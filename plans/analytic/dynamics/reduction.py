@@ -226,7 +226,8 @@ def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
         ordinates, sizes = sample(at.ravel())
         fitted, size = ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None]
         largest = np.fmax(largest, size)  # NaN at gaps
-        tails = _share(np.abs(fitted[:, :, -TAIL:]).max(axis=2), largest).max(axis=0)
+        whole = np.where(largest == 0.0, 1.0, largest)  # of nothing at all there is no share
+        tails = (np.abs(fitted[:, :, -TAIL:]).max(axis=2) / whole).max(axis=0)
         tails = np.where(np.isfinite(tails), tails, np.inf)
         rounding = (tails <= noise) & (tails >= before / 2.0)  # of a smooth quantity halving leaves far less than half
         done = rounding | (tails <= ROUNDINGS * EPS)
@@ -237,11 +238,6 @@ def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
         more = ~(done | lost)
         low, high, before = *_halves(low[more], high[more]), np.tile(tails[more], 2)
     return _joined(kept, error, settled)
-
-
-def _share(part: Floats, whole: Floats) -> Floats:
-    """Divide by the largest; of nothing at all there is no share."""
-    return np.asarray(part / np.where(whole == 0.0, 1.0, whole))
 
 
 def _halves(low: Floats, high: Floats) -> tuple[Floats, Floats]:

@@ -63,8 +63,7 @@ def check_joining(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> None:
         return  # a faulty slide may be the very connection that is missing
     if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
         return
-    waiting = _islands(survey, slides)
-    if waiting:
+    if waiting := _islands(survey, slides):
         links = message("place.links", count=len(waiting), links=", ".join(map(str, sorted(waiting))))
         survey.report(_link(min(waiting)), "island", links=links)
     if survey.faults or survey.doubts:
@@ -143,9 +142,8 @@ def _build(survey: LinkageSurvey) -> Mechanism | None:
     output = _output(survey, slides)
     if survey.faults or not ends:
         return None
-    links = {
-        number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
-    }
+    points = {link: {name: as_complex(spot) for name, spot in shape.items()} for link, shape in shapes.items()}
+    links = {number: Link(number, places) for number, places in points.items()}
     drive = drive_of(survey, ends, links, sketch)
     if drive is None:
         return None
@@ -187,8 +185,7 @@ def _check_points(survey: LinkageSurvey) -> None:
             survey.report(path, "second_by_place", name=name, link=placed.on, line=line)
     for pair, key in survey.lengths.items():
         _check_length(survey, pair, ("mechanism", "lengths", key))
-    apart = spread(form.lengths)
-    if apart and apart.ratio > RATIO_LIMIT:
+    if (apart := spread(form.lengths)) and apart.ratio > RATIO_LIMIT:
         details = {"name": apart.longest, "other": apart.shortest, "ratio": f"{apart.ratio:.3g}"}
         survey.report(("mechanism", "lengths", apart.longest), "ratio", most=f"{RATIO_LIMIT:.0e}", **details)
 
