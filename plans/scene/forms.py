@@ -175,11 +175,8 @@ def needing(table: str, data: Mapping[str, Any]) -> Path:
     """Find the key of a file that needs a table which it lacks: a sheet first, else a table or a key."""
     owner = next((name for name, technique in techniques().items() if table in technique.tables), "")
     others = [technique for name, technique in techniques().items() if owner in resting([name])]
-    return min((part for technique in others for part in _parts(technique, data)), key=_rank, default=())
-
-
-def _rank(path: Path) -> int:
-    return 0 if path == ("sheets",) else len(path)
+    parts = (part for technique in others for part in _parts(technique, data))
+    return min(parts, key=lambda path: 0 if path == ("sheets",) else len(path), default=())
 
 
 def _parts(technique: Technique, data: Mapping[str, Any]) -> Iterator[Path]:

@@ -35,15 +35,11 @@ def odd_lengths(
 
 def notes_of(scene: Scene, asked: Iterable[str] = ()) -> list[Fault]:
     """Give the notes on a scene, in the order of its file; some techniques are asked for whatever its sheets are."""
-    found = [*_mark(scene), *_unused(scene, asked), *_undesignated(scene)]
+    mark = [scene.fault((), "byte_order_mark")] if scene.marked else []
+    found = [*mark, *_unused(scene, asked), *_undesignated(scene)]
     for technique in scene.techniques:
         found += techniques()[technique].notes(scene)
     return sorted(found, key=lambda note: (note.line, note.column))
-
-
-def _mark(scene: Scene) -> Iterator[Fault]:
-    if scene.marked:
-        yield scene.fault((), "byte_order_mark")
 
 
 def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:

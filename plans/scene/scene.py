@@ -212,13 +212,10 @@ def _refused(error: Refused, source: Source) -> SceneError:
 def _read(source: Source, data: Mapping[str, Any]) -> Scene:
     """Read the keys of a file as the scene's own and those of the techniques that it has a part in."""
     asked = techniques_of(data)
-    empty = [] if asked else [Refusal((), "no_table", {"tables": _all_tables()}, data)]
+    tables = ", ".join(f"[{name}]" for technique in techniques().values() for name in technique.tables)
+    empty = [] if asked else [Refusal((), "no_table", {"tables": tables}, data)]
     scene, *forms = read_parts(kinds_of(asked), data, *empty).values()
     assert isinstance(scene, Scene)
     vars(scene).update(_source=source, techniques=asked, _forms={type(form): form for form in forms})
     vars(scene).update({} if scene.sheets else {"sheets": first_sheet(data)})
     return scene
-
-
-def _all_tables() -> str:
-    return ", ".join(f"[{name}]" for technique in techniques().values() for name in technique.tables)
