@@ -12,7 +12,6 @@ from drawings.checks import verify
 from drawings.checks.differences import plain
 from drawings.checks.expected import Expected, Wrong, subject
 from drawings.checks.hold import stated_keys
-from drawings.checks.verify import agree
 from drawings.files.sheet_set import flaws, placed_sheets, stem_of
 from drawings.lettering.lettering import lettered
 from drawings.paper.limits import QUANTUM, OverLimit, SheetRefused
@@ -71,7 +70,8 @@ class Originals:
         """All sheets, laid out as they are drawn: the two roads agree."""
         self.study.construct()
         for comparison in self.study.comparisons:
-            agree(comparison)
+            if failed := verify.disagreement(comparison):
+                raise failed
         scene = self.study.scene
         placed = placed_sheets(Path(), stem_of(scene), leaves_of(self.study))
         return tuple(Original(path.name, kind, lettered(leaf, scene.sheet.lettering)) for path, (kind, leaf) in placed)

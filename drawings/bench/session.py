@@ -80,7 +80,10 @@ class Session:
             self._sheets(count)
         if self.order.startup:
             self.tell("start-up")
-            self._startup()
+            draw, imports, nothing = sheet.startup(Path(self.scene.file), min(self.order.rounds, STARTS))
+            goal = Goal(2.0, least=False)
+            self.ratios.append(Ratio(STARTED.format("import numpy, svgwrite"), None, draw, imports, goal))
+            self.ratios.append(Ratio(STARTED.format("python alone"), None, draw, nothing))
 
     def _study(self, count: int | None) -> Study:
         study = Study(with_positions(self.scene, count) if count else self.scene)
@@ -119,7 +122,6 @@ class Session:
         self.ratios += _ratios(self.rows[before:], technique)
 
     def _timed(self, ways: Sequence[Timing]) -> None:
-        """Time some roads but for those that will take too long."""
         long = [(way, self._expected(name, way.positions)) for way in ways for name in [*way.judged][:1]]
         for way, seconds in long:
             self._left_out(way.judged if seconds > PATIENCE else (), way.positions, _too_long(seconds))
@@ -163,12 +165,6 @@ class Session:
         self.rows += sheet.by_hand(drawn)
         largest = max((leaf for _, leaf, _ in drawn.sheets), key=lambda leaf: len(leaf.groups))
         self.ratios.append(Ratio(PENS, count, *sheet.pens(largest, self.order.rounds), PENS_GOAL))
-
-    def _startup(self) -> None:
-        draw, imports, nothing = sheet.startup(Path(self.scene.file), min(self.order.rounds, STARTS))
-        goal = Goal(2.0, least=False)
-        self.ratios.append(Ratio(STARTED.format("import numpy, svgwrite"), None, draw, imports, goal))
-        self.ratios.append(Ratio(STARTED.format("python alone"), None, draw, nothing))
 
 
 def _too_long(seconds: float) -> str:

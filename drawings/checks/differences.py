@@ -142,7 +142,6 @@ def _flat(runs: tuple[Run, ...]) -> float | None:
 
 
 def _headless(runs: Iterable[Run]) -> Iterator[Run]:
-    """Give runs without the spaces before the first letter."""
     begun = False
     for run in runs:
         rest = run.text if begun else run.text.lstrip(_SPACES)
@@ -216,9 +215,8 @@ def _rounded(leaf: Leaf, there: Leaf) -> Leaf:
 def same(leaf: Leaf, there: Leaf) -> bool:
     """Tell whether two leaves have the same groups, and in them the same strokes, one by one in their order."""
     even = _even(leaf)
-    return len(leaf.groups) == len(there.groups) and all(
-        _same(group, other, even) for group, other in zip(leaf.groups, there.groups, strict=True)
-    )
+    pairs = zip(leaf.groups, there.groups, strict=False)
+    return len(leaf.groups) == len(there.groups) and all(_same(group, other, even) for group, other in pairs)
 
 
 def _even(leaf: Leaf) -> float:
@@ -232,7 +230,6 @@ def _same_paper(leaf: Leaf, there: Leaf) -> bool:
 
 
 def _same(stroke: Stroke, there: Stroke, even: float) -> bool:
-    """Tell whether two strokes are one and the same to the eye."""
     match stroke, there:
         case Text(), Text():
             return _same_text(stroke, there, even)
@@ -319,6 +316,5 @@ def _together(spots: Sequence[complex], there: Sequence[complex], within: float 
 
 @lru_cache(maxsize=1024)
 def _same_style(style: LineStyle, there: LineStyle) -> bool:
-    """Tell whether two lines are of one pen: width, dashes, colour, filling, ends."""
     sizes = zip_longest((style.width, *style.dash), (there.width, *there.dash), fillvalue=-1.0)
     return all(abs(a - b) <= WRITTEN for a, b in sizes) and style[2:] == there[2:]

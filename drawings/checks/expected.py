@@ -16,7 +16,6 @@ from plans.words.words import ENGLISH, Message, message, words
 # A value of a vector, a number, a direction; a text; a graph as a function of its argument; a path by dense points.
 Value: TypeAlias = complex | float | str | Callable[[Floats], Floats] | Complexes
 
-
 KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 NOTES, NOTHING = "notes", "—"  # the figure that notes stand on; what a cell without a value says
 

@@ -177,9 +177,8 @@ def readings(measured: Measured, leaf: Leaf) -> Seen:
     for kind, mark in ((kind, mark) for kind, group in marks for mark in group):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
     for curve in measured.profiles:
-        found.setdefault((Kind.CURVE, curve.plan, curve.name, None), []).append(
-            Read(np.array(curve.places), curve.scale)
-        )
+        known = found.setdefault((Kind.CURVE, curve.plan, curve.name, None), [])
+        known.append(Read(np.array(curve.places), curve.scale))
     places = frames(leaf)
     for group in stated(leaf.groups):
         said = group.states
@@ -201,9 +200,7 @@ def stated_keys(leaf: Leaf) -> frozenset[Key]:
 
 def _keys(group: Group) -> Iterator[Key]:
     if group.data.get("kind") in MARKS:
-        position = group.data.get("position")
-        at = None if position is None else int(position)
-        yield MARKS[group.data["kind"]], group.data["plan"], group.data["name"], at
+        yield _key(MARKS[group.data["kind"]], group)
     if (said := group.states) is not None and said.kind is Kind.PHRASE:
         yield from ((said.kind, said.figure, name, said.position) for name in SLOT.findall(said.name))
     elif said is not None and said.kind not in FRAMES:

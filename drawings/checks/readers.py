@@ -70,7 +70,8 @@ def marked_scales(leaf: Leaf) -> Iterator[Message]:
         drawn = {(data["quantity"], float(data["scale"])) for data in marks}
         drawn |= {("", part.states.scale) for part in tree if part.states is not None and part.states.kind is Kind.AXIS}
         for letter, mu in drawn if everywhere else ():
-            if not _in_words(mu, scale.get(letter) or everywhere):
+            stated = scale.get(letter) or everywhere
+            if not any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in stated):
                 yield message("wrong.scale", text=figure.name)
 
 
@@ -80,10 +81,6 @@ def _stated(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
     for symbol, letter, size in (found for text in texts(figures) for found in _SCALE.findall(text.plain)):
         stated.setdefault(letter, set()).add((symbol, size.replace(",", ".")))
     return stated
-
-
-def _in_words(mu: float, stated: Iterable[tuple[str, str]]) -> bool:
-    return any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in stated)
 
 
 def written_scales(group: Group) -> dict[str, float]:

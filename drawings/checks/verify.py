@@ -20,7 +20,7 @@ from drawings.reading.measure import Measured, check
 from drawings.reading.sheet import SeenSheet, see
 from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
-from plans.quantity import Comparison, Lone
+from plans.quantity import Comparison
 from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 
@@ -125,19 +125,9 @@ def first(wrong: Iterable[Wrong]) -> Message | tuple[Wrong, ...]:
     return message("check.more", marks=marks, count=more) if more > 0 else marks
 
 
-def agree(comparison: Comparison) -> None:
-    """See that both roads find the same within what is allowed, and name the same gaps."""
-    failed = disagreement(comparison)
-    if failed is not None:
-        raise failed
-
-
 def disagreement(comparison: Comparison) -> SelfCheckFailed | None:
     """Say in what both roads differ by more than is allowed, or which gap one of them alone names."""
-    for lone in comparison.alone[:1]:
-        return SelfCheckFailed(_alone(lone))
+    for gap, by in ((lone.gap, lone.by) for lone in comparison.alone[:1]):
+        why = message(f"check.{by}", position=gap.position, plan=gap.plan, reason=gap.reason)
+        return SelfCheckFailed(why)
     return SelfCheckFailed(comparison.apart) if comparison.worst > 1.0 else None
-
-
-def _alone(lone: Lone) -> Message:
-    return message(f"check.{lone.by}", position=lone.gap.position, plan=lone.gap.plan, reason=lone.gap.reason)

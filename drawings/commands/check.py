@@ -36,8 +36,7 @@ def _checked(path: Path, originals: Originals | None) -> Checked:
     try:
         source = regular_bytes(path, SHEET_BYTES + 1)
     except OSError as error:
-        fault = message("file.read", reason=of_system(error))
-        return Checked((Finding("file", fault),), refused=UNREADABLE)
+        return Checked((Finding("file", message("file.read", reason=of_system(error))),), refused=UNREADABLE)
     return check(path, source, originals)
 
 

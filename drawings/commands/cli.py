@@ -34,7 +34,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return stopped.exit_code
     except (DraftError, OSError) as error:
         tell(_worded(error, options))
-        return _code(error)
+        if isinstance(error, DraftError) and error.exit_code:
+            return error.exit_code
+        return FILES if isinstance(error, OSError) else SCENE
     except ImportError as error:
         tell(UNREADABLE.format(error=error))
         return FILES
@@ -70,12 +72,6 @@ def _worded(error: Exception, options: argparse.Namespace) -> str:
 
     scene = getattr(options, "scene", None)  # the vectors of a sheet are measured without any scene
     return worded(error, language_of(scene) if scene else ENGLISH)
-
-
-def _code(error: Exception) -> int:
-    if isinstance(error, DraftError) and error.exit_code:
-        return error.exit_code
-    return FILES if isinstance(error, OSError) else SCENE
 
 
 def _bug_report() -> str:

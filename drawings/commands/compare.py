@@ -35,9 +35,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _plain(title: str, comparisons: Sequence[Comparison]) -> dict[str, object]:
-    missing: dict[str, list[int]] = {}
-    for comparison in comparisons:
-        missing |= comparison.left_out
+    missing = {name: lost for comparison in comparisons for name, lost in comparison.left_out.items()}
     return {
         "scene": title,
         "findings": [_plain_finding(finding) for comparison in comparisons for finding in comparison.findings],
@@ -56,9 +54,8 @@ def _table(comparisons: Sequence[Comparison], language: str) -> Iterator[str]:
     heads = [word(language, f"table.{head}") for head in ("plan", "quantity", "of_plan", "difference", "allowed_short")]
     named = max([NAMED, *(len(quantity(finding.name, language)) for finding in findings)])
     yield f"{heads[0]:<{wide}} {heads[1]:<{named}} {heads[2]:>14} {heads[3]:>17} {'%':>10} {heads[4]:>11}"
-    yield from (
-        f"{term(language, 'plan', finding.plan):<{wide}} {_line(finding, named, language)}" for finding in findings
-    )
+    for finding in findings:
+        yield f"{term(language, 'plan', finding.plan):<{wide}} {_line(finding, named, language)}"
     yield from left_out(comparisons, language)
     for lone in (lone for comparison in comparisons for lone in comparison.alone):
         parts = {"position": lone.gap.position, "plan": lone.gap.plan, "reason": lone.gap.reason}

@@ -68,7 +68,11 @@ def run(options: argparse.Namespace) -> int:
     print(summary(study.comparisons, study.scene.sheet.language))
     for line in (*headlines(study), *sheets.paths):
         print(line)
-    for path in _earlier(sheets, options.output):
+    stem, found = stem_of(sheets.study.scene), []
+    for kind, leaves in sheets.leaves.items():
+        further = (sheet_path(options.output, stem, kind, k) for k in range(len(leaves), SHEETS_MOST))
+        found += list(takewhile(os.path.lexists, further))
+    for path in found:
         _say(study.scene, placed(path, message("file.earlier")))
     if options.trace:
         tell(trace.stated(study))
@@ -192,7 +196,6 @@ def _held(
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:
-    """Give the files that are written beside the sheets."""
     for kind in study.scene.sheets:
         yield from sheet_kind(kind).enclosures(study)
 
@@ -206,12 +209,3 @@ def _strangers(scene: Scene, folder: Path) -> Iterator[Message]:
 
 def _say(scene: Scene, saying: Message) -> None:
     tell(saying.worded(scene.sheet.language))
-
-
-def _earlier(sheets: SheetSet, folder: Path) -> list[Path]:
-    """Give following sheets that an earlier run left beside fewer new ones."""
-    stem, found = stem_of(sheets.study.scene), []
-    for kind, leaves in sheets.leaves.items():
-        further = (sheet_path(folder, stem, kind, k) for k in range(len(leaves), SHEETS_MOST))
-        found += list(takewhile(os.path.lexists, further))
-    return found

@@ -79,13 +79,10 @@ def explained(study: Study, position: int, name: str) -> Explanation:
 
 
 def _as_asked(found: Explanation, name: str) -> Explanation:
-    """Head an explanation with the letter as it was asked for."""
-    parts = {**dict(found.title.parts), "mark": name}
-    return found._replace(title=message(found.title.key, **parts))
+    return found._replace(title=message(found.title.key, **{**dict(found.title.parts), "mark": name}))
 
 
 def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
-    """Ask the techniques for a letter until one explains it."""
     for technique in reversed(study.techniques):
         answer = techniques()[technique].marks(study, position, name)
         yield answer
@@ -151,7 +148,6 @@ def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
 
 
 def _size(value: complex | float) -> float:
-    """Give how long a vector is; a number as it is."""
     return abs(value) if np.iscomplexobj(value) else float(value.real)
 
 
@@ -161,9 +157,7 @@ def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
     examples = ", ".join(example for answer in none for example in answer.examples)
     also = (message("mark.also", examples=examples),) if examples else ()
     parts: dict[str, object] = {"mark": name, "listed": (*(answer.listed for answer in none if answer.listed), *also)}
-    if not near:
-        return message("mark.unknown", **parts)
-    return message("mark.meant", near=near[0], **parts)
+    return message("mark.unknown", **parts) if not near else message("mark.meant", near=near[0], **parts)
 
 
 def sentence(mark: Mark, of: Explanation, language: str, sheet: OnSheet | None = None) -> str:
@@ -211,7 +205,6 @@ def _size_on(sheet: OnSheet, of: Explanation) -> Iterator[Message]:
 
 
 def _short(part: str) -> str:
-    """Write a number with the digits that a screen has."""
     return _written(float(part)) if LONG.fullmatch(part) else part
 
 
@@ -258,7 +251,6 @@ def _drawn_on(mark: Mark) -> str:
 
 
 def _written(value: float, digits: int = DIGITS) -> str:
-    """Write a number; on the screen without an exponent."""
     return f"{value:.10g}" if digits == FULL else number(value, digits=digits).replace("−", "-")
 
 

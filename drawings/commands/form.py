@@ -38,14 +38,10 @@ def form(path: Path, folder: Path, language: str | None = None) -> tuple[Path, .
     with output_folder(folder) as left:
         for fault in left.faults(folder):
             tell(fault.worded(study.scene.sheet.language))
-        return _written(study, _leaves(study), folder)
+        from drawings.form.form import form_of
 
-
-def _leaves(study: Study) -> Mapping[str, Sequence[Leaf]]:
-    from drawings.form.form import form_of
-
-    study.construct()
-    return form_of(study)
+        study.construct()
+        return _written(study, form_of(study), folder)
 
 
 def _written(study: Study, leaves: Mapping[str, Sequence[Leaf]], folder: Path) -> tuple[Path, ...]:

@@ -48,7 +48,9 @@ def run(options: argparse.Namespace) -> int:
     if options.output:
         write_feedback(options.output, graded, task.hints, language)
     _tell_twins(graded, language)
-    _tell_strangers(graded, originals.digest, language)
+    # Sheets that were drawn of another scene, by their own data: a variant of somebody else's.
+    if names := tuple(plain_name(path) for path, sheet in graded if sheet.scene not in ("", originals.digest)):
+        tell(word(language, "grade.strangers", names=names))
     outcomes = {sheet.outcome for _, sheet in graded}
     return next(code for outcome, code in CODES.items() if outcome in outcomes)
 
@@ -64,11 +66,7 @@ def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:
 
 
 def _print(
-    options: argparse.Namespace,
-    graded: Sequence[tuple[Path, Graded]],
-    hints: Hints,
-    marking: Marking,
-    language: str,
+    options: argparse.Namespace, graded: Sequence[tuple[Path, Graded]], hints: Hints, marking: Marking, language: str
 ) -> None:
     if options.json:
         sheets = [plain(path, sheet, marking, language) for path, sheet in graded]
@@ -93,7 +91,9 @@ def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], hints: H
         if source is None or not is_plain(source):
             tell(word(language, "grade.packed" if source else "grade.changed", sheet=plain_name(path)))
             continue
-        stem = _free(path.stem, taken)
+        names = chain((path.stem,), (f"{path.stem}-{number}" for number in count(2)))
+        stem = next(name for name in names if name.casefold() not in taken)  # however its letters are cased
+        taken.add(stem.casefold())
         write(folder / f"{stem}-feedback.svg", feedback(path, source, sheet, hints, language))
 
 
@@ -106,14 +106,6 @@ def _again(path: Path, graded: Graded) -> bytes | None:
     return source if sha256(source).hexdigest() == graded.digest else None
 
 
-def _free(stem: str, taken: set[str]) -> str:
-    """Take a name that no other sheet has, however its letters are cased: by itself, or with a number."""
-    names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
-    free = next(name for name in names if name.casefold() not in taken)
-    taken.add(free.casefold())
-    return free
-
-
 def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     """Say which sheets are the same file under several names."""
     names: dict[str, list[str]] = {}
@@ -122,9 +114,3 @@ def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     for digest, twins in names.items():
         if digest and len(twins) > 1:
             tell(word(language, "grade.twins", names=tuple(twins)))
-
-
-def _tell_strangers(graded: Sequence[tuple[Path, Graded]], scene: str, language: str) -> None:
-    """Say which sheets were drawn of another scene, by their own data: a variant of somebody else's."""
-    if names := tuple(plain_name(path) for path, sheet in graded if sheet.scene not in ("", scene)):
-        tell(word(language, "grade.strangers", names=names))

@@ -6,7 +6,6 @@ import argparse
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 
 from drawings.commands.stderr import tell
 from drawings.files.atomic_files import print_json
@@ -29,8 +28,15 @@ def run(options: argparse.Namespace) -> int:
         raise type(refused)("file", sheet=options.sheet, why=refused.reason) from None
     if not measured.marks and not measured.profiles:
         raise SheetRefused("bare", sheet=options.sheet)
-    language = _language(options.scene) if options.scene else ENGLISH
-    _tell_strangers(options.sheet, language)
+    language = ENGLISH
+    if options.scene:
+        from plans.scene.source import language_of  # a sheet alone needs no scene
+
+        language = language_of(options.scene)
+    manifest = manifest_beside(options.sheet)
+    if manifest is not None:
+        for name in manifest.strangers(options.sheet.parent):
+            tell(placed(options.sheet.with_name(name), message("measure.stranger", set=manifest.name)).worded(language))
     wrong = check(measured)
     off = {miss.key for miss in wrong}
     astray = _astray(measured, options) if options.scene else {}
@@ -47,7 +53,6 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _lines(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[str]:
-    """Say what is astray, mark by mark."""
     for how, key in ((how, key) for how, keys in astray.items() for key in keys):
         names = (
             plan_name(part, language) if part == key.plan else mark_name(str(part), language)
@@ -55,12 +60,6 @@ def _lines(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[s
             if part is not None
         )
         yield word(language, f"measure.{how}", mark=" ".join(names))
-
-
-def _language(scene: Path) -> str:
-    from plans.scene.source import language_of  # a sheet alone needs no scene
-
-    return language_of(scene)
 
 
 def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[MarkKey]]:
@@ -88,14 +87,6 @@ def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[M
 
 def _all(measured: Measured) -> Sequence[MeasuredVector | MeasuredPoint | MeasuredProfile]:
     return (*measured.marks, *measured.profiles)
-
-
-def _tell_strangers(sheet: Path, language: str) -> None:
-    """Say which files of the sheet's set are not those that were drawn together."""
-    manifest = manifest_beside(sheet)
-    if manifest is not None:
-        for name in manifest.strangers(sheet.parent):
-            tell(placed(sheet.with_name(name), message("measure.stranger", set=manifest.name)).worded(language))
 
 
 def _plain(measured: Measured, kind: str) -> list[dict[str, object]]:

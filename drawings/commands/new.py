@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import difflib
 from collections.abc import Sequence
-from pathlib import Path
 
 from drawings.files import atomic_files
 from drawings.files.atomic_files import FileError
@@ -31,7 +30,8 @@ def run(options: argparse.Namespace) -> int:
     entry = found(entries, options.name)
     atomic_files.prepare(options.output)
     path = options.output / entry.path.name
-    _put(path, entry.path.read_bytes())
+    if not atomic_files.write_new(path, entry.path.read_bytes()):
+        raise FileError(path, message("file.exists"))
     print(path)
     return 0
 
@@ -47,18 +47,9 @@ def found(entries: Sequence[Entry], name: str) -> Entry:
     for entry in entries:
         if entry.name == name:
             return entry
-    near = _near(entries, name.removesuffix(".toml").casefold())
-    hint = message("gallery.near", name=near[0]) if near else message("gallery.any")
-    raise UnknownName(message("gallery.unknown", name=name, names=listed(entries), hint=hint))
-
-
-def _near(entries: Sequence[Entry], asked: str) -> list[str]:
-    """Find the scene that is likely meant: its name or title holds what is asked, or else is spelt nearly so."""
+    asked = name.removesuffix(".toml").casefold()
     holding = [entry.name for entry in entries if asked in f"{entry.name} {entry.title}".casefold()]
     named = difflib.get_close_matches(asked, [entry.name for entry in entries], 1)
-    return difflib.get_close_matches(asked, holding, 1, 0.0) if len(asked) >= WORD and holding else named
-
-
-def _put(path: Path, scene: bytes) -> None:
-    if not atomic_files.write_new(path, scene):
-        raise FileError(path, message("file.exists"))
+    near = difflib.get_close_matches(asked, holding, 1, 0.0) if len(asked) >= WORD and holding else named
+    hint = message("gallery.near", name=near[0]) if near else message("gallery.any")
+    raise UnknownName(message("gallery.unknown", name=name, names=listed(entries), hint=hint))

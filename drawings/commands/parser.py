@@ -142,34 +142,23 @@ def _tolerance(text: str) -> object:
 
 def _solve(commands: Commands) -> None:
     solve = _command(commands, "solve", "print all numbers as JSON: SI units and radians, null at gaps")
-    solve.add_argument(
-        "--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)"
-    )
-    solve.add_argument("--json", action="store_true", help="JSON, which is the only form and the default")
-    solve.add_argument(
-        "--only",
-        type=_orders,
-        metavar="PLANS",
-        help="some plans, joined by commas: positions,velocities or forces",
-    )
-    solve.add_argument("--trace", action=_TraceParser, nargs=0, help=TRACED)
+    add = solve.add_argument
+    add("--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)")
+    add("--json", action="store_true", help="JSON, which is the only form and the default")
+    add("--only", type=_orders, metavar="PLANS", help="some plans, joined by commas: positions,velocities or forces")
+    add("--trace", action=_TraceParser, nargs=0, help=TRACED)
 
 
 def _bench(commands: Commands) -> None:
     bench = _command(commands, "bench", "measure error against run time of every technique on the scene")
-    bench.add_argument("-o", "--output", type=Path, metavar="DIR", help="folder for the table (CSV) and the plot (SVG)")
-    bench.add_argument(
-        "--positions", type=_counts, metavar="N,N", help="numbers of positions (default: 12,360,10000,100000)"
-    )
-    bench.add_argument("--repetitions", type=_count, metavar="R", help="repetitions of each row at most (default: 15)")
-    bench.add_argument("--quick", action="store_true", help="12 and 360 positions, 3 repetitions, one sheet")
-    bench.add_argument(
-        "--accept", type=_share, metavar="X", help="error accepted, share of the plan's largest (default: 1e-4)"
-    )
-    bench.add_argument(
-        "--startup", action=argparse.BooleanOptionalAction, help="time a cold plandraft draw (default: unless --quick)"
-    )
-    bench.add_argument("--json", action="store_true", help="as JSON")
+    add = bench.add_argument
+    add("-o", "--output", type=Path, metavar="DIR", help="folder for the table (CSV) and the plot (SVG)")
+    add("--positions", type=_counts, metavar="N,N", help="numbers of positions (default: 12,360,10000,100000)")
+    add("--repetitions", type=_count, metavar="R", help="repetitions of each row at most (default: 15)")
+    add("--quick", action="store_true", help="12 and 360 positions, 3 repetitions, one sheet")
+    add("--accept", type=_share, metavar="X", help="error accepted, share of the plan's largest (default: 1e-4)")
+    add("--startup", action=argparse.BooleanOptionalAction, help="time a cold plandraft draw (default: unless --quick)")
+    add("--json", action="store_true", help="as JSON")
 
 
 def _language(text: str) -> str:

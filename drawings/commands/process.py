@@ -21,7 +21,12 @@ def run() -> NoReturn:
     for number in ENDING:
         if signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, lambda which, _: os._exit(128 + which))  # there is nothing yet to tidy up
-    _fill_streams()
+    # Closed streams are kept from being opened as something else: a note to stderr would go into a sheet.
+    while (handle := os.open(os.devnull, os.O_RDWR)) < STREAMS:
+        pass
+    os.close(handle)
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115, PTH123  (open as long as the process is)
     # Our matrices are small: a second thread of the linear algebra would cost more than it does.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     gc.set_threshold(COLLECTED)
@@ -46,15 +51,6 @@ def _code() -> int:
     finally:
         for number in ENDING:  # there is nothing left to stop
             signal.signal(number, signal.SIG_IGN)
-
-
-def _fill_streams() -> None:
-    """Keep closed streams from being opened as something else: a note to stderr would go into a sheet, or to stdout."""
-    while (handle := os.open(os.devnull, os.O_RDWR)) < STREAMS:
-        pass
-    os.close(handle)
-    if sys.stderr is None:
-        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115, PTH123  (open as long as the process is)
 
 
 if __name__ == "__main__":

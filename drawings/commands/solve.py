@@ -18,8 +18,7 @@ def run(options: argparse.Namespace) -> int:
     """Print the numbers; give the exit code."""
     trace: TracedMark = options.trace or TracedMark()
     with trace.stage("reading the scene"):
-        scene = read_scene(options.scene)
-        study = Study(scene, options.only)
+        study = Study(read_scene(options.scene), options.only)
         noted(study)
     with trace.stage(options.by):
         found = [study.numbers(technique, options.by) for technique in study.techniques]

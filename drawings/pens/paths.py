@@ -87,7 +87,9 @@ def _trace(stroke: Plain, height: float, template: list[str], values: list[float
             for point in points:
                 values += (point.real, height - point.imag)
         case Fill(points):
-            _trace(Polyline(_counter_clockwise(points), closed=True), height, template, values)
+            # Fills of one path that turn one way cover each other where they overlap; else they would make holes.
+            doubled_area = sum((a.conjugate() * b).imag for a, b in pairwise((*points, points[0])))
+            _trace(Polyline(points if doubled_area >= 0 else points[::-1], closed=True), height, template, values)
         case Arc():
             pieces = max(1, math.ceil(tied(stroke.sweep / _QUARTER)))
             template.append("M%s %s" + "A%s %s F%s %s" * pieces)
@@ -109,12 +111,6 @@ def _piece(piece: Piece, height: float, template: list[str], values: list[float]
     for share in range(1, count + 1):
         end = piece.at(share / count)
         values += (piece.radius, piece.radius, end.real, height - end.imag)
-
-
-def _counter_clockwise(points: tuple[complex, ...]) -> tuple[complex, ...]:
-    """Fills of one path that turn one way cover each other where they overlap; else they would make holes."""
-    doubled_area = sum((a.conjugate() * b).imag for a, b in pairwise((*points, points[0])))
-    return points if doubled_area >= 0 else points[::-1]
 
 
 class LetterStroke(NamedTuple):
@@ -168,9 +164,8 @@ def _quarters(x: float, y: float, across: float, up: float, start: float, end: f
 
 
 def _shifted(curve: LetterStroke, way: complex) -> LetterStroke:
-    return LetterStroke(
-        curve.start + way, tuple(tuple(point + way for point in piece) for piece in curve.pieces), curve.closed
-    )
+    pieces = tuple(tuple(point + way for point in piece) for piece in curve.pieces)
+    return LetterStroke(curve.start + way, pieces, curve.closed)
 
 
 HUNDREDTH = 100  # of a millimetre: a tenth of what a thin line is wide

@@ -237,7 +237,7 @@ def _merged(strokes: Iterable[Stroke], leaf: Leaf) -> Iterator[Any]:
         if kind is None:
             yield from (_one(stroke, leaf) for stroke in run)
         else:
-            yield _path((stroke for stroke in run if isinstance(stroke, Plain)), kind[0], leaf.height)
+            yield _path(commands((stroke for stroke in run if isinstance(stroke, Plain)), leaf.height), kind[0])
 
 
 def _mergeable(stroke: Stroke) -> tuple[LineStyle, bool] | None:
@@ -250,28 +250,24 @@ def _mergeable(stroke: Stroke) -> tuple[LineStyle, bool] | None:
     return None
 
 
-def _path(strokes: Iterable[Plain], style: LineStyle, height: float) -> Any:
+def _path(written: str, style: LineStyle) -> Any:
     element = _element(path.Path, dict(_style(style)))
-    element.commands = [commands(strokes, height)]
+    element.commands = [written]
     return element
 
 
 def _one(stroke: Stroke, leaf: Leaf) -> Any:
-    """Draw one stroke as one element."""
     height = leaf.height
     match stroke:
         case Line(start, end, style):
-            return _element(
-                shapes.Line, _at(("x1", "y1"), start, height) | _at(("x2", "y2"), end, height) | _style(style)
-            )
+            ends = _at(("x1", "y1"), start, height) | _at(("x2", "y2"), end, height)
+            return _element(shapes.Line, ends | _style(style))
         case Circle(centre, radius, style):
             return _element(shapes.Circle, _at(("cx", "cy"), centre, height) | {"r": number(radius)} | _style(style))
         case Polyline() | Arc() | Fill():
-            return _path((stroke,), stroke.style, height)
+            return _path(commands((stroke,), height), stroke.style)
         case Curve():
-            element = _element(path.Path, dict(_style(stroke.style)))
-            element.commands = [curve(stroke, height)]
-            return element
+            return _path(curve(stroke, height), stroke.style)
         case Text():
             return _letters(stroke, height) if leaf.lettering == "strokes" else _text(stroke, height)
         case Group():
@@ -280,23 +276,17 @@ def _one(stroke: Stroke, leaf: Leaf) -> Any:
 
 def _letters(stroke: Text, height: float) -> Any:
     """Write a text as one path, or as a group of one for each width of the pen; either says what is written."""
-    data = {"data-text": legal(stroke.plain)}
-    paths = []
-    for unit, written in lettering(stroke, height).items():
-        paths.append(_element(path.Path, dict(_style(pen(unit, stroke.style)))))
-        paths[-1].commands = [written]
-    if len(paths) == 1:
-        paths[0].attribs.update(data)
-        return paths[0]
-    group = _element(container.Group, data)
-    group.elements.extend(paths)
-    return group
+    paths = [_path(written, pen(unit, stroke.style)) for unit, written in lettering(stroke, height).items()]
+    return _together(paths, {"data-text": legal(stroke.plain)})
 
 
 def _text(stroke: Text, height: float) -> Any:
     """Leave a text to the viewer's fonts: one element, or a group of one for each level, and either says it all."""
-    data = {"data-text": legal(stroke.plain), "aria-label": legal(stroke.plain)}
-    drawn = [_run(piece, height) for piece in pieces(stroke)]
+    said = legal(stroke.plain)
+    return _together([_run(piece, height) for piece in pieces(stroke)], {"data-text": said, "aria-label": said})
+
+
+def _together(drawn: list[Any], data: Attributes) -> Any:
     if len(drawn) == 1:
         drawn[0].attribs.update(data)
         return drawn[0]
@@ -327,7 +317,6 @@ def _run(stroke: Text, height: float) -> Any:
 
 
 def _transforms(stroke: Text, place: Attributes, narrow: float) -> Iterator[str]:
-    """Turn a text, and narrow it, about the place where it begins."""
     if stroke.rotation:
         yield f"rotate({number(-stroke.rotation)} {place['x']} {place['y']})"
     if narrow < 1:

@@ -185,9 +185,8 @@ def _hides(style: LineStyle) -> tuple[bool, bool]:
 
 def _area(order: int, corners: tuple[complex, ...], radius: float) -> _Cover:
     across, up = [corner.real for corner in corners], [corner.imag for corner in corners]
-    return _Cover(
-        order, corners, radius, (min(across) - radius, min(up) - radius, max(across) + radius, max(up) + radius)
-    )
+    box = min(across) - radius, min(up) - radius, max(across) + radius, max(up) + radius
+    return _Cover(order, corners, radius, box)
 
 
 def corners(stroke: Stroke) -> Iterator[complex]:
@@ -234,7 +233,6 @@ def _thinned(spots: list[complex]) -> list[complex]:
 
 
 def _letters(text: Text) -> Iterator[complex]:
-    """Give the middles of letters."""
     turn, pen = cmath.rect(1, math.radians(text.rotation)), text.size / 10
     middle, along = text.at + _MIDDLE * pen * turn, 0.0
     for run in text.runs:

@@ -67,7 +67,6 @@ def inside(stroke: Stroke, figure: str) -> list[Item]:
 
 
 def _lettering(group: Group, tables: object) -> str:
-    """Tell what the lettering of a group at the top is, by the group's name."""
     stem = group.name.rpartition("-")[0]
     if isinstance(tables, Mapping) and stem in tables:
         return "cell"
@@ -97,9 +96,7 @@ def is_heading(group: Group) -> bool:
 def _what(stroke: Stroke, home: Home) -> str:
     if isinstance(stroke, Text):
         return home.lettering
-    if isinstance(stroke, Fill) and len(stroke.points) == TRIANGLE:
-        return "arrowhead"
-    return _KINDS[type(stroke)]
+    return "arrowhead" if isinstance(stroke, Fill) and len(stroke.points) == TRIANGLE else _KINDS[type(stroke)]
 
 
 def spots(stroke: Ink) -> tuple[complex, ...]:
@@ -209,9 +206,7 @@ class SheetFigures:
         """Give the scale at which an item is drawn: its own mark's, or the first that is stated in its figure."""
         group = self.named.get(self.of(item))
         marks = [item.home.mark, *(part.data for part in groups((group,) if group is not None else ()))]
-        return next(
-            (found for data in marks if (found := _scale(data.get("scale"), data.get("unit"))) is not None), None
-        )
+        return next(filter(None, (_scale(data.get("scale"), data.get("unit")) for data in marks)), None)
 
     def called(self, name: str) -> Message:
         """Name a figure for a message: by its heading, or by what it is."""

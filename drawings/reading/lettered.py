@@ -92,7 +92,6 @@ def chains(path: str) -> list[tuple[list[complex], bool]] | None:
 
 
 def _pieces(step: PathStep, before: list[Piece]) -> list[Piece]:
-    """Give the pieces of one command."""
     start, end = step.start, step.end
     match step.letter.upper():
         case "A":
@@ -211,8 +210,7 @@ def _written(rows: tuple[PathLetters, ...], said: str) -> Text:
     spaces = (0, *_spaces(row, size))
     glyphs = [(letter[0] if space >= 0 else UNREAD, letter[5]) for letter, space in zip(row, spaces, strict=True)]
     runs = picked(glyphs, [max(space, 0) for space in spaces], said)
-    low = next((letter[2] for letter in row if letter[5] == 0), 0.0)
-    at = stance.turn * complex(row[0][1], low)
+    at = stance.turn * complex(row[0][1], next((letter[2] for letter in row if letter[5] == 0), 0.0))
     return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation)
 
 
@@ -248,7 +246,9 @@ def _askew(letters: Sequence[_Letter], size: float) -> _Line | None:
         rough = _straight([_turned_back(letter, angle, 2 * NEAR) for letter in letters], size, loose)
         if rough is None or rough[0].rotation:
             continue
-        finer = angle + _slope(rough[1], size)
+        row = rough[1]
+        low = [letter.rise - dict(_RISES)[letter.level] * size for letter in row]
+        finer = angle + (math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0)
         line = _straight([_turned_back(letter, finer, 2 * NEAR) for letter in letters], size, 4 * EVEN)
         if line is not None and line[0].rotation == 0:
             return Stance(math.degrees(finer) % 360, line[0].slanted), line[1]
@@ -260,12 +260,6 @@ def _turned_back(letter: _Letter, angle: float, near: float) -> _Letter:
     turn, (place, unit, glyph) = cmath.rect(1, -angle), letter
     trail = Trail(glyph.trail.signature, tuple(turn * point for point in glyph.trail.points))
     return turn * place, unit, SeenGlyph(trail, readings(trail, unit, near))
-
-
-def _slope(row: Sequence[_SetLetter], size: float) -> float:
-    """Give the angle (rad) by which a line of writing rises yet: between its first letter and its last."""
-    low = [letter.rise - dict(_RISES)[letter.level] * size for letter in row]
-    return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
 def _levelled(letters: Sequence[_Turned], low: float, size: float, stance: Stance, even: float) -> list[_SetLetter]:
@@ -328,7 +322,6 @@ _LETTERS = re.compile(rf"M({_NUMBER}) ({_NUMBER})([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
 _KNOWN = 4096  # letters of a pen that are remembered: a sheet of ours has some hundreds, a stranger's any number
 
-
 _BLANK = SeenGlyph(Trail((), ()), {})
 
 
@@ -369,7 +362,10 @@ def any_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | Non
     places, glyphs = list[complex](), list[SeenGlyph]()
     while left:
         places.append(left[0].start)
-        glyphs.append(_longest(left, style.width))
+        trails = [_trail(left[:count]) for count in range(min(_MOST, len(left)), 0, -1)]
+        looked_up = ((trail, readings(trail, style.width, 2 * NEAR)) for trail in trails)
+        trail, found = next((pair for pair in looked_up if pair[1]), (trails[-1], {}))
+        glyphs.append(SeenGlyph(trail, found))
         left = left[len(glyphs[-1].trail.signature) :]
     return PathLetters(tuple(places), style.width, tuple(glyphs)) if places else None
 
@@ -377,14 +373,6 @@ def any_letters(path: str, place: Affine, style: LineStyle) -> PathLetters | Non
 def pen_of_letters(style: LineStyle) -> bool:
     """Tell whether a line may be that of a letter: round at its ends, without gaps, not filled."""
     return style.cap == "round" and not style.dash and style.fill == "none" and style.colour != "none"
-
-
-def _longest(left: Sequence[PenTrack], unit: float) -> SeenGlyph:
-    """Find the letter of the most strokes that a row of tracks begins with; an editor rounds it once more."""
-    trails = [_trail(left[:count]) for count in range(min(_MOST, len(left)), 0, -1)]
-    looked_up = ((trail, readings(trail, unit, 2 * NEAR)) for trail in trails)
-    trail, found = next((pair for pair in looked_up if pair[1]), (trails[-1], {}))
-    return SeenGlyph(trail, found)
 
 
 def _trail(tracks: Sequence[PenTrack]) -> Trail:

@@ -81,7 +81,6 @@ def profile(mark: SheetMark, pole: complex, scale: float, stated: complex, resol
 
 
 def _parts(mark: SheetMark) -> Iterator[tuple[complex, ...]]:
-    """Give the points of each piece."""
     place = 0
     for count in mark.parts:
         yield mark.points[place : place + count]
@@ -167,8 +166,7 @@ def check(measured: Measured, tolerance: float | None = None, expected: Iterable
     wrong: list[Mismatch] = []
     for mark in (*measured.marks, *measured.profiles):
         allowed = (paper + _STATED * mark.reach) * mark.scale + _STATED * abs(mark.stated)
-        right = abs(mark.value - mark.stated) <= allowed
-        if not right:
+        if not abs(mark.value - mark.stated) <= allowed:
             wrong.append(Mismatch(mark.key, mark.value, mark.stated, allowed))
     known = {mark.key for mark in (*measured.marks, *measured.profiles)}
     return wrong + [Mismatch(key, None, None, 0.0) for key in expected if key not in known]

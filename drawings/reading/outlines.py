@@ -96,9 +96,7 @@ def scale_of(place: Affine) -> float:
 def _chain(points: tuple[complex, ...], closed: bool, style: LineStyle) -> Stroke:
     if style.colour == "none" and style.fill != "none":
         return Fill(points, style)
-    if len(points) == 2 and not closed:
-        return Line(*points, style)
-    return Polyline(points, closed, style)
+    return Line(*points, style) if len(points) == 2 and not closed else Polyline(points, closed, style)
 
 
 def _arc(track: PenTrack, style: LineStyle) -> Arc | None:
@@ -135,7 +133,6 @@ def _tracks(tag: str, attributes: Mapping[str, str]) -> list[PenTrack]:
 
 
 def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
-    """Write a rectangle or an ellipse as path data."""
     if tag == "rect":
         x, y, width, height = (sizes[name] for name in ("x", "y", "width", "height"))
         if not (width > 0 and height > 0):
@@ -152,7 +149,6 @@ def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
 
 
 def _round_cornered(x: float, y: float, width: float, height: float, rx: float, ry: float) -> str:
-    """Write a rectangle whose corners are quarters of ellipses."""
     across, down, arc = width - 2 * rx, height - 2 * ry, f"a{rx!r} {ry!r} 0 0 1 "
     sides = f"h{across!r}{arc}{rx!r} {ry!r}v{down!r}{arc}{-rx!r} {ry!r}h{-across!r}{arc}{-rx!r} {-ry!r}v{-down!r}{arc}"
     return f"M{x + rx!r} {y!r}{sides}{rx!r} {-ry!r}z"

@@ -63,8 +63,7 @@ def _unpacked(source: bytes) -> bytes:
         raise SheetRefused("foreign", what=what)
     if source.startswith(_GZIP):
         try:
-            unpacking = zlib.decompressobj(wbits=31)
-            source = unpacking.decompress(source[: limits.SHEET_BYTES], limits.SHEET_BYTES + 1)
+            source = zlib.decompressobj(wbits=31).decompress(source[: limits.SHEET_BYTES], limits.SHEET_BYTES + 1)
         except zlib.error as error:
             raise SheetRefused("packed") from error
     if len(source) > limits.SHEET_BYTES:
@@ -144,18 +143,15 @@ class _Reader:
             raise OverLimit("attributes", limit=limits.ELEMENT_ATTRIBUTES)
         space, _, tag = name.rpartition(" ")
         if (identity := attributes.get("id")) is not None:
-            self._name(identity)
+            if identity in self.ids:
+                raise SheetRefused("id", name=identity[:LONGEST])
+            self.ids.add(identity)
         if self.sheet is None:
             self._open(space, tag, attributes)
         else:
             self._enter(name, tag, attributes, self.sheet)
         if self.witness is not None:
             self.witness.enter(self.frames[-1], attributes)
-
-    def _name(self, name: str) -> None:
-        if name in self.ids:
-            raise SheetRefused("id", name=name[:LONGEST])
-        self.ids.add(name)
 
     def _open(self, space: str, tag: str, attributes: Mapping[str, str]) -> None:
         if (space, tag) != (_SVG, "svg"):

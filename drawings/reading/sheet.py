@@ -68,18 +68,14 @@ def joined(parts: Sequence[Typeset], said: str, ink: LineStyle) -> Text:
 
 
 def _levels(row: Sequence[Typeset], turn: complex, low: float, size: float) -> Iterator[tuple[str, int]]:
-    """Give parts and their levels, and the spaces between them where they are apart."""
     before = [""] + [" " if _apart(text, after, turn, size) else "" for text, after in pairwise(row)]
     for part, space in zip(row, before, strict=True):
-        yield space + part.plain, _level(((part.at / turn).imag - low) / size)
+        rise = ((part.at / turn).imag - low) / size
+        yield space + part.plain, next((level for level, raised in _RISES.items() if abs(rise - raised) <= _EVEN), 0)
 
 
 def _apart(before: Typeset, after: Typeset, turn: complex, size: float) -> bool:
     return ((after.at - before.at) / turn).real - before.length > _WORDS * size
-
-
-def _level(rise: float) -> int:
-    return next((level for level, raised in _RISES.items() if abs(rise - raised) <= _EVEN), 0)
 
 
 # What each may say without any effect; editors write many of them so.
@@ -186,7 +182,12 @@ class Observer:
         elif what := unread(frame):
             self._leave_aside(what)
         if frame.tag in SHAPES:
-            self._draw(element)
+            try:
+                ink = ink_of(element.frame)
+                if not self._letter(element, ink):
+                    self._line(element, ink)
+            except SheetRefused:
+                self._leave_aside(f"<{element.frame.tag}>")
 
     def hear(self, text: str) -> None:
         """Take the characters within the innermost element."""
@@ -209,15 +210,6 @@ class Observer:
                 self.description = "".join(element.heard)
             case _ if element.strokes and self.open:  # a link, or what no viewer knows
                 self._close(element)
-
-    def _draw(self, element: Opened) -> None:
-        """Take a shape: as letters where it is one path of them, or else as lines."""
-        try:
-            ink = ink_of(element.frame)
-            if not self._letter(element, ink):
-                self._line(element, ink)
-        except SheetRefused:
-            self._leave_aside(f"<{element.frame.tag}>")
 
     def _line(self, element: Opened, ink: LineInk) -> None:
         outline = outlines(element.frame.tag, element.attributes, element.frame.to_paper, ink.style)
@@ -263,7 +255,6 @@ class Observer:
         return True
 
     def _typeset(self, element: Opened) -> None:
-        """Take an element of text."""
         plain, outer = "".join(element.heard), self.open[-1]
         if not plain.strip():
             return
@@ -308,12 +299,10 @@ class Observer:
 
     @property
     def _group(self) -> str:
-        """The name of the innermost group that has one."""
         return next((name for element in reversed(self.open[1:]) if (name := element.attributes.get("id", ""))), "")
 
 
 def _text(element: Opened) -> Text | None:
-    """Read the letters that were collected in a group."""
     if not element.letters:
         return None
     typed = [part for part in element.letters if isinstance(part, Typeset)]
@@ -351,7 +340,11 @@ def see(source: bytes, observer: Observer | None = None) -> SeenSheet:
     """See a written sheet, and measure it: it is read once for both."""
     observer = observer or Observer()
     measured = measure(source, observer)
-    whole = _leaf(observer, measured)
+    root = observer.root
+    groups = _unwrapped(tuple(stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in root.strokes))
+    data = {key: value for key, value in measured.metadata.items() if key != "format"}
+    paper = observer.paper
+    whole = Leaf(paper.width, paper.height, groups, root.title, observer.description, data, observer.lettering)
     gone = {id(lost.stroke) for lost in observer.unseen}
     under = (lost for lost in veiled(whole, observer.clear, observer.gone) if id(lost.stroke) not in gone)
     unseen = (*observer.unseen, *under)
@@ -369,15 +362,6 @@ def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
     return leaf._replace(groups=tuple(_kept(group, hidden) for group in leaf.groups)) if hidden else leaf
 
 
-def _leaf(observer: Observer, measured: Measured) -> Leaf:
-    """Give all that is written; what stands in no group stands in one of its own."""
-    root = observer.root
-    groups = _unwrapped(tuple(stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in root.strokes))
-    data = {key: value for key, value in measured.metadata.items() if key != "format"}
-    paper = observer.paper
-    return Leaf(paper.width, paper.height, groups, root.title, observer.description, data, observer.lettering)
-
-
 def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
     """Take what an editor has put into one layer out of it."""
     while len(groups) == 1 and not groups[0].data and groups[0].strokes:
@@ -389,6 +373,5 @@ def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
 
 
 def _kept(group: Group, hidden: Collection[int]) -> Group:
-    """Give a group with what can be seen in it."""
     left = (child for child in group.strokes if id(child) not in hidden)
     return group._replace(strokes=tuple(_kept(child, hidden) if isinstance(child, Group) else child for child in left))

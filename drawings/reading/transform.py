@@ -32,11 +32,7 @@ class Affine(NamedTuple):
     def after(self, first: Affine) -> Affine:
         """Give the map that makes `first`, then this one."""
         p, q, t = first
-        return Affine(
-            self.p * p + self.q * q.conjugate(),
-            self.p * q + self.q * p.conjugate(),
-            self(t),
-        )
+        return Affine(self.p * p + self.q * q.conjugate(), self.p * q + self.q * p.conjugate(), self(t))
 
     @property
     def singular(self) -> bool:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache
 from operator import itemgetter
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from drawings.paper.limits import NUMERAL_LENGTH, REACH, SheetRefused
 from drawings.paper.strokes import LineStyle, Stroke
@@ -142,9 +142,8 @@ def telling(sheet: str) -> str:
     if "\\" in sheet or "@import" in sheet.lower():
         return "\\" if "\\" in sheet else "@import"
     words = sheet.lower().replace("{", ";").replace("/", ";").replace("*", ";").split(";")
-    return next(
-        (name for name in (word.partition(":")[0].strip(SPACE) for word in words) if name in _MOVING | _FOLLOWED), ""
-    )
+    names = (word.partition(":")[0].strip(SPACE) for word in words)
+    return next((name for name in names if name in _MOVING | _FOLLOWED), "")
 
 
 def _goes(tag: str, properties: Mapping[str, str]) -> Message | None:
@@ -223,7 +222,7 @@ def ink(look: Look, scale: float) -> LineInk:
     fill = _blended(look.fill, share(look.fill_opacity) * look.shade)
     width = length(look.stroke_width) * scale
     dash, join = _dash(look.stroke_dasharray, scale), look.stroke_linejoin
-    style = LineStyle(width, dash, colour, fill, _cap(look.stroke_linecap), join)
+    style = LineStyle(width, dash, colour, fill, "round" if look.stroke_linecap == "round" else "butt", join)
     if colour == _NONE:
         style = LineStyle(0.0, (), colour, fill)
     return LineInk(style, _why(look, style), fill != _NONE and _clear(look, fill))
@@ -241,16 +240,11 @@ def _why(look: Look, style: LineStyle) -> str:
 
 
 def _clear(look: Look, fill: str) -> bool:
-    """Tell whether black can be told from paper under a filling."""
-    black = "#" + "".join(f"{max(part - round(255 * _left(look)), 0):02x}" for part in _parts(fill))
-    return _contrast(_parts(fill), _parts(black)) >= CONTRAST
-
-
-def _left(look: Look) -> float:
-    """Give the share of what is under a filling that shows through it."""
     paint = look.fill.lower()
     alpha = _alpha(paint) if _HEX.fullmatch(paint) else 1.0
-    return 1 - alpha * share(look.fill_opacity) * look.shade
+    left = 1 - alpha * share(look.fill_opacity) * look.shade  # of what is under a filling, which shows through it
+    black = "#" + "".join(f"{max(part - round(255 * left), 0):02x}" for part in _parts(fill))
+    return _contrast(_parts(fill), _parts(black)) >= CONTRAST
 
 
 @lru_cache(maxsize=256)
@@ -282,10 +276,6 @@ def _dash(text: str, scale: float) -> tuple[float, ...]:
         return ()
     lengths = numbers(re.sub(r"(?<=[0-9.])px", "", text))
     return tuple(length * scale for length in lengths) if sum(lengths) > 0 else ()
-
-
-def _cap(text: str) -> Literal["butt", "round"]:
-    return "round" if text == "round" else "butt"
 
 
 def _blended(paint: str, share_left: float) -> str:

@@ -67,9 +67,8 @@ class Pairing:
 
     def _stretched(self) -> Iterator[Edit]:
         """Tell lines of a figure that were stretched or mirrored as one, in whatever width."""
-        ours, theirs = (
-            _by(self.figures.of, [item for item in left if isinstance(item.stroke, Line)]) for left in self._left
-        )
+        lines = ([item for item in left if isinstance(item.stroke, Line)] for left in self._left)
+        ours, theirs = (_by(self.figures.of, left) for left in lines)
         for name, group in ours.items():
             others = theirs.get(name, [])
             shift = stretch_of(group, others, self.rounding)
@@ -125,29 +124,27 @@ class Pairing:
         a, b = ours.stroke, theirs.stroke
         if isinstance(a, Text) and isinstance(b, Text):
             return self._text(ours, a, b)
-        by = max(abs(x - y) for x, y in zip(spots(a), spots(b), strict=True))
+        pairs = [*zip(spots(a), spots(b), strict=True)]
+        by, least = (most(abs(x - y) for x, y in pairs) for most in (max, min))
         if reversed_lies(a, b, self.rounding) and not lies(a, b, self.rounding):
-            return edit.retouched("reversed", ours, self.figures)
+            return edit.lone("reversed", ours, self.figures)
         if lies(a, b, self.rounding) or not alike_in_style(a.style, b.style):
-            return edit.retouched("style", ours, self.figures, look=edit.style(a.style, b.style))
+            return edit.lone("style", ours, self.figures, look=edit.style(a.style, b.style))
         if isinstance(a, Circle) and isinstance(b, Circle) and abs(a.centre - b.centre) <= self.rounding:
             return edit.moved("radius", ours, self.figures, abs(a.radius - b.radius))
-        if isinstance(a, Line) and min(abs(x - y) for x, y in zip(spots(a), spots(b), strict=True)) <= self.rounding:
+        if isinstance(a, Line) and least <= self.rounding:
             return edit.moved("end", ours, self.figures, by)
-        return edit.moved("moved" if self._same_shape(ours, theirs) else "reshaped", ours, self.figures, by)
-
-    def _same_shape(self, ours: Item, theirs: Item) -> bool:
-        a, b = spots(ours.stroke), spots(theirs.stroke)
-        return all(abs((y - b[0]) - (x - a[0])) <= 2 * self.rounding for x, y in zip(a, b, strict=True))
+        same_shape = all(abs((y - pairs[0][1]) - (x - pairs[0][0])) <= 2 * self.rounding for x, y in pairs)
+        return edit.moved("moved" if same_shape else "reshaped", ours, self.figures, by)
 
     def _text(self, ours: Item, a: Text, b: Text) -> Edit:
         if a.runs != b.runs:
-            return edit.retouched("text", ours, self.figures, is_=edit.written(b), must=edit.written(a))
+            return edit.lone("text", ours, self.figures, is_=edit.written(b), must=edit.written(a))
         if abs(a.at - b.at) > self.rounding:
             return edit.moved("moved", ours, self.figures, abs(a.at - b.at))
         if not alike_in_style(a.style, b.style):
-            return edit.retouched("style", ours, self.figures, look=edit.style(a.style, b.style))
-        return edit.retouched("lettered", ours, self.figures)
+            return edit.lone("style", ours, self.figures, look=edit.style(a.style, b.style))
+        return edit.lone("lettered", ours, self.figures)
 
 
 def _of_texts(ours: Item, theirs: Item) -> float:
@@ -255,7 +252,7 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
     edits = (
         *(change for item, change in unseen if id(item) not in patched),
         *marks,
-        *pairing.edits(_counts(ours, figures)),
+        *pairing.edits(Counter(figures.of(item) for item in ours)),
         *copies,
         *others,
     )
@@ -266,10 +263,6 @@ def _shares(ours: Sequence[Item], missing: Sequence[Item]) -> tuple[int, int]:
     """Count what is as it must be, and all that must be, without what every sheet has."""
     kept, gone = ([item for item in some if item.home.figure not in STILL] for some in (ours, missing))
     return len(kept) - len(gone), len(kept)
-
-
-def _counts(ours: Sequence[Item], figures: SheetFigures) -> dict[str, int]:
-    return Counter(figures.of(item) for item in ours)
 
 
 def _hidden(
@@ -304,7 +297,6 @@ def _one_place(item: Item, other: Item, rounding: float) -> bool:
 
 
 def _paper(right: Leaf, there: Leaf) -> Iterator[Message]:
-    """Tell paper of another size."""
     if abs(right.width - there.width) > MILLIMETRE or abs(right.height - there.height) > MILLIMETRE:
         sizes = ((f"{leaf.width:.6g}", f"{leaf.height:.6g}") for leaf in (there, right))
         (width, height), (must_width, must_height) = sizes
@@ -315,8 +307,7 @@ def _stated(right: Leaf, there: Leaf) -> Iterator[Message]:
     """Tell what a file says of itself otherwise than it must, beside who drew it and from what."""
     if (right.title, right.description) != (there.title, there.description):
         yield message("edit.title")
-    keys = sorted({*right.metadata, *there.metadata} - set(SIGNED))
-    for key in keys:
+    for key in sorted({*right.metadata, *there.metadata} - set(SIGNED)):
         if _json(right.metadata.get(key)) != _json(there.metadata.get(key)):
             yield message("edit.metadata", key=key)
 
@@ -338,14 +329,12 @@ def _laid_back(right: Leaf, there: Leaf) -> tuple[Affine, tuple[Message, ...]]:
     if all(abs(a - b) <= QUANTUM for a, b in zip(stated, found, strict=True)):
         return STAY, ()
     by = placing(stated, found)
-    moved = message(
-        "edit.all", by=f"{max(abs(a - b) for a, b in zip(stated, found, strict=True)):.4g}", scale=f"{abs(by.p):.6g}"
-    )
+    farthest = max(abs(a - b) for a, b in zip(stated, found, strict=True))
+    moved = message("edit.all", by=f"{farthest:.4g}", scale=f"{abs(by.p):.6g}")
     return Affine(1 / by.p, 0j, -by.t / by.p), (moved,)
 
 
 def _corners(leaf: Leaf) -> Mapping[str, complex]:
-    """Give the corner marks of a sheet by what they state."""
     corners = (group for group in groups(leaf.groups) if group.data.get("kind") == "corner")
     return {
         corner.data.get("value", ""): corner.strokes[0].centre

@@ -40,7 +40,7 @@ class Edit(NamedTuple):
 
 
 def lone(how: str, item: Item, figures: SheetFigures, **parts: object) -> Edit:
-    """Tell of a stroke that stands alone: missing, hidden, added, or there twice."""
+    """Tell of one stroke: missing, hidden, added, there twice, or where it must be and written or drawn otherwise."""
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
 
 
@@ -50,9 +50,8 @@ def unseen(item: Item, reason: str, figures: SheetFigures, under: Sequence[Item]
         parts = {"count": len(under), "first": _thing(under[0], figures)}
         return lone("patch", item, figures, **parts)._replace(strokes=len(under))
     if reason == UNREAD:
-        return _edit(
-            UNREAD, item, figures, None, message("edit.unread", name=f"{item.home.figure} {item.name}".strip())
-        )
+        said = message("edit.unread", name=f"{item.home.figure} {item.name}".strip())
+        return _edit(UNREAD, item, figures, None, said)
     return lone("unseen", item, figures, reason=reason)
 
 
@@ -64,11 +63,6 @@ def restated(item: Item, there: Item, figures: SheetFigures) -> Edit:
     return lone("restated", item, figures, **said)
 
 
-def retouched(how: str, item: Item, figures: SheetFigures, **parts: object) -> Edit:
-    """Tell of a stroke that lies where it must, and is written or drawn otherwise."""
-    return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
-
-
 def moved(how: str, item: Item, figures: SheetFigures, by: float) -> Edit:
     """Tell of a stroke that lies elsewhere, by so many mm."""
     said = message(f"edit.{how}", thing=_thing(item, figures), by=_size(by, figures.scale(item)))
@@ -78,8 +72,7 @@ def moved(how: str, item: Item, figures: SheetFigures, by: float) -> Edit:
 def whole(how: str, items: Sequence[Item], figures: SheetFigures) -> Edit:
     """Tell of a figure as a whole."""
     first = items[0]
-    figure = figures.called(figures.of(first))
-    thing = message("edit.figure", figure=figure, at=_place(middle(first.stroke)))
+    thing = message("edit.figure", figure=figures.called(figures.of(first)), at=_place(middle(first.stroke)))
     edit = _edit(how, first, figures, None, message(f"edit.{how}", thing=thing))
     return edit._replace(what="figure", name="", strokes=len(items))
 
@@ -97,13 +90,11 @@ def together(items: list[Item], figures: SheetFigures, shift: Shift, whole: bool
     )  # fmt: skip
     by = _size(shift.farthest, figures.scale(first) if mark or not whole else None)
     key, parts = _motion(shift)
-    said = message(f"edit.{key}", thing=thing, by=by, **parts)
-    edit = _edit(shift.how, first, figures, shift.farthest, said)
+    edit = _edit(shift.how, first, figures, shift.farthest, message(f"edit.{key}", thing=thing, by=by, **parts))
     return edit._replace(what=first.what if mark else "figure", name=mark, strokes=len(items))
 
 
 def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
-    """Name a motion by what it does beside moving."""
     if shift.how != "moved":
         return shift.how, {}
     scale, turn = f"{shift.scale:.4g}", f"{shift.turn:.2f}"  # as exactly as an arrow of a few mm shows them
@@ -118,13 +109,8 @@ def style(right: LineStyle, there: LineStyle) -> Message:
         return message("look.width", is_=_number(there.width), must=_number(right.width))
     if right.dash != there.dash:
         return message("look.dash", is_=_dashes(there), must=_dashes(right))
-    if right.colour != there.colour:
-        return message("look.colour", is_=there.colour, must=right.colour)
-    if right.fill != there.fill:
-        return message("look.fill", is_=there.fill, must=right.fill)
-    if right.cap != there.cap:
-        return message("look.cap", is_=there.cap, must=right.cap)
-    return message("look.join", is_=there.join, must=right.join)
+    name = next((name for name in ("colour", "fill", "cap") if getattr(right, name) != getattr(there, name)), "join")
+    return message(f"look.{name}", is_=getattr(there, name), must=getattr(right, name))
 
 
 def written(text: Text) -> str:
@@ -147,7 +133,6 @@ def _edit(how: str, item: Item, figures: SheetFigures, by: float | None, said: M
 
 
 def _thing(item: Item, figures: SheetFigures) -> Message:
-    """Name a stroke: what it is, where it stands, of which figure."""
     part: object = message(f"part.{item.what}")
     if item.name:
         quoted = isinstance(item.stroke, Text)

@@ -98,9 +98,8 @@ def alike(right: Ink, there: Ink) -> bool:
 
 def alike_in_style(right: LineStyle, there: LineStyle) -> bool:
     """Tell whether two lines are drawn in one pen: width, dashes, colour, filling, ends."""
-    dashes = len(right.dash) == len(there.dash) and all(
-        abs(a - b) <= WIDTH for a, b in zip(right.dash, there.dash, strict=True)
-    )
+    pairs = zip(right.dash, there.dash, strict=False)
+    dashes = len(right.dash) == len(there.dash) and all(abs(a - b) <= WIDTH for a, b in pairs)
     return dashes and abs(right.width - there.width) <= WIDTH and right[2:] == there[2:]
 
 
@@ -148,7 +147,11 @@ def shift_of(right: Sequence[Item], there: Sequence[Item], rounding: float) -> S
         return None
     ours = [spot for item in right for spot in spots(item.stroke)]
     theirs = [spot for item in there for spot in spots(item.stroke)]
-    by = _fitted(ours, theirs)
+    centre, target = sum(ours) / len(ours), sum(theirs) / len(theirs)
+    z, w = [a - centre for a in ours], [b - target for b in theirs]
+    spread = sum(abs(a) ** 2 for a in z)
+    p = _times(w, [a.conjugate() for a in z]) / spread if spread else 1
+    by = Affine(complex(p), 0j, target - p * centre)
     off = max(abs(by(a) - b) for a, b in zip(ours, theirs, strict=True))
     allowed = MORE * rounding * max(1.0, abs(by.p))
     if not (off <= allowed and _round_off(right, there, abs(by.p)) <= allowed):
@@ -164,20 +167,8 @@ def _round_off(right: Sequence[Item], there: Sequence[Item], scale: float) -> fl
 
 
 def _of_one_kind(ours: Item, theirs: Item) -> bool:
-    return ours.what == theirs.what and ours.name == theirs.name and _as_many(ours, theirs)
-
-
-def _as_many(ours: Item, theirs: Item) -> bool:
-    return type(ours.stroke) is type(theirs.stroke) and len(spots(ours.stroke)) == len(spots(theirs.stroke))
-
-
-def _fitted(ours: Sequence[complex], theirs: Sequence[complex]) -> Affine:
-    """Fit a similarity by least squares; a mere shift where the points are all one."""
-    centre, target = sum(ours) / len(ours), sum(theirs) / len(theirs)
-    z, w = [a - centre for a in ours], [b - target for b in theirs]
-    spread = sum(abs(a) ** 2 for a in z)
-    p = _times(w, [a.conjugate() for a in z]) / spread if spread else 1
-    return Affine(complex(p), 0j, target - p * centre)
+    named = ours.what == theirs.what and ours.name == theirs.name and type(ours.stroke) is type(theirs.stroke)
+    return named and len(spots(ours.stroke)) == len(spots(theirs.stroke))
 
 
 def stretch_of(right: Sequence[Item], there: Sequence[Item], rounding: float) -> Shift | None:
@@ -187,7 +178,10 @@ def stretch_of(right: Sequence[Item], there: Sequence[Item], rounding: float) ->
     ours = [spot for item in right for spot in spots(item.stroke)]
     theirs = [spot for item in there for spot in spots(item.stroke)]
     by = _sheared(ours, theirs)
-    if by is None or not max(abs(by(a) - b) for a, b in zip(ours, theirs, strict=True)) <= MORE * rounding * _reach(by):
+    if by is None:
+        return None
+    reach = max(1.0, abs(by.p) + abs(by.q))  # as many times as long it makes what it makes longest
+    if not max(abs(by(a) - b) for a, b in zip(ours, theirs, strict=True)) <= MORE * rounding * reach:
         return None
     return Shift(by, max(abs(a - b) for a, b in zip(ours, theirs, strict=True)))
 
@@ -206,11 +200,6 @@ def _sheared(ours: Sequence[complex], theirs: Sequence[complex]) -> Affine | Non
     return Affine(p, q, target - p * centre - q * centre.conjugate())
 
 
-def _reach(by: Affine) -> float:
-    """Give how many times as long a map makes what it makes longest, and 1 at the least."""
-    return max(1.0, abs(by.p) + abs(by.q))
-
-
 def _times(a: Sequence[complex], b: Sequence[complex]) -> complex:
     return sum((x * y for x, y in zip(a, b, strict=True)), 0j)
 
@@ -223,7 +212,5 @@ def looks_alike(right: Sequence[Item], there: Sequence[Item], scale: float) -> b
 
 def _wider(stroke: Ink, scale: float) -> Ink:
     """Give a stroke with its line so many times as wide, and its dashes so many times as long."""
-    style = stroke.style._replace(
-        width=stroke.style.width * scale, dash=tuple(dash * scale for dash in stroke.style.dash)
-    )
-    return stroke._replace(style=style)
+    width, dash = stroke.style.width * scale, tuple(dash * scale for dash in stroke.style.dash)
+    return stroke._replace(style=stroke.style._replace(width=width, dash=dash))

@@ -75,9 +75,8 @@ BOTH = np.array([1.0, -1.0])  # signs of a determinant
 # Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
 # rounding must not choose between them.
 ALIKE = 1e-9
-INFINITE = 1.0 / (
-    1000.0 * EPS
-)  # sizes of the mechanism: a pin farther away is where guides are parallel but for rounding
+# Sizes of the mechanism: a pin farther away is where guides are parallel but for rounding.
+INFINITE = 1.0 / (1000.0 * EPS)
 
 
 class ClosedPosition(NamedTuple):
@@ -127,7 +126,6 @@ class Closure(NamedTuple):
 
 
 def _at(poses: Floats, local: complex) -> Complexes:
-    """Place a point of a link by its poses (N, 3)."""
     x, y, turn = poses.T
     return np.asarray(x + 1j * y + local * np.exp(1j * turn))
 
@@ -221,8 +219,7 @@ def _probe(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Float
     probes = lost[::every]
     if probes.size:
         found[:, probes] = _from_rough(block, poses[probes], phi[probes])
-        rest = lost[np.arange(lost.size) % every > 0]
-        _from_next(block, found, rest, probes, poses, phi)
+        _from_next(block, found, lost[np.arange(lost.size) % every > 0], probes, poses, phi)
 
 
 def _from_next(block: Block, found: Floats, here: Indices, done: Indices, poses: Floats, phi: Floats) -> None:

@@ -68,7 +68,6 @@ class Guess:
         return [point for point in self.mechanism.links[number].points if point in self.places]
 
     def _slides(self, number: int) -> list[tuple[Slide, int]]:
-        """List the slides of a link, each with the link at its other side."""
         slides = self.mechanism.slides
         return [(s, s.owner if s.slider == number else s.slider) for s in slides if number in (s.slider, s.owner)]
 

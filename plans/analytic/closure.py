@@ -129,7 +129,11 @@ def settle(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats
         busy, size = busy[size > SQRT_EPS], size[size > SQRT_EPS]
         if not busy.size:
             break
-        step = _damped_step(constraints.jacobian(constraints.place(poses[busy])), miss[busy], size)
+        jacobian = constraints.jacobian(constraints.place(poses[busy]))
+        across = jacobian.transpose(0, 2, 1)
+        # Damping by the square of the miss keeps the step finite at singular poses; it fades as Newton's law takes on.
+        damping = (size**2)[:, None, None] * np.eye(jacobian.shape[1])
+        step = solutions(across @ jacobian + damping, -(across @ miss[busy][..., None])[..., 0])
         poses[busy], miss[busy] = _descend(constraints, poses[busy], phi[busy], step, size)
         busy = busy[np.linalg.norm(miss[busy], axis=1) < size * (1.0 - SQRT_EPS)]  # the rest are as near as they come
     return close(constraints, poses, phi)
@@ -146,22 +150,13 @@ def transfer(constraints: Constraints, poses: Floats, order: int) -> tuple[Float
     first = constraints.drive.stated(as_poses(_refine(jacobian, unit)), 1.0)
     if order == 1:
         return (first,)
-    second = as_poses(_refine(jacobian, -constraints.convective(at, first)))
-    return first, constraints.drive.stated(second, 0.0)
+    return first, constraints.drive.stated(as_poses(_refine(jacobian, -constraints.convective(at, first))), 0.0)
 
 
 def _refine(jacobian: Floats, right: Floats) -> Floats:
     """Solve N linear systems, and once more for what their rounding left."""
     found = solutions(jacobian, right)
-    left = right - (jacobian @ found[..., None])[..., 0]
-    return found + solutions(jacobian, left)
-
-
-def _damped_step(jacobian: Floats, miss: Floats, size: Floats) -> Floats:
-    across = jacobian.transpose(0, 2, 1)
-    # Damping by the square of the miss keeps the step finite at singular poses and fades as Newton's law takes over.
-    damping = (size**2)[:, None, None] * np.eye(jacobian.shape[1])
-    return solutions(across @ jacobian + damping, -(across @ miss[..., None])[..., 0])
+    return found + solutions(jacobian, right - (jacobian @ found[..., None])[..., 0])
 
 
 def _descend(constraints: Constraints, poses: Floats, phi: Floats, step: Floats, size: Floats) -> tuple[Floats, Floats]:

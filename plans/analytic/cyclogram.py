@@ -24,7 +24,6 @@ from plans.model.cyclogram import (
     EXIT,
     LEAVE,
     PRESSURE,
-    Along,
     Cyclogram,
     CyclogramTask,
     Position,
@@ -102,10 +101,8 @@ class _Around(NamedTuple):
 
     def ends(self) -> Iterator[Position]:
         """Give the extreme positions."""
-        for role, share, phi, reach in zip(
-            (BEGIN, END), (0.0, 1.0), self.extremes.phi, self.extremes.reach, strict=True
-        ):
-            yield Position(role, phi, share, reach)
+        for k, role in enumerate((BEGIN, END)):
+            yield Position(role, self.extremes.phi[k], float(k), self.extremes.reach[k])
 
     def stops(self, task: CyclogramTask) -> Iterator[Position]:
         """Give where the tool comes to the ends of the work and to the changes of the load."""
@@ -113,17 +110,14 @@ class _Around(NamedTuple):
         begin, end = (reach / self.unit for reach in self.extremes.reach)
         wanted = np.array([begin + stop.share * (end - begin) for stop in asked])
         strokes = self.strokes()
-        brackets = [
-            self._between(self._travel, target, strokes[stop.back])[0]
-            for stop, target in zip(asked, wanted, strict=True)
-        ]
+        pairs = zip(asked, wanted, strict=True)
+        brackets = [self._between(self._travel, target, strokes[stop.back])[0] for stop, target in pairs]
         roots = self._roots(lambda stations: self._travel(stations) - np.array([wanted, 0.0 * wanted]), brackets)
         values = self._at(roots, self._travel)
         for k, stop in enumerate(asked):
             travel, slope = float(values[0, k]) * self.unit, float(values[1, k]) * self.unit
-            yield Position(
-                stop.role, float(roots[k]), stop.share, travel, stop.back, None, self.stroke / (FULL * abs(slope))
-            )
+            times = self.stroke / (FULL * abs(slope))
+            yield Position(stop.role, float(roots[k]), stop.share, travel, stop.back, None, times)
 
     def watch(self, watched: Watched) -> Iterator[Position]:
         """Give where the pressure angle is extreme, away from the ends of the strokes: its links turn alike there."""
@@ -143,10 +137,8 @@ class _Around(NamedTuple):
 
     def _turning(self, watched: Watched) -> Measure:
         """Give how fast two links turn against each other, or the first against the frame, by the crank angle."""
-        first, second = (
-            self.shape.constraints.numbers.index(link)
-            for link in (watched.links if watched.way is None else (watched.links[0], FRAME))
-        )
+        links = watched.links if watched.way is None else (watched.links[0], FRAME)
+        first, second = (self.shape.constraints.numbers.index(link) for link in links)
 
         def turning(stations: Floats) -> Floats:
             return np.asarray(stations[1:, :, first, TURN] - stations[1:, :, second, TURN])
@@ -190,8 +182,7 @@ class _Around(NamedTuple):
             low, high = np.where(before, phi, low), np.where(before, high, phi)
             with np.errstate(divide="ignore", invalid="ignore"):
                 step = phi - value / slope
-            out = ~((step - low) * (step - high) <= 0.0)
-            last, phi = phi, np.where(out, (low + high) / 2.0, step)
+            last, phi = phi, np.where(~((step - low) * (step - high) <= 0.0), (low + high) / 2.0, step)
             if (np.abs(phi - last) <= ROUNDINGS * EPS * np.maximum(np.abs(phi), 1.0)).all():
                 break
         return np.asarray(phi)
@@ -219,9 +210,5 @@ def _asked(task: CyclogramTask, stroke: float) -> Iterator[Stop]:
         yield Stop(EXIT, 1.0 - last)
     if not first > 0.0:
         yield Stop(BACK, 1.0 - last, True)
-    edges = {first, 1.0 - last}
-    yield from (Stop(BREAK, share) for share in map(_share_of(stroke), task.breaks) if share not in edges)
-
-
-def _share_of(stroke: float) -> Callable[[Along], float]:
-    return lambda along: along.share(stroke)
+    shares = (along.share(stroke) for along in task.breaks)
+    yield from (Stop(BREAK, share) for share in shares if share not in {first, 1.0 - last})

@@ -40,8 +40,7 @@ def least_of(blocks: Sequence[Block], dets: Floats, jacobian: Floats, poses: Flo
     """Give the sharpness of the bluntest block, (N,), from the determinants of all blocks, (blocks, N)."""
     found = np.ones(len(poses))
     for block, det in zip(blocks, dets, strict=True):
-        part = block.of(jacobian)
-        sharp = np.abs(det) / np.sqrt((part**2).sum(axis=1)).prod(axis=1)
+        sharp = np.abs(det) / np.sqrt((block.of(jacobian) ** 2).sum(axis=1)).prod(axis=1)
         doubtful = np.flatnonzero(sharp < PLAIN)
         if doubtful.size:
             sharp[doubtful] = sharpness(block, poses[doubtful])
@@ -169,7 +168,7 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
     fold = _fold(constraints, last, sense)
     if fold is None:
         return Halt(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)
-    turned = _apart(constraints, fold.poses, last)
+    turned = float(constraints.drive.lag(constraints.place(fold.poses[None]), np.array([last.phi]))[0])
     limit = TOUCHING * EPS * _perimeter(block, fold.poses) / _parting(block, loss)
     return Halt(last.phi, last.phi + turned, DEAD_CENTRE, sense, fold, limit)
 
@@ -277,7 +276,10 @@ def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
             poses, rates, bends = _on_path(constraints, poses, along)
         except np.linalg.LinAlgError:
             return None
-        rate, bend = _driven(constraints, poses, rates, bends)
+        at = constraints.place(poses[None])
+        row = constraints.jacobian(at)[0, -1]
+        quadratic = constraints.convective(at, as_poses(rates[None]))[0, -1]
+        rate, bend = float(row @ rates), float(row @ bends + quadratic)
         if not bend * sense < 0.0:
             return None
         before, step = step, -rate / bend
@@ -288,19 +290,6 @@ def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
     if not closed(constraints, poses[None], constraints.drive.coordinate(constraints.place(poses[None])))[0]:
         return None
     return Fold(poses, _pose(rates), _pose(bends), bend)
-
-
-def _apart(constraints: Constraints, poses: Floats, last: Station) -> float:
-    """Give how far the drive goes from a station to poses beside it."""
-    return float(constraints.drive.lag(constraints.place(poses[None]), np.array([last.phi]))[0])
-
-
-def _driven(constraints: Constraints, poses: Floats, rates: Floats, bends: Floats) -> tuple[float, float]:
-    """Give the first and the second derivative of the drive's coordinate on a path, from those of the poses."""
-    at = constraints.place(poses[None])
-    row = constraints.jacobian(at)[0, -1]
-    quadratic = constraints.convective(at, as_poses(rates[None]))[0, -1]
-    return float(row @ rates), float(row @ bends + quadratic)
 
 
 def _on_path(constraints: Constraints, poses: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:

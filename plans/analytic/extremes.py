@@ -99,11 +99,8 @@ Coordinate: TypeAlias = OutputCoordinate | PartedCoordinate
 def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output) -> Coordinate:
     """Give the coordinate of an output."""
     if output.parting is not None:
-        spots = (
-            _spot(mechanism, constraints, name)
-            for name in (output.point or "", output.parting.other, *output.parting.line)
-        )
-        here, other, start, end = spots
+        names = output.point or "", output.parting.other, *output.parting.line
+        here, other, start, end = (_spot(mechanism, constraints, name) for name in names)
         return PartedCoordinate((here, other, start, end), constraints.size)
     guides = [s for s in mechanism.slides if {s.slider, s.owner} == {FRAME, output.link}]
     guide = guides[0] if guides else None
@@ -115,7 +112,6 @@ def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output
 
 
 def _spot(mechanism: Mechanism, constraints: Constraints, name: str) -> _OutputSpot:
-    """Find a point on the first link that has it."""
     link = next(number for number in constraints.numbers if name in mechanism.links[number].points)
     return _OutputSpot(constraints.numbers.index(link), mechanism.links[link].points[name] / constraints.size)
 
@@ -214,7 +210,6 @@ def _doubtful(low: Floats, middle: Floats, high: Floats, step: Floats) -> Flags:
 
 
 def _changes(values: Floats) -> Floats:
-    """Count the changes of sign along each column."""
     return np.asarray(((values[1:] >= 0.0) != (values[:-1] >= 0.0)).sum(axis=0))
 
 

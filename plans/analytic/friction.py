@@ -45,12 +45,7 @@ class Driven(NamedTuple):
 
 @np.errstate(divide="ignore", invalid="ignore")  # a gap is NaN; where nothing is used or lost there is no efficiency
 def friction(
-    road: Analysis,
-    machine: Machine,
-    motion: Motion,
-    loading: Loading,
-    statics: Kinetostatics,
-    pairs: tuple[Pair, ...],
+    road: Analysis, machine: Machine, motion: Motion, loading: Loading, statics: Kinetostatics, pairs: tuple[Pair, ...]
 ) -> Friction:
     """Find what friction takes from a machine over a motion of order 2, with the reactions of the same road."""
     rubs = [pair for key in machine.friction for pair in pairs if pair.key == key]
@@ -90,9 +85,8 @@ def _rate(road: Analysis, motion: Motion, first: Floats, pair: Pair) -> Floats:
     k, poses = road.mechanism.slides.index(pair.joint), road.poses(motion)
     feet = constraints.size * constraints.points[:, constraints.hinges + k]
     links = pair.joint.slider, pair.joint.owner
-    slider, owner = (
-        speed(constraints, poses, rates, link, complex(foot)) for link, foot in zip(links, feet, strict=True)
-    )
+    spots = zip(links, feet, strict=True)
+    slider, owner = (speed(constraints, poses, rates, link, complex(foot)) for link, foot in spots)
     # Both feet lie on the common line: that it turns moves neither along it.
     slip = (constraints.place(poses).ways[:, 1, k].conj() * (slider - owner)).real
     return slip if pair.taker == pair.joint.slider else -slip

@@ -161,11 +161,7 @@ def _rates(slopes: list[Floats], drive: Rates) -> Iterator[Floats]:
 
 
 def _motion(
-    mechanism: Mechanism,
-    constraints: Constraints,
-    phi: Floats,
-    rows: list[Floats],
-    gaps: tuple[Gap, ...],
+    mechanism: Mechanism, constraints: Constraints, phi: Floats, rows: list[Floats], gaps: tuple[Gap, ...]
 ) -> Motion:
     """Read points and links off the poses and their rates (N, links, 3)."""
     points: dict[str, PointMotion] = {}
@@ -215,7 +211,12 @@ def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
     omega, lead = abs(mechanism.drive.omega), mechanism.drive.epsilon / mechanism.drive.omega
     rows = far.followed(axis.turned, _rows(mechanism, far.output, motion, axis.numbers))
     at = far.count.course(axis.turned, rows, omega)
-    speeds = _output_rates(at.s, axis.turned, omega, axis.joined)
+    speeds = np.asarray(np.where(axis.joined, omega * np.diff(at.s) / np.diff(axis.turned), np.nan))
+    gains = np.full(len(axis.turned), np.nan)
+    gains[1:-1] = omega * np.diff(speeds) / np.diff(axis.middles)
+    if axis.closed:
+        apart = axis.middles[0] + math.tau - axis.middles[-1]
+        gains[[0, -1]] = omega * (speeds[0] - speeds[-1]) / apart
     return Diagrams(
         by="analysis",
         axis=axis,
@@ -223,7 +224,7 @@ def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
         lead=lead,
         at=at,
         speeds=speeds,
-        growths=_gains(speeds, axis, omega),
+        growths=gains,
         true_speeds=np.where(axis.joined, far.course(axis.middles).v, np.nan),
         true_growths=np.where(axis.between, far.course(axis.places).even(lead), np.nan),
     )
@@ -297,18 +298,3 @@ def _rows(
     through, direction, point = guide
     place, *rates = motion.points[point]
     return [np.asarray(((row * direction.conjugate()).real)[numbers]) for row in (place - through, *rates)]
-
-
-def _output_rates(values: Floats, turned: Floats, omega: float, there: np.ndarray) -> Floats:
-    """Give what values gain over each part, by its time; NaN of a part that is not passed."""
-    return np.asarray(np.where(there, omega * np.diff(values) / np.diff(turned), np.nan))
-
-
-def _gains(speeds: Floats, axis: Axis, omega: float) -> Floats:
-    """Give what the mean velocity gains from part to part, by the time from middle to middle, (M,)."""
-    gains = np.full(len(axis.turned), np.nan)
-    gains[1:-1] = omega * np.diff(speeds) / np.diff(axis.middles)
-    if axis.closed:
-        apart = axis.middles[0] + math.tau - axis.middles[-1]
-        gains[[0, -1]] = omega * (speeds[0] - speeds[-1]) / apart
-    return gains

@@ -25,13 +25,6 @@ from plans.model.mechanism import FRAME, Drive, Mechanism
 from plans.model.motion import DEAD_CENTRE, INDETERMINATE, Complexes, Floats, Gap, Motion
 
 
-class Multipliers(NamedTuple):
-    """Poses (N, links, 3), and the multiplier of the drive's equation at them, N*m."""
-
-    poses: Floats
-    drive: Floats
-
-
 class Action(NamedTuple):
     """A line of action over the positions: a point of it, m, its unit direction, and the shaft's place."""
 
@@ -71,9 +64,10 @@ def unit_force(constraints: Constraints, poses: Floats, line: Action) -> Floats:
     return row[:, 1:].reshape(len(poses), -1)
 
 
-def balancing(mechanism: Mechanism, constraints: Constraints, line: Action | None, forces: Multipliers) -> Effort:
+def balancing(
+    mechanism: Mechanism, constraints: Constraints, line: Action | None, poses: Floats, multiplier: Floats
+) -> Effort:
     """Read the drive's multiplier, N*m: the moment itself, or the force times `size`; of a slide times its unit."""
-    poses, multiplier = forces
     if mechanism.drive.guide is not None:
         return _pushed(mechanism.drive, mechanism, constraints, poses, multiplier)
     if line is None:
@@ -112,11 +106,12 @@ def kinetostatics(
         line, multipliers, singular = balanced(np.where(pulled, -sense, sense))
     multipliers[[gap.position for gap in motion.gaps]] = np.nan  # where velocities are not borne, neither are forces
     forces = _Forces(mechanism, constraints, motion, poses, multipliers, constraints.place(poses))
+    found = _hinge_reactions(forces, pairs) | _sliding(forces, pairs)
     return Kinetostatics(
         by="analysis",
         phi=motion.phi,
-        reactions=_in_order(pairs, _hinge_reactions(forces, pairs) | _sliding(forces, pairs)),
-        balancing=balancing(mechanism, constraints, line, Multipliers(poses, multipliers[:, -1])),
+        reactions={pair.key: found[pair.key] for pair in pairs},
+        balancing=balancing(mechanism, constraints, line, poses, multipliers[:, -1]),
         gaps=_gaps(motion, singular | _lost(constraints, poses, motion)),
     )
 
@@ -166,8 +161,7 @@ def _balance(
 def _lost(constraints: Constraints, poses: Floats, motion: Motion) -> dict[int, str]:
     """Give the gaps of the velocities where the equations lose rank, and why there are no forces."""
     reasons = {gap.position: without_forces(gap) for gap in motion.gaps if np.isfinite(poses[gap.position]).all()}
-    at = constraints.place(poses[list(reasons)])
-    matrices = constraints.jacobian(at)
+    matrices = constraints.jacobian(constraints.place(poses[list(reasons)]))
     blunt = reciprocal_condition(matrices, inverses(matrices)) <= BLUNT
     return {k: reasons[k] for k, faint in zip(reasons, blunt, strict=True) if faint}
 
@@ -177,10 +171,6 @@ def _gaps(motion: Motion, singular: dict[int, str]) -> tuple[Gap, ...]:
     found = [gap for gap in motion.gaps if gap.position not in singular]
     found += [unbalanced(k, float(motion.phi[k]), reason) for k, reason in singular.items()]
     return tuple(sorted(found, key=lambda gap: gap.position))
-
-
-def _in_order(pairs: Sequence[Pair], found: dict[str, Reaction]) -> dict[str, Reaction]:
-    return {pair.key: found[pair.key] for pair in pairs}
 
 
 def _hinge_reactions(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:

@@ -131,9 +131,8 @@ class Constraints(NamedTuple):
         full = np.empty((count, self.pattern.size))
         full[:] = self.pattern.ravel()
         # A vector that turns by a small angle moves by so much of itself, square to itself.
-        full[:, self.changing] = np.concatenate(
-            (-hinged.imag, hinged.real, -way.imag, way.real, way.imag, -way.real, *levers), axis=1
-        )
+        columns = (-hinged.imag, hinged.real, -way.imag, way.real, way.imag, -way.real, *levers)
+        full[:, self.changing] = np.concatenate(columns, axis=1)
         shaped = full.reshape(count, *self.pattern.shape)
         if self.driven:
             shaped[:, -1] = self.drive.row(at, self.pattern.shape[1])
@@ -148,8 +147,7 @@ class Constraints(NamedTuple):
         moving = (rates[:, :, X] + 1j * rates[:, :, Y])[:, sliding] + 1j * (spins * at.arms)[:, :, self.hinges :]
         off = at.apart[:, self.hinges :]
         lines = apart[:, self.hinges :] - 2j * turning * (moving[:, 0] - moving[:, 1]) - turning**2 * off
-        bends = (at.ways[:, 1].conj() * lines).imag
-        rows = (still.real, still.imag, np.zeros_like(turning), bends)
+        rows = (still.real, still.imag, np.zeros_like(turning), (at.ways[:, 1].conj() * lines).imag)
         return np.concatenate((*rows, self.drive.bend(at, lines)[:, None]) if self.driven else rows, axis=1)
 
 

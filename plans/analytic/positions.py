@@ -89,7 +89,6 @@ def along(shape: Closure, phi: Floats, turn: Marched, tolerance: float = EPS) ->
 
 
 def _none(shape: Closure, phi: Floats) -> tuple[Floats, Flags]:
-    """Rule poses at crank angles before any is found."""
     return np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool)
 
 
@@ -215,7 +214,6 @@ def _away(last: Station, end: Halt, left: float) -> Floats:
 
 
 def _same(shape: Closure, near: Station, poses: Floats) -> bool:
-    """Tell whether poses are of the assembly of a station."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(poses[None]))[0]
     return bool((signs_of(shape.blocks, jacobian) == np.sign(near.dets)).all())
 

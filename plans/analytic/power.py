@@ -136,7 +136,12 @@ def energy_balance(road: Analysis, machine: Machine, motion: Motion, loading: Lo
 
 def _energy(constraints: Constraints, machine: Machine, omega: Floats | float, around: Floats) -> tuple[Floats, Floats]:
     """Give kinetic and potential energy J at the speeds omega, (rings, 2, N), and the largest size of both together."""
-    kinetic = omega**2 / 2.0 * reduced_inertia(constraints, machine, around, _rates(constraints, around))
+    flat = around.reshape(-1, *around.shape[-2:])
+    rates = np.full_like(flat, np.nan)
+    known = np.flatnonzero(np.isfinite(flat).all(axis=(1, 2)))
+    for block in blocks(len(known)):
+        rates[known[block]] = transfer(constraints, flat[known[block]], 1)[0]
+    kinetic = omega**2 / 2.0 * reduced_inertia(constraints, machine, around, rates.reshape(around.shape))
     raised = potential(constraints, machine, around)
     return kinetic + raised, (kinetic + np.abs(raised)).max(axis=(0, 1))
 
@@ -191,16 +196,6 @@ def _closed(constraints: Constraints, guess: Floats, centre: Floats, phi: Floats
 def _side(constraints: Constraints, poses: Floats) -> Floats:
     """Tell assemblies that meet at a singular position apart, by the sign of the Jacobian's determinant."""
     return np.asarray(np.sign(np.linalg.det(constraints.jacobian(constraints.place(poses)))))
-
-
-def _rates(constraints: Constraints, poses: Floats) -> Floats:
-    """Give the first transfer functions of the rings' poses."""
-    flat = poses.reshape(-1, *poses.shape[-2:])
-    rates = np.full_like(flat, np.nan)
-    known = np.flatnonzero(np.isfinite(flat).all(axis=(1, 2)))
-    for block in blocks(len(known)):
-        rates[known[block]] = transfer(constraints, flat[known[block]], 1)[0]
-    return rates.reshape(poses.shape)
 
 
 def _rounding(

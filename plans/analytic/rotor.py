@@ -50,9 +50,7 @@ def _sine(angle: Fraction) -> float:
         return -_sine(angle - 180)
     if angle > 90:
         angle = 180 - angle
-    if angle > 45:
-        return math.cos(math.radians(90 - angle))
-    return math.sin(math.radians(angle))
+    return math.cos(math.radians(90 - angle)) if angle > 45 else math.sin(math.radians(angle))
 
 
 def _correction(rotor: Rotor, loads: Sequence[tuple[complex, Fraction]], k: int) -> Correction:

@@ -21,7 +21,6 @@ from plans.cam.diagrams import MIDDLE, THREE, TRUE, LawDiagrams, law_diagrams
 from plans.cam.path import ProfilePath, path
 from plans.cam.profile.profile import profile
 from plans.cam.study import CamDrawing, CamStudy
-from plans.model.cam import Cam
 from plans.model.cam_motion import CamSizes, Points
 from plans.model.motion import Floats
 from plans.study import Study
@@ -48,16 +47,12 @@ def cams(study: Study, order: Demand) -> Iterator[Timing]:
     cam, sizes, roller = drawing.cam, drawing.sizing.sizes, drawing.found.roller
     for means, name in LAWS.items():
         for count in STRIPS if order.startup else STRIPS[:3]:
-            yield Timing(partial(_diagrams, cam, count, means), count, {name: _departures})
+            yield Timing(partial(law_diagrams, replace(cam, divisions=count), means), count, {name: _departures})
     for count in TURNS if order.startup else TURNS[:2]:
         yield from Judged(drawing.course, sizes, roller, count).roads()
     for count in CUBICS:
         judged = {PIECES: partial(_deviation, sizes.base or cam.lift)}
         yield Timing(partial(path, cam, sizes, -roller, count, exact=False), count, judged)
-
-
-def _diagrams(cam: Cam, count: int, means: str) -> LawDiagrams:
-    return law_diagrams(replace(cam, divisions=count), means)
 
 
 def _departures(found: LawDiagrams) -> Errors | None:
@@ -105,7 +100,7 @@ class Judged:
             INVERSION: (
                 lambda: profile(self.course, self.sizes, self.roller, self.turned).contour.profile,
                 self._chords,
-            ),
+            )
         }
         if find_spec("mpmath"):  # which judges it
             ways[ENVELOPE] = lambda: self.envelope(self.turned), self._digits
@@ -115,8 +110,7 @@ class Judged:
         return [Timing(run, self.count, {name: partial(self._errors, judge)}) for name, (run, judge) in ways.items()]
 
     def _errors(self, judge: Callable[[Any], float], found: Any) -> Errors:
-        share = judge(found) / float(np.abs(self.between).max())
-        return Errors.alone(share)
+        return Errors.alone(judge(found) / float(np.abs(self.between).max()))
 
     def _chords(self, points: Points) -> float:
         start, way = points[:-1], np.diff(points)

@@ -197,8 +197,7 @@ def roads(study: Study, count: int | None) -> tuple[list[Timing], dict[str, str]
     found.append(Timing(lambda: truth.replay.values(replayed), count, {REPLAY: lambda _: drawn}, of=replayed))
     ready, out = peers(study.of(LinkageStudy))
     for peer in ready:
-        judge = partial(_read, truth, peer.motion)
-        found.append(Timing(peer.run, count, {peer.name: judge}, peer.versions))
+        found.append(Timing(peer.run, count, {peer.name: partial(_read, truth, peer.motion)}, peer.versions))
     return found, out
 
 

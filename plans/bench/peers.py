@@ -152,8 +152,7 @@ def _mechanism(study: LinkageStudy, bar: FourBar) -> Peer:
     def read(_: Any) -> Motion:
         points = {name: _point(joint) for name, joint in joints.items()}
         spans = zip(bar.links[1:], (coupler, rocker), (bar.coupler, bar.rocker), strict=True)
-        links = {number: _link(vector, span) for number, vector, span in spans}
-        return Motion(MECHANISM, phi, points, links, ())
+        return Motion(MECHANISM, phi, points, {number: _link(vector, span) for number, vector, span in spans}, ())
 
     return Peer(MECHANISM, run, read)
 

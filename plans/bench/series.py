@@ -65,8 +65,7 @@ class KnownDiagram(NamedTuple):
         edges = strips(0.0, self.end, count, self.breaks)
 
         def judge(values: Floats) -> Errors:
-            share = departure(values, self.whole(edges)).share
-            return Errors.alone(share)
+            return Errors.alone(departure(values, self.whole(edges)).share)
 
         means = self.ordinate(middles(edges))
         return Timing(lambda: integral(Board("bench"), "A", edges, means).values, count, {self.name: judge}, self.note)
@@ -121,12 +120,10 @@ def dynamics(study: Study, order: Demand) -> Iterator[Timing]:
 
 
 def _off(true: float, largest: float, value: float) -> Errors:
-    share = abs(value - true) / (abs(largest) or 1.0)
-    return Errors.alone(share)
+    return Errors.alone(abs(value - true) / (abs(largest) or 1.0))
 
 
 def _mean(turn: Exact, count: int) -> float:
-    """Give the driving moment as the mean of so many positions."""
     turned = np.asarray(np.arange(count) * (TURN / count), dtype=np.float64)
     return -float(np.mean(turn.moment(turned) + turn.moment(turned, -1))) / 2
 
@@ -161,8 +158,7 @@ def diagrams(study: Study, order: Demand) -> Iterator[Timing]:
 def _by_chords(study: Study, letter: str, _: Any) -> Errors:
     found = {quantity.name: quantity for quantity in quantities(study, "diagrams")}
     chords, exact = (found[f"{letter} {which}"] for which in ("chords", "middles"))
-    share = float(np.nanmax(np.abs(chords.construction - exact.analysis))) / (exact.largest or 1.0)
-    return Errors.alone(share)
+    return Errors.alone(float(np.nanmax(np.abs(chords.construction - exact.analysis))) / (exact.largest or 1.0))
 
 
 def bank(study: Study, _: Demand) -> Iterator[Timing]:
@@ -176,8 +172,7 @@ def bank(study: Study, _: Demand) -> Iterator[Timing]:
         return Errors.of({name: away / largest for name, away in off.items()})
 
     for count in FEW:
-        fewer = partial(_few, found, count)
-        yield Timing(fewer, count, {ORDINATES: judge})
+        yield Timing(partial(_few, found, count), count, {ORDINATES: judge})
 
 
 def _few(found: BankStudy, count: int) -> Harmonics:

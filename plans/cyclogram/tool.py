@@ -114,7 +114,7 @@ def _by_line(plan: Plan, notch: Notch, there: Plan) -> Mark:
     """Meet the slot with the arc that the pin in it describes: far from the slot's pivot, or near it."""
     dyad, pin = notch.dyad, notch.pin
     slide, driven = dyad.slide(), dyad.links[1 - notch.end]
-    left = leads.offset(plan, slide, dyad.links[notch.end], pin).left
+    left = leads.offset(plan, slide, dyad.links[notch.end], pin)
     slot = leads.line(plan, slide, driven, left)
     along = np.asarray(there.units[leads.key(slide)].point)  # type: ignore[union-attr]  # a plan of positions has all
     centre, end = (np.asarray(there.point(name).point) for name in (notch.pivot, pin))

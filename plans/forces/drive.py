@@ -75,7 +75,7 @@ def _pushed(plan: ForcePlan, slide: Slide) -> CutGroup:
 def _foot(plan: ForcePlan, slide: Slide, along: Mark) -> Mark:
     """Give where a slide is pushed: its named point, or the foot of that on the guide's line."""
     point, board = plan.positions.point(slide.point), plan.positions.board
-    left = leads.offset(plan.positions, slide, slide.slider, slide.point).left
+    left = leads.offset(plan.positions, slide, slide.slider, slide.point)
     if not left:
         return point
     back = board.turn(f"h{slide.slider}'", along, -1j * left, because("offset"))

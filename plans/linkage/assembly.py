@@ -98,10 +98,7 @@ def margins(plan: Plan, groups: Sequence[Assur], sides: Sequence[float]) -> tupl
         miss = np.broadcast_to(np.asarray(mark.miss, dtype=float), count)
         sharpness = np.broadcast_to(np.asarray(mark.sharpness, dtype=float), count)
         turned = crossing(mark)
-        if turned is None:
-            rows.append(np.where(miss > 0, -1.0, sharpness**2))
-        else:
-            rows.append(np.broadcast_to(side * turned, count))
+        rows.append(np.where(miss > 0, -1.0, sharpness**2) if turned is None else np.broadcast_to(side * turned, count))
     return np.array(rows).reshape(len(marks), count), marks
 
 
@@ -209,9 +206,8 @@ def _crossed(
     """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
     plan = positions(mechanism, groups, sides, turn)
     turned = [crossing(mark) for mark in margins(plan, groups, sides)[1]]
-    return tuple(
-        side if sine is None else float(np.sign(sine.flat[0])) for side, sine in zip(sides, turned, strict=True)
-    )
+    pairs = zip(sides, turned, strict=True)
+    return tuple(side if sine is None else float(np.sign(sine.flat[0])) for side, sine in pairs)
 
 
 def _out_of_reach(
@@ -230,7 +226,8 @@ def _out_of_reach(
 def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions) -> list[SideChoice]:
     plan, choices = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn), []
     for group in groups:
-        kind, shown = KINDS[group.kind], _shown(mechanism, group)
+        points = {point for link in group.links for point in mechanism.links[link].points}
+        kind, shown = KINDS[group.kind], sorted(points & set(mechanism.sketch))
         if (side := untold(mechanism, group)) is not None:
             kind.positions(plan, group, side)
             choices.append(_given(plan, side, len(turn)))
@@ -238,11 +235,9 @@ def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions
         trials = [plan.trial(), plan.trial()]
         for trial, side in zip(trials, (1.0, -1.0), strict=True):
             kind.positions(trial, group, side)
-        places = [_places(trial, shown, len(turn)) for trial in trials]
-        choice = _choose(mechanism, shown, places, len(turn))
+        choice = _choose(mechanism, shown, [_places(trial, shown, len(turn)) for trial in trials], len(turn))
         kind.positions(plan, group, choice.side)
-        there = np.where(_parallel(meeting(plan, group)), np.nan, choice.misfit)
-        choices.append(choice._replace(misfit=there))
+        choices.append(choice._replace(misfit=np.where(_parallel(meeting(plan, group)), np.nan, choice.misfit)))
     return choices
 
 
@@ -250,12 +245,6 @@ def _parallel(mark: Mark) -> npt.NDArray[np.bool_]:
     """Tell where the two lines that meet in a mark have one direction, but for rounding: their pin has no place."""
     turned = crossing(mark)
     return np.zeros(1, dtype=bool) if turned is None else np.asarray(~(np.abs(turned) > NOWHERE))
-
-
-def _shown(mechanism: Mechanism, group: Assur) -> list[str]:
-    """Give the sketched points of a group's links."""
-    points = {point for link in group.links for point in mechanism.links[link].points}
-    return sorted(points & set(mechanism.sketch))
 
 
 def untold(mechanism: Mechanism, group: Assur) -> float | None:
@@ -287,8 +276,7 @@ def _places(plan: Plan, shown: list[str], count: int) -> Complexes:
 
 def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], count: int) -> SideChoice:
     if not shown:
-        finite = np.where(np.isfinite(places[0][0]), 0.0, np.nan)
-        return SideChoice(np.ones(count), np.zeros(count), finite)
+        return SideChoice(np.ones(count), np.zeros(count), np.where(np.isfinite(places[0][0]), 0.0, np.nan))
     rough = np.array([[mechanism.sketch[point]] for point in shown])
     misfits = [np.sum(np.abs(place - rough) ** 2, axis=0) for place in places]
     apart = np.sum(np.abs(places[0] - places[1]) ** 2, axis=0)

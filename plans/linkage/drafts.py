@@ -139,7 +139,9 @@ def gaps_of(
         # Beyond a change point or parallel guides it does not matter whether the links would meet.
         met = edge is None or edge.kind == OUT_OF_REACH or near[k]
         unplaced = _unplaced(field[:, k], nowhere[:, k], marks, missed, k, position, phi) if met else None
-        found.append(unplaced or (_unshown(position, phi) if home is None else _beyond(position, phi, edge)))
+        if home is None and unplaced is None:  # the links meet, but not as the sketch shows them
+            unplaced = Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))
+        found.append(unplaced or _beyond(position, phi, edge))
     return found
 
 
@@ -151,32 +153,21 @@ def _unplaced(
         if share < 0 and crossing(mark) is None:
             return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, mark.name, miss, _reach(mark, miss, k))
         if nowhere and crossing(mark) is None:
-            return _in_one(position, phi, mark.name)
+            advice = message("gap.one_line", point=mark.name)
+            return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, mark.name, 0.0, advice)
     return None
-
-
-def _in_one(position: int, phi: float, where: str) -> Gap:
-    advice = message("gap.one_line", point=where)
-    return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, where, 0.0, advice)
-
-
-def _unshown(position: int, phi: float) -> Gap:
-    """Name a position in which the links meet on the sides that the sketch shows elsewhere, but where it fits none."""
-    return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))
 
 
 def _beyond(position: int, phi: float, edge: BarrierEdge | None) -> Gap:
     """Name a position that could be assembled, but not without passing a barrier."""
-    where = edge.where if edge else ""
+    reason, advice = NOT_REACHABLE, message("gap.barred")
     if edge is not None and edge.kind == CHANGE_POINT:
-        return Gap(position, phi, POSITIONS.plan, BEYOND_CHANGE_POINT, where, 0.0, message("gap.change_point"))
-    if edge is not None and edge.kind == PARALLEL_GUIDES and _near(np.array([phi]), [edge.phi], UNBORNE).any():
-        advice = message("gap.parallel", point=where)
-        return Gap(position, phi, POSITIONS.plan, PARALLEL_GUIDES, where, 0.0, advice)
-    if edge is not None and edge.kind == PARALLEL_GUIDES:
-        advice = message("gap.guides", point=where)
-        return Gap(position, phi, POSITIONS.plan, NOT_REACHABLE, where, 0.0, advice)
-    return Gap(position, phi, POSITIONS.plan, NOT_REACHABLE, where, 0.0, message("gap.barred"))
+        reason, advice = BEYOND_CHANGE_POINT, message("gap.change_point")
+    elif edge is not None and edge.kind == PARALLEL_GUIDES and _near(np.array([phi]), [edge.phi], UNBORNE).any():
+        reason, advice = PARALLEL_GUIDES, message("gap.parallel", point=edge.where)
+    elif edge is not None and edge.kind == PARALLEL_GUIDES:
+        advice = message("gap.guides", point=edge.where)
+    return Gap(position, phi, POSITIONS.plan, reason, edge.where if edge else "", 0.0, advice)
 
 
 def _reach(mark: Mark, miss: float, k: int) -> Message:
@@ -198,7 +189,6 @@ def _reach(mark: Mark, miss: float, k: int) -> Message:
 
 
 def _written(sizes: Mapping[str, float]) -> dict[str, str]:
-    """Write sizes in metres with six digits."""
     return {name: f"{size:.6g}" for name, size in sizes.items()}
 
 

@@ -44,9 +44,8 @@ class RRR(Hinged):
     def velocities(self, plan: Plan, dyad: Dyad) -> None:
         """Meet the velocity of B about A, square to AB, with that about C, square to CB (M3.2)."""
         a, c = leads.outer_hinges(plan, dyad)
-        b = leads.meet_directions(
-            plan, dyad.pin, leads.about(plan, dyad.links[0], a), leads.about(plan, dyad.links[1], c)
-        )
+        lines = leads.about(plan, dyad.links[0], a), leads.about(plan, dyad.links[1], c)
+        b = leads.meet_directions(plan, dyad.pin, *lines)
         leads.keep_turning(plan, dyad.links[0], a, a, b)
         leads.keep_turning(plan, dyad.links[1], c, c, b)
 
@@ -57,9 +56,8 @@ class RRR(Hinged):
             leads.normal(plan, link, start, (dyad.hinge(end), dyad.pin))
             for end, (link, start) in enumerate(zip(dyad.links, starts, strict=True))
         ]
-        b = leads.meet_directions(
-            plan, dyad.pin, leads.about(plan, dyad.links[0], ends[0]), leads.about(plan, dyad.links[1], ends[1])
-        )
+        lines = leads.about(plan, dyad.links[0], ends[0]), leads.about(plan, dyad.links[1], ends[1])
+        b = leads.meet_directions(plan, dyad.pin, *lines)
         for link, start, end in zip(dyad.links, starts, ends, strict=True):
             leads.keep_turning(plan, link, start, end, b)
 
@@ -91,7 +89,7 @@ class RRP(Hinged):
     def positions(self, plan: Plan, dyad: Dyad, side: Sizes) -> None:
         """Notch the guide by the arc |AB| about A; side +1 is ahead of A's foot along the guide (M1.6)."""
         board, a, name = plan.board, plan.point(dyad.hinge(0)), dyad.pin
-        left = leads.offset(plan, dyad.slide(1), dyad.links[1], name).left
+        left = leads.offset(plan, dyad.slide(1), dyad.links[1], name)
         along = leads.line(plan, dyad.slide(1), dyad.hosts[1], left)
         arc = board.arc(f"{a.name}{name}", a, abs(leads.vector(plan, dyad, 0)), f"|{a.name}{name}|")
         b = plan.name(name, board.meet(name, along, arc, side, because("on_guide", point=name, start=a.name)))
@@ -123,9 +121,8 @@ class RRP(Hinged):
 
     def pressure(self, plan: Plan, dyad: Dyad) -> Floats:
         """Read off its pressure angle, (N,) rad: the rod's acute angle to the guide, signed from the guide."""
-        turned = np.asarray(plan.arm(dyad.links[0]).point) / np.asarray(
-            leads.known_direction(plan, dyad.slide(1)).point
-        )
+        guide = leads.known_direction(plan, dyad.slide(1))
+        turned = np.asarray(plan.arm(dyad.links[0]).point) / np.asarray(guide.point)
         return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
 
     def extremes(self, plan: Plan, dyad: Dyad, side: float) -> list[Mark]:
@@ -133,7 +130,7 @@ class RRP(Hinged):
         if dyad.hosts[0] != plan.mechanism.drive.link:
             return []
         slide = dyad.slide(1)
-        left = leads.offset(plan, slide, dyad.links[1], dyad.pin).left
+        left = leads.offset(plan, slide, dyad.links[1], dyad.pin)
 
         def notch(arc: Mark, side: float, name: str) -> Mark:
             along = leads.line(plan, slide, dyad.hosts[1], left)
@@ -151,7 +148,7 @@ class PRP(Hinged):
         """Meet the two guides, each shifted by the pin's offset from it, in the pin B (M3.7, kind 4)."""
         name = dyad.pin
         lines = [
-            leads.line(plan, dyad.slide(end), dyad.hosts[end], leads.offset(plan, dyad.slide(end), link, name).left)
+            leads.line(plan, dyad.slide(end), dyad.hosts[end], leads.offset(plan, dyad.slide(end), link, name))
             for end, link in enumerate(dyad.links)
         ]
         b = plan.name(name, plan.board.meet(name, lines[0], lines[1], why=because("both_guides", point=name)))

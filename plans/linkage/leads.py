@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -160,23 +160,15 @@ def keep_turning(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Ma
     plan.readings[link] = Reading(arm(plan, link), turning)
 
 
-class Offset(NamedTuple):
-    """Where a point lies from a line of its own link: `along` it, and `left` of it, metres."""
-
-    along: float
-    left: float
-
-
 def key(slide: Slide) -> tuple[int, int]:
     """Name a sliding pair by its two links."""
     return slide.slider, slide.owner
 
 
-def offset(plan: Plan, slide: Slide, link: int, point: str) -> Offset:
-    """Measure where a point of a link lies from the link's own sliding line."""
+def offset(plan: Plan, slide: Slide, link: int, point: str) -> float:
+    """Measure how far to the left of the link's own sliding line a point of a link lies, metres."""
     way = slide.way(link)
-    place = (plan.mechanism.links[link].points[point] - way.through) / way.direction
-    return Offset(place.real, place.imag)
+    return ((plan.mechanism.links[link].points[point] - way.through) / way.direction).imag
 
 
 def unit(plan: Plan, slide: Slide, host: int) -> Mark | None:

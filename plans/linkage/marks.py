@@ -43,7 +43,9 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     wanted = position_of(linkage, position)
     targets = find(linkage, linkage.drafts((wanted,)), name)
     if not targets:
-        return _no_mark(linkage)
+        points = sorted(letters(linkage))
+        known = [*points, *(f"v_{point}" for point in points), *(f"a_{point}" for point in points)]
+        return NoMark(tuple(known), message("mark.points", points=", ".join(points)), ("v_B", "a_B", "omega_3"))
     notes = (_rate(name, *targets),) if isinstance(targets, Reading) else ()
     return Explanation(title(linkage, name, wanted), tuple(behind(*targets)), UNITS, notes, HOME)
 
@@ -77,12 +79,15 @@ def find(study: LinkageStudy, drafts: Drafts, name: str) -> Reading | tuple[Mark
         return (image,)
     head, _, tail = name.partition("_")
     if head in ("omega", "epsilon", "ω", "ε") and tail.isdigit() and int(tail) in study.mechanism.links:
-        return _turning(drafts, head, int(tail), name)
+        link = int(tail)
+        plan = drafts.velocities if head in ("omega", "ω") else drafts.accelerations
+        if link == FRAME or link not in plan.readings:
+            raise UnknownMark(message("mark.still", link=link, mark=name))
+        return plan.readings[link]
     return _ends(study, drafts, name)
 
 
 def _image(study: LinkageStudy, drafts: Drafts, name: str) -> Mark | None:
-    """Find a point or a mass centre: where it is, its velocity or its acceleration."""
     points, centres = letters(study), unnamed(study.scene, study.mechanism.links)
     for order, symbol in enumerate(("", "v_", "a_")):
         letter = name.removeprefix(symbol) if name.startswith(symbol) else ""
@@ -95,13 +100,6 @@ def _image(study: LinkageStudy, drafts: Drafts, name: str) -> Mark | None:
 
 def _centre(plan: Plan, letter: str, link: int, place: complex) -> Mark:
     return plan.place(link, place, plan.letter(letter))
-
-
-def _turning(drafts: Drafts, symbol: str, link: int, name: str) -> Reading:
-    plan = drafts.velocities if symbol in ("omega", "ω") else drafts.accelerations
-    if link == FRAME or link not in plan.readings:
-        raise UnknownMark(message("mark.still", link=link, mark=name))
-    return plan.readings[link]
 
 
 def _ends(study: LinkageStudy, drafts: Drafts, name: str) -> tuple[Mark, ...]:
@@ -121,12 +119,6 @@ def _lettered(plan: Plan, centres: Masses, name: str) -> Mark | None:
         return _centre(plan, centre, *centres[centre])
     written = (letter for letter in (name, name.replace("_", "")) if letter in plan.board)  # a3 is written a_3
     return next((plan.board[letter] for letter in written), None)
-
-
-def _no_mark(study: LinkageStudy) -> NoMark:
-    points = sorted(letters(study))
-    known = [*points, *(f"v_{point}" for point in points), *(f"a_{point}" for point in points)]
-    return NoMark(tuple(known), message("mark.points", points=", ".join(points)), ("v_B", "a_B", "omega_3"))
 
 
 def _rate(name: str, arm: Mark, turning: Mark) -> Message:

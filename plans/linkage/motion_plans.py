@@ -100,14 +100,9 @@ class VectorSums(NamedTuple):
     def _slot(self, dyad: Dyad) -> VectorSum:
         """Tell the slotted link's point under the pin from the pin itself, along the slot."""
         pin, link = dyad.hinge(0), dyad.links[1]
-        whole = self.carried(link, self._place(pin))
-        images = (
-            self.letters.small(pin),
-            self.letters.coriolis(pin, link, key(dyad.slide())),
-            self.letters.under(pin, link),
-        )
-        slot = dyad.slide().label
-        return self._slid((under(pin, link), pin), (link, slot), (self.rates(pin), whole), images)
+        whole, written = self.carried(link, self._place(pin)), self.letters
+        images = written.small(pin), written.coriolis(pin, link, key(dyad.slide())), written.under(pin, link)
+        return self._slid((under(pin, link), pin), (link, dyad.slide().label), (self.rates(pin), whole), images)
 
     def _owner(self, dyad: Dyad) -> VectorSum:
         """Tell the slotted link's point under the pin from what the slotted link hangs on."""
@@ -136,11 +131,7 @@ class VectorSums(NamedTuple):
         )  # fmt: skip
 
     def _slid(
-        self,
-        letters: tuple[str, str],
-        slot: tuple[int, str],
-        rates: tuple[Moved, Moved],
-        images: tuple[str, str, str],
+        self, letters: tuple[str, str], slot: tuple[int, str], rates: tuple[Moved, Moved], images: tuple[str, str, str]
     ) -> VectorSum:
         """Tell a point that slides on a link, from the base that lies under it."""
         (point, base), (link, label), (under_it, whole) = letters, slot, rates
@@ -268,7 +259,6 @@ class PlanTemplate:
         return tracing.acts.do(heading, tracing.place(arm), tracing.acts.fix(span))
 
     def _rates(self, link: int) -> Iterator[int]:
-        """Tell where a link's angular velocity and acceleration are."""
         for readings in (plan.readings for plan in self.plans[1:]):
             if link in readings:
                 yield self.tracing.acts.rate(*map(self.tracing.place, (readings[link].turning, readings[link].arm)))
@@ -304,18 +294,15 @@ class PlanTemplate:
     def read(self, numbers: list[Any], turn: CrankPositions) -> Motion:
         """Read all named points and moving links off the plans."""
         shown = numbers.copy()
-        for place, row in self._resting(len(turn)).items():
+        count = len(turn)
+        if self._rows[0] != count:
+            self._rows = count, {place: resting(value, count) for place, value in self._still.items()}
+        for place, row in self._rows[1].items():
             shown[place] = row
         shown[self._crank] = turn.headings
         points = {letter: PointMotion([shown[place] for place in places]) for letter, places in self._points.items()}
         links = {link: LinkMotion([shown[place] for place in places]) for link, places in self._links.items()}
         return Motion("construction", turn.phi, points, links, ())
-
-    def _resting(self, count: int) -> dict[int, npt.NDArray[Any]]:
-        """Give what is the same at all positions as rows of as many."""
-        if self._rows[0] != count:
-            self._rows = count, {place: resting(value, count) for place, value in self._still.items()}
-        return self._rows[1]
 
 
 def resting(value: npt.NDArray[Any], count: int) -> npt.NDArray[Any]:

@@ -105,7 +105,6 @@ class AnalysedVectors:
         yield ("accelerations", end, self.letters.small(tip)), self.a(tip) - self.a(start) - normal
 
     def _slotted(self, vector: Slotted) -> Iterator[tuple[Arrow, complex]]:
-        """The point of the slotted link under the pin: its velocity, the slip, Coriolis and normal parts (M3.4)."""
         link, pivot, pin = vector
         under, spin = self.letters.under(pin, link), self.omega(link)
         arm = self.r(pin) - self.r(pivot)
@@ -187,8 +186,6 @@ def carried_from(line: Mark, direction: Mark) -> bool:
 
 
 class _PlanParts(NamedTuple):
-    """The parts on the plans of some positions, and the motion there by analysis."""
-
     study: LinkageStudy
     drafts: Drafts
     motion: Motion
@@ -208,9 +205,8 @@ class _PlanParts(NamedTuple):
                 span = Span(plan.pole, plan.place(link, place, plan.letter(name)))
                 origin, first = next(iter(self.study.mechanism.links[link].points.items()))
                 turned = (place - first) * np.exp(1j * self._rate(link, 0))
-                yield VectorPart(
-                    order, f"{order.point.symbol}_{name}", span, self._over(link, origin, turned, order.number)
-                )
+                found = self._over(link, origin, turned, order.number)
+                yield VectorPart(order, f"{order.point.symbol}_{name}", span, found)
 
     def _of(self, vector: Vector) -> Iterator[VectorPart]:
         match vector:
@@ -240,7 +236,6 @@ class _PlanParts(NamedTuple):
         yield VectorPart(ACCELERATIONS, f"a^{TANGENTIAL}_{over}", Span(normal, end), 1j * epsilon * arm)
 
     def _slotted(self, vector: Slotted) -> Iterator[VectorPart]:
-        """Tell the point of a slotted link that lies under the pin."""
         link, pivot, pin = vector
         speeds, plan = self.drafts.velocities, self.drafts.accelerations
         under, letter = plan.written.under(pin, link), self._under(pin, link)
@@ -249,9 +244,8 @@ class _PlanParts(NamedTuple):
         speed = 1j * self._rate(link, 1) * arm
         yield VectorPart(VELOCITIES, f"v_{over}", Span(speeds.point(pivot), speeds.board[under]), speed)
         if not self._still(pivot):
-            yield VectorPart(
-                VELOCITIES, f"v_{letter}", Span(speeds.pole, speeds.board[under]), self._carried(link, pin, 1)
-            )
+            span = Span(speeds.pole, speeds.board[under])
+            yield VectorPart(VELOCITIES, f"v_{letter}", span, self._carried(link, pin, 1))
         whole = Span(plan.pole, plan.board[under])
         yield VectorPart(ACCELERATIONS, f"a_{letter}", whole, self._carried(link, pin, 2))
         normal = plan.board[plan.written.normal(under.upper())]
@@ -273,13 +267,11 @@ class _PlanParts(NamedTuple):
 
     def _slip(self, plan: Plan, vector: Sliding) -> tuple[Span, Span | None]:
         """Find the vector along the guide in the line it was drawn by, and the Coriolis part on which that stands."""
-        under = plan.written.under(vector.pin, vector.host)
-        end = plan.board[under] if vector.held else plan.point(vector.pin)
+        end = plan.board[plan.written.under(vector.pin, vector.host)] if vector.held else plan.point(vector.pin)
         direction = plan.positions.units[vector.pair]
         assert direction is not None  # every guide has a direction on the plan of positions
-        line = next(
-            locus for locus in end.step.inputs if locus.step.op == "parallel" and carried_from(locus, direction)
-        )
+        parallels = (locus for locus in end.step.inputs if locus.step.op == "parallel")
+        line = next(locus for locus in parallels if carried_from(locus, direction))
         start = line.step.inputs[0]
         drawn = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
         return Span(start, end), Span(start.step.inputs[0], start) if drawn else None

@@ -140,7 +140,6 @@ class Sliding(NamedTuple):
 
 Vector: TypeAlias = Turning | Slotted | Sliding
 
-
 Key = TypeVar("Key")
 
 
@@ -211,9 +210,8 @@ class Plan:
             link: image._replace(origin=made[image.origin], arm=image.arm and made[image.arm])
             for link, image in self.images.items()
         }
-        other.readings = {
-            link: Reading(made[reading.arm], made[reading.turning]) for link, reading in self.readings.items()
-        }
+        readings = self.readings.items()
+        other.readings = {link: Reading(made[reading.arm], made[reading.turning]) for link, reading in readings}
         return other
 
     def letter(self, point: str) -> str:
@@ -227,9 +225,7 @@ class Plan:
 
     def point(self, point: str) -> Mark:
         """Give the image of a named point, drawn by similarity where it is not drawn yet."""
-        if point in self.letters:
-            return self.letters[point]
-        return self.name(point, self._construct(point))
+        return self.letters[point] if point in self.letters else self.name(point, self._construct(point))
 
     def _construct(self, point: str) -> Mark:
         if point in self.mechanism.links[FRAME].points:
@@ -272,9 +268,8 @@ class Plan:
         if image.arm is None or base.arm is None or point is base.origin:
             return image.origin
         reach = self.positions.board.join(f"{base.origin.name}{point.name}", base.origin, point)
-        carried = self.board.similar(
-            f"{image.origin.name}{name}", image.arm, base.arm, reach, why=because("turns", link=link)
-        )
+        why = because("turns", link=link)
+        carried = self.board.similar(f"{image.origin.name}{name}", image.arm, base.arm, reach, why=why)
         return self.board.lay_off(name, image.origin, carried, because("under", link=link, point=point.name))
 
     def carry(self, mark: Mark) -> Mark:
@@ -290,9 +285,7 @@ _POLE_WHY = {
     "accelerations": because("acceleration_pole"),
 }
 
-
 RUN = 40  # positions whose angles are measured from the middle one, where they are close to it
-
 
 CLOSE = 1 / 64  # tangent of an angle whose series may leave out t9/9: less than a rounding
 
@@ -312,11 +305,8 @@ def heading(vector: Vectors, span: complex = 1 + 0j) -> Floats:
 
 def _turned(vectors: Complexes) -> Floats:
     turned = np.arctan2(vectors.imag, vectors.real)
-    return (
-        turned
-        if np.minimum.reduce(turned, None, initial=np.inf) > -np.pi
-        else np.where(turned <= -np.pi, np.pi, turned)
-    )
+    least = np.minimum.reduce(turned, None, initial=np.inf)
+    return turned if least > -np.pi else np.where(turned <= -np.pi, np.pi, turned)
 
 
 def _close(runs: Complexes) -> Floats | None:
@@ -346,9 +336,7 @@ def _close(runs: Complexes) -> Floats | None:
 
 def angle(plan: Plan, link: int) -> Floats:
     """Read off the plan of positions the direction of a link's own +x axis, rad in (-pi, pi]."""
-    if link == FRAME:
-        return np.zeros(1)
-    return heading(plan.arm(link).point, plan.images[link].span)
+    return np.zeros(1) if link == FRAME else heading(plan.arm(link).point, plan.images[link].span)
 
 
 def rate(plan: Plan, link: int) -> Floats:

@@ -66,8 +66,7 @@ def even(start: Fraction, count: int, sense: int) -> CrankPositions:
     first, step = start.numerator * count, sense * 360 * start.denominator
     phi = np.radians(float(start)) + sense * (2 * np.pi / count) * np.arange(count)
     if abs(first) + 720 * denominator < _INT64:
-        numerators = first + step * np.arange(count, dtype=np.int64)
-        return CrankPositions(phi, directions(numerators, denominator))
+        return CrankPositions(phi, directions(first + step * np.arange(count, dtype=np.int64), denominator))
     return from_direction(complex(directions_of([start])[0]), float(np.radians(float(start))), count, sense)
 
 
@@ -127,9 +126,7 @@ def _in_octants(octants: npt.NDArray[np.int64], degrees: Floats) -> Complexes:
     near, off = np.cos(angle), np.sin(angle)
     swapped = (octants % 4 == 1) | (octants % 4 == 2)
     x, y = np.where(swapped, off, near), np.where(swapped, near, off)
-    left = (octants >= 2) & (octants <= 5)
-    below = octants >= 4
-    return np.where(left, -x, x) + 1j * np.where(below, -y, y)
+    return np.where((octants >= 2) & (octants <= 5), -x, x) + 1j * np.where(octants >= 4, -y, y)
 
 
 class Primary(ABC):
@@ -228,8 +225,7 @@ class Slider(Primary):
 
     def values(self, mechanism: Mechanism, turn: CrankPositions) -> Complexes:
         """Give its ways along the guide, (N,) m, as vectors; the circle of all ways is cut half a turn from nothing."""
-        drive = mechanism.drive
-        ways = drive.unit * (turn.phi - 2 * np.pi * np.round(turn.phi / (2 * np.pi)))
+        ways = mechanism.drive.unit * (turn.phi - 2 * np.pi * np.round(turn.phi / (2 * np.pi)))
         return np.asarray(ways * pushed(mechanism).way(FRAME).direction)
 
     def ends(self, mechanism: Mechanism, turn: CrankPositions) -> Complexes:
@@ -245,7 +241,7 @@ class Slider(Primary):
         board, way = plan.board, slide.way(FRAME)
         along, link = leads.direction(plan, slide, FRAME), mechanism.drive.link
         start = plan.place(FRAME, way.through, f"K{link}")
-        left = leads.offset(plan, slide, link, slide.point).left
+        left = leads.offset(plan, slide, link, slide.point)
         if left:
             step = board.turn(f"h{link}", along, 1j * left, because("offset"))
             start = board.lay_off(f"K{link}'", start, step, because("line_offset"))

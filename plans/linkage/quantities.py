@@ -127,8 +127,7 @@ def cap(study: LinkageStudy, findings: Sequence[Quantity], drafts: Drafts | None
     """Allow no more than MOST_ALLOWED of the largest, or of a value larger still, where the construction is sharp."""
     sharp = ~(notches(study, drafts).max(axis=0, initial=1.0) >= NOT_GRADED)
     sizes = (np.fmax(finding.largest, np.abs(finding.analysis)) for finding in findings)  # all but in a jam
-    mosts = (np.where(sharp, MOST_ALLOWED * size, np.inf) for size in sizes)
-    pairs = zip(findings, mosts, strict=True)
+    pairs = zip(findings, (np.where(sharp, MOST_ALLOWED * size, np.inf) for size in sizes), strict=True)
     return tuple(finding._replace(allowed=np.minimum(finding.allowed, most)) for finding, most in pairs)
 
 
@@ -177,9 +176,8 @@ def _points(
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Quantity]:
     letters = ORDERS[order]
     pairs = {n: (drawn.links[n][order], solved.links[n][order]) for n in drawn.links}
-    largest = (
-        np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
-    )
+    most = largest_of([np.abs(ours) for ours, _ in pairs.values()])
+    largest = np.pi if order == 0 else max(most, _slowest(drawn, order))
     for number, (ours, theirs) in pairs.items():
         allowed = with_analysis(_turn_bound(drafts, order, number), order, kappa, largest)
         named, read = (letters.plan, f"{letters.link.symbol}_{number}", letters.link.unit), drafts.plan(order).readings
@@ -194,8 +192,7 @@ def _slowest(drawn: Motion, order: int) -> float:
     """
     places = np.array([motion.r for motion in drawn.points.values()])
     size = largest_of([np.abs(places - places[0])])
-    vector = largest_of([np.abs(motion[order]) for motion in drawn.points.values()])
-    return vector / size if size > 0 else 0.0
+    return largest_of([np.abs(motion[order]) for motion in drawn.points.values()]) / size if size > 0 else 0.0
 
 
 def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
@@ -219,8 +216,7 @@ def with_analysis(drawn: Floats, order: int, kappa: Floats, largest: float) -> F
 
 def largest_of(sizes: Sequence[Floats]) -> float:
     """Give the largest of some sizes over all positions, gaps left out."""
-    finite = [float(np.nanmax(size)) for size in sizes if np.isfinite(size).any()]
-    return max(finite, default=0.0)
+    return max([float(np.nanmax(size)) for size in sizes if np.isfinite(size).any()], default=0.0)
 
 
 class MotionNumbers(NamedTuple):
@@ -282,8 +278,7 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     """Find the motion of a scene by a road: what is asked for of it, and what the forces rest on."""
     linkage = study.of(LinkageStudy)
     orders = numbers_of(study.plans)
-    borne = any("linkage" in row.needs for row in study.rows)
-    order = ACCELERATIONS.number if borne else max(orders, default=0)
+    order = ACCELERATIONS.number if any("linkage" in row.needs for row in study.rows) else max(orders, default=0)
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     with_ends = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
     found = (solved if by == "analysis" else _constructed)(linkage, order, with_ends)

@@ -187,8 +187,7 @@ class Triangle:
         arms = arm * np.conj(span / length)  # along the cylinder, and square to it
         omega = -speed / arms.imag
         across = omega * arms.real
-        epsilon = (across**2 / length - omega**2 * arms.real - acceleration) / arms.imag
-        return Rates(omega, epsilon)
+        return Rates(omega, (across**2 / length - omega**2 * arms.real - acceleration) / arms.imag)
 
     def lever(self, motion: Motion) -> Floats:
         """Give the cylinder's arm m about the crank's hinge over a motion, (N,)."""

@@ -25,15 +25,9 @@ class RPR(GroupKind[Dyad]):
     def positions(self, plan: Plan, dyad: Dyad, side: Sizes) -> None:
         """Direct the slot from C through the pin A; side +1 where A lies ahead of C along the slot (M3.7, kind 3)."""
         (a, c), slide = leads.outer_hinges(plan, dyad), dyad.slide()
-        left = [leads.offset(plan, slide, dyad.links[end], dyad.hinge(end)).left for end in (0, 1)]
-        slot = plan.board.tangent(
-            plan.written.of_link("u", slide.owner),
-            c,
-            a,
-            left[0] - left[1],
-            side,
-            because("slot_holds", link=slide.owner, point=a.name),
-        )
+        left = [leads.offset(plan, slide, dyad.links[end], dyad.hinge(end)) for end in (0, 1)]
+        name, why = plan.written.of_link("u", slide.owner), because("slot_holds", link=slide.owner, point=a.name)
+        slot = plan.board.tangent(name, c, a, left[0] - left[1], side, why)
         plan.units[leads.key(slide)] = slot
         for end, pin in enumerate((a, c)):
             link = plan.mechanism.links[dyad.links[end]]
@@ -67,12 +61,8 @@ class RPR(GroupKind[Dyad]):
         around = board.square(f"⊥{reach.name}", n, reach, because("tangential"))
         under = board.meet(_under(plan, dyad), along, around, why=because("under_pin", link=dyad.links[1]))
         whole = board.join(f"{c.name}{under.name}", c, under)
-        _keep(
-            plan,
-            dyad,
-            (a, c),
-            board.similar(f"{slot.name}''", whole, reach, plan.carry(slot), why=because("similarity")),
-        )
+        turned = board.similar(f"{slot.name}''", whole, reach, plan.carry(slot), why=because("similarity"))
+        _keep(plan, dyad, (a, c), turned)
         tangential = board.join(f"{n.name}{under.name}", n, under, because("tangential"))
         for link in dyad.links:
             plan.readings[link] = Reading(reach, tangential)
@@ -96,7 +86,7 @@ class RPR(GroupKind[Dyad]):
         """Draw tangents to the crank circle from the slotted link's pivot: the crank is square to the slot (M1.7)."""
         board, drive, end = plan.board, plan.mechanism.drive, leads.crank_end(plan, dyad)
         sense = 1.0 if end == 0 else -1.0
-        left = [leads.offset(plan, dyad.slide(), dyad.links[e], dyad.hinge(e)).left for e in (0, 1)]
+        left = [leads.offset(plan, dyad.slide(), dyad.links[e], dyad.hinge(e)) for e in (0, 1)]
         pivot, fixed = plan.point(drive.pivot), plan.point(dyad.hinge(1 - end))
         radius_of_pin = leads.pin(plan, dyad)
         near, marks = abs(radius_of_pin), []
@@ -122,14 +112,13 @@ class RPP(GroupKind[Dyad]):
         angle = inner.way(yoke).direction / outer.way(yoke).direction
         slot = board.turn(plan.written.of_link("u", yoke), guided, angle, because("slot_angle"))
         plan.units[leads.key(inner)] = slot
-        left = leads.offset(plan, inner, stone, dyad.hinge(0)).left
+        left = leads.offset(plan, inner, stone, dyad.hinge(0))
         through = leads.shift(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
         local, points = _crossing(inner.way(yoke), outer.way(yoke)), plan.mechanism.links[yoke].points
         name = next((point for point, place in points.items() if place == local), f"N{yoke}")
         n = board.meet(name, through, leads.line(plan, outer, dyad.hosts[1], 0.0), why=because("slot_crosses"))
-        plan.images[stone] = Image(
-            a, slot, plan.mechanism.links[stone].points[dyad.hinge(0)], inner.way(stone).direction
-        )
+        pin = plan.mechanism.links[stone].points[dyad.hinge(0)]
+        plan.images[stone] = Image(a, slot, pin, inner.way(stone).direction)
         plan.images[yoke] = Image(n, guided, local, outer.way(yoke).direction)
         _read(plan, dyad)
 
@@ -196,16 +185,10 @@ def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
     if turned is not None:
         still = leads.direction(plan, outer, dyad.hosts[1])
         back = base.board.join(f"{a.name}N", base.point(dyad.hinge(0)), base.images[yoke].origin)
-        carried = board.similar(
-            f"{under.name}n", turned, plan.carry(still), plan.carry(back), why=because("turns", link=yoke)
-        )
+        why, angle = because("turns", link=yoke), inner.way(yoke).direction / outer.way(yoke).direction
+        carried = board.similar(f"{under.name}n", turned, plan.carry(still), plan.carry(back), why=why)
         n = board.lay_off(plan.written.of_link("n", yoke), under, carried, because("similar", point="N", link=yoke))
-        slot = board.turn(
-            plan.written.of_link("u", yoke),
-            turned,
-            inner.way(yoke).direction / outer.way(yoke).direction,
-            because("slot_turns"),
-        )
+        slot = board.turn(plan.written.of_link("u", yoke), turned, angle, because("slot_turns"))
     plan.units[leads.key(inner)] = slot
     plan.images[stone] = Image(a, slot, base.images[stone].at, base.images[stone].span)
     plan.images[yoke] = Image(n, turned, base.images[yoke].at, base.images[yoke].span)

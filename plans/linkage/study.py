@@ -56,8 +56,7 @@ def obstruction(sweep: Sweep) -> Message:
 def _mending(sweep: Sweep, barrier: Barrier) -> Message:
     phi = np.linspace(barrier.start, barrier.end, FAN)
     _, marks = margins(sweep.plan(phi), sweep.groups, sweep.sides)
-    miss = np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)
-    worst = int(np.nanargmax(miss))
+    worst = int(np.nanargmax(np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)))
     return gaps_of(sweep, at_angles(phi[worst : worst + 1]), [0], None, ())[0].advice
 
 
@@ -76,7 +75,6 @@ BLOCK = 8000  # positions constructed together: enough to hide the calls, few en
 # The C library hands memory back to the system, to ask for it again at every block, until it has once seen a piece of
 # this size come and go (32 MiB is the most it heeds); nothing is ever written in it.
 np.empty(2**25 - 2**16, dtype=np.int8)
-
 
 EXTREMES = "extremes"
 ALL = (EXTREMES, *PLANS)

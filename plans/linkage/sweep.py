@@ -74,9 +74,8 @@ class RedrawnPlans:
         """Read all named points and moving links off the plans."""
         links = plans[0].mechanism.links
         letters = sorted({point for link in links.values() for point in link.points})
-        points = {
-            letter: PointMotion(_row(plan.point(letter).point, len(turn)) for plan in plans) for letter in letters
-        }
+        count = len(turn)
+        points = {letter: PointMotion(_row(plan.point(letter).point, count) for plan in plans) for letter in letters}
         moving = [link for link, image in sorted(plans[0].images.items()) if image.arm]
         turned = {
             link: LinkMotion(
@@ -270,8 +269,7 @@ class Sweep:
 
     def _barrier(self, start: tuple[float, float], end: tuple[float, float], nodes: Floats) -> Barrier:
         """Name a barrier by the groups that fail at its edges; one where no group misses is a change point."""
-        plan = self.plan(np.concatenate((nodes, (start[1], end[1]))))
-        field, marks = margins(plan, self.groups, self.sides)
+        field, marks = margins(self.plan(np.concatenate((nodes, (start[1], end[1])))), self.groups, self.sides)
         with np.errstate(invalid="ignore"):
             missing = (field < 0).any(axis=1)
             failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well

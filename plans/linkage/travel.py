@@ -64,7 +64,7 @@ class OutputTravel:
         """Read the coordinate off a motion, with its derivatives by time; of an output that parts from no other."""
         if self.slide is None:
             return tuple(motion.links[self.out.link])
-        way, (place, *rates) = self.slide.way(FRAME), motion.points[self._pin(self.slide)]
+        way, (place, *rates) = self.slide.way(FRAME), motion.points[self.out.point or self.slide.point]
         return tuple(np.asarray(dot(way.direction, row)) for row in (place - way.through, *rates))
 
     def _parting(self, parting: Parting, motion: Motion) -> tuple[PointMotion, Complexes]:
@@ -74,9 +74,6 @@ class OutputTravel:
         with np.errstate(invalid="ignore"):  # a gap is NaN
             along = (end - start) / np.abs(end - start)
         return PointMotion(place - other for place, other in zip(near, far, strict=False)), along
-
-    def _pin(self, slide: Slide) -> str:
-        return self.out.point or slide.point
 
     @cached_property
     def path(self) -> tuple[Floats, Floats]:
@@ -104,8 +101,7 @@ class OutputTravel:
         low, high = nodes[turns], nodes[turns] + step
         for between in self._touches(nodes, speeds):
             low, high = np.append(low, (between - step, between)), np.append(high, (between, between + step))
-        places = changes_of_sign(lambda phi: self.speed(at_angles(phi)), low, high)
-        return np.asarray(np.mod(places, 2 * np.pi))
+        return np.asarray(np.mod(changes_of_sign(lambda phi: self.speed(at_angles(phi)), low, high), 2 * np.pi))
 
     def _touches(self, nodes: Floats, speeds: Floats) -> list[float]:
         """Find where the speed goes through zero and back between two nodes: two rests less than a node apart."""
@@ -204,9 +200,8 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     reached = float(reach[first]), float(reach[second])
     found = Extremes(begun, reached, travel.sliding, _cleared(max(more, 0.0)), back and more >= EQUAL)
     by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
-    return ExtremePositions(
-        found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(places)
-    )
+    ends = complex(exact.directions[first]), complex(exact.directions[second])
+    return ExtremePositions(found, ends, by_notch, tuple(places))
 
 
 def _resting(sweep: Sweep) -> Sweep:

@@ -54,7 +54,6 @@ class Fault:
 
     @property
     def _group(self) -> str:
-        """Whether it is a fault, or only a note."""
         return "fault" if f"fault.{self.kind}.expected" in words(ENGLISH) else "note"
 
     def _worded(self, language: str, part: str) -> str:

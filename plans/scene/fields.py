@@ -33,12 +33,7 @@ def sample(example: str, how: str = "text") -> Message:
 def check_name(value: object) -> str:
     """Read the name of one point."""
     if not isinstance(value, str):
-        raise wrong(
-            "wrong_type",
-            wanted="the name of a point",
-            found=type_name(value),
-            example=sample("D"),
-        )
+        raise wrong("wrong_type", wanted="the name of a point", found=type_name(value), example=sample("D"))
     if not NAME.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
         raise wrong("name")
     return value
@@ -70,17 +65,11 @@ def choice(
     """Read one of the words that are allowed; `likely` gives the one that another value is nearest to, or ""."""
     meant = likely(value) if likely else ""
     if not isinstance(value, str):
-        raise wrong(
-            "wrong_type",
-            wanted="text",
-            found=type_name(value),
-            example=sample(meant or choices[0]),
-        )
+        raise wrong("wrong_type", wanted="text", found=type_name(value), example=sample(meant or choices[0]))
     if value not in choices:
         advice = message("advice.write", name=meant or choices[0])
-        raise wrong(
-            kind, choices=", ".join(choices), suggestion=advice if meant else suggestion(value, choices, advice)
-        )
+        advice = advice if meant else suggestion(value, choices, advice)
+        raise wrong(kind, choices=", ".join(choices), suggestion=advice)
     return value
 
 
@@ -149,9 +138,8 @@ def words(*choices: str, kind: str = "choice", likely: Callable[[object], str] |
 
 def pair(entry: FieldReader, what: str = "[x, y]") -> FieldReader:
     """Read a list of two."""
-    return many(entry, first=Check(partial(check_pair, what=what), least=2, most=2))._replace(
-        shown=f"{what} {entry.shown}"
-    )
+    two = Check(partial(check_pair, what=what), least=2, most=2)
+    return many(entry, first=two)._replace(shown=f"{what} {entry.shown}")
 
 
 FEW = Check(partial(few, limit=ENTRIES_LIMIT, name="ENTRIES_LIMIT"))

@@ -46,8 +46,7 @@ def _products(factors: list[tuple[str, str, str]]) -> Iterator[str]:
     if len(factors) == 1:
         yield from dict.fromkeys(map(_pattern, symbols[0]))
     else:
-        groups = ("|".join(dict.fromkeys(map(_pattern, some))) for some in symbols)
-        parts = zip(factors, groups, strict=True)
+        parts = zip(factors, ("|".join(dict.fromkeys(map(_pattern, some))) for some in symbols), strict=True)
         yield "".join(f"{_pattern(sign)}({group}){_pattern(power)}" for (sign, _, power), group in parts)
 
 
@@ -176,15 +175,11 @@ def needing(table: str, data: Mapping[str, Any]) -> Path:
     """Find the key of a file that needs a table which it lacks: a sheet first, else a table or a key."""
     owner = next((name for name, technique in techniques().items() if table in technique.tables), "")
     others = [technique for name, technique in techniques().items() if owner in resting([name])]
-    return min((part for technique in others for part in _parts(technique, data)), key=_rank, default=())
-
-
-def _rank(path: Path) -> int:
-    return 0 if path == ("sheets",) else len(path)
+    parts = (part for technique in others for part in _parts(technique, data))
+    return min(parts, key=lambda path: 0 if path == ("sheets",) else len(path), default=())
 
 
 def _parts(technique: Technique, data: Mapping[str, Any]) -> Iterator[Path]:
-    """Give the keys of a file by which it asks for a technique."""
     wanted = data.get("sheets")
     if isinstance(wanted, list) and any(sheet in wanted for sheet in technique.sheets):
         yield ("sheets",)

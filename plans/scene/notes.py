@@ -35,19 +35,14 @@ def odd_lengths(
 
 def notes_of(scene: Scene, asked: Iterable[str] = ()) -> list[Fault]:
     """Give the notes on a scene, in the order of its file; some techniques are asked for whatever its sheets are."""
-    found = [*_mark(scene), *_unused(scene, asked), *_undesignated(scene)]
+    mark = [scene.fault((), "byte_order_mark")] if scene.marked else []
+    found = [*mark, *_unused(scene, asked), *_undesignated(scene)]
     for technique in scene.techniques:
         found += techniques()[technique].notes(scene)
     return sorted(found, key=lambda note: (note.line, note.column))
 
 
-def _mark(scene: Scene) -> Iterator[Fault]:
-    if scene.marked:
-        yield scene.fault((), "byte_order_mark")
-
-
 def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
-    """Find what only techniques need of which no sheet is wanted."""
     paced = (name for name, row in techniques().items() if row.paces and any(map(scene.has, _shared(row))))
     wanted_by = [*(name for sheet in scene.sheets for name in makers_of(sheet)), *asked, *paced]
     used = reading([*wanted_by, *(other for name in wanted_by for other in asked_by(scene, name))])
@@ -60,7 +55,6 @@ def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
 
 
 def _undesignated(scene: Scene) -> Iterator[Fault]:
-    """Find the designations of sheets that are not asked for."""
     table = scene.sheet.designations
     for kind in (key for key in table.keys if getattr(table, key) and key not in scene.sheets):
         wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, kind))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
@@ -30,22 +30,14 @@ def refusals(error: Refused, source: Source, kinds: Kinds) -> list[Fault]:
     tops: set[Path] = {() for path in misspelt if len(path) == 1}
     spelt: Mapping[str, set[Path]] = {"missing": misspelt, "missing_for": misspelt, "no_table": tops}
     faults = [fault for fault in faults if fault.path not in spelt.get(fault.kind, set())]
-    return faults + _needs(
-        [str(r.path[0]) for r in error.refusals if _lacks(r) and r.path not in misspelt], source, kinds
-    )
+    missing: dict[Path, list[str]] = {}
+    for name in [str(r.path[0]) for r in error.refusals if _lacks(r) and r.path not in misspelt]:
+        missing.setdefault(needing(name, source.tables), []).append(name)
+    return faults + [lacking(path, tables, source, kinds) for path, tables in missing.items()]
 
 
 def _lacks(refusal: Refusal) -> bool:
-    """Tell whether a whole table is missing."""
     return refusal.kind == "missing" and len(refusal.path) == 1
-
-
-def _needs(names: Iterable[str], source: Source, kinds: Kinds) -> list[Fault]:
-    """Word what tables a file lacks, those together that one key of it needs."""
-    missing: dict[Path, list[str]] = {}
-    for name in names:
-        missing.setdefault(needing(name, source.tables), []).append(name)
-    return [lacking(path, tables, source, kinds) for path, tables in missing.items()]
 
 
 def lacking(path: Path, names: Sequence[str], source: Source, kinds: Kinds) -> Fault:
@@ -80,10 +72,8 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
     path = refusal.path
     if refusal.kind == "missing":
         missing, why = _missing(path, tables), refusal.details.get("why")
-        details = {"thing": missing.thing, "example": missing.example}
-        return (
-            source.fault(path, "missing_for", why=why, **details) if why else source.fault(path, "missing", **details)
-        )
+        details = {"thing": missing.thing, "example": missing.example, **({"why": why} if why else {})}
+        return source.fault(path, "missing_for" if why else "missing", **details)
     if refusal.kind == "unknown_key":
         return _unknown_key(path, source, tables)
     if refusal.kind in ("not_a_list", "not_a_table"):
@@ -99,7 +89,9 @@ def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     known = list(holders_of(tables[pattern]))
     elsewhere = [table for table in tables if table != pattern and key in holders_of(tables[table])]
     homes = [] if elsewhere or key in known else [home for kind in tables[()] if (home := kind.home_of(key))]
-    other = _other_name(key, tables[pattern])
+    kinds = tables[pattern]
+    stated = ((name, kind.keys[name].also) for kind in kinds for name in kind.keys)
+    other = next((name for name, also in stated if key.casefold() in also), "")
     near = [other] if other else nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()
     details = {
@@ -108,12 +100,6 @@ def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
         "suggestion": _named_otherwise(other, path, tables) if other else _meaning(key, known, elsewhere, homes),
     }
     return source.fault(path, "unknown_key", **details, meant=meant)
-
-
-def _other_name(key: str, kinds: Kinds) -> str:
-    """Give the key of a table that an author may have meant by another name."""
-    stated = ((name, kind.keys[name].also) for kind in kinds for name in kind.keys)
-    return next((name for name, also in stated if key.casefold() in also), "")
 
 
 def _named_otherwise(name: str, path: Path, tables: Tables) -> Message:
@@ -153,16 +139,11 @@ def table_name(pattern: Path) -> str | Message:
 
 def doubts_of(faults: list[Fault]) -> frozenset[Path]:
     """Give the paths of which nothing more should be said: those at fault, and those a misspelt key was meant for."""
-    return frozenset(path for fault in faults for path in (fault.path, _meant(fault), *_lacked(fault)) if path)
+    return frozenset(path for fault in faults for path in (fault.path, _meant(fault), *_meant(fault, "lacks")) if path)
 
 
-def _lacked(fault: Fault) -> tuple[Path, ...]:
-    lacks = fault.details.get("lacks", ())
-    return lacks if isinstance(lacks, tuple) else ()
-
-
-def _meant(fault: Fault) -> Path:
-    meant = fault.details.get("meant")
+def _meant(fault: Fault, detail: str = "meant") -> tuple[Any, ...]:
+    meant = fault.details.get(detail)
     return meant if isinstance(meant, tuple) else ()
 
 

@@ -50,9 +50,7 @@ class Scene(Table):
         meaning="The sheets that are wanted; default: the first that the tables of the file allow.",
     )
     sheet: SheetTable = key(
-        table(SheetTable),
-        SheetTable(),
-        meaning="What stands on the sheet: language, format, positions, title block.",
+        table(SheetTable), SheetTable(), meaning="What stands on the sheet: language, format, positions, title block."
     )
     techniques: tuple[str, ...]  # that it has a part in
     _source: Source
@@ -214,13 +212,10 @@ def _refused(error: Refused, source: Source) -> SceneError:
 def _read(source: Source, data: Mapping[str, Any]) -> Scene:
     """Read the keys of a file as the scene's own and those of the techniques that it has a part in."""
     asked = techniques_of(data)
-    empty = [] if asked else [Refusal((), "no_table", {"tables": _all_tables()}, data)]
+    tables = ", ".join(f"[{name}]" for technique in techniques().values() for name in technique.tables)
+    empty = [] if asked else [Refusal((), "no_table", {"tables": tables}, data)]
     scene, *forms = read_parts(kinds_of(asked), data, *empty).values()
     assert isinstance(scene, Scene)
     vars(scene).update(_source=source, techniques=asked, _forms={type(form): form for form in forms})
     vars(scene).update({} if scene.sheets else {"sheets": first_sheet(data)})
     return scene
-
-
-def _all_tables() -> str:
-    return ", ".join(f"[{name}]" for technique in techniques().values() for name in technique.tables)

@@ -17,24 +17,17 @@ def schema() -> Form:
     needs = {name: _required(kinds_of(resting([name]))) for name in TECHNIQUES}
     tables = {table: needs[name] for name, technique in techniques().items() for table in technique.tables}
     rules = [_on_demand(technique, needs[name]) for name, technique in techniques().items()]
-    return {
-        **form,
-        "anyOf": [{"required": [table]} for table in tables],
-        "dependentRequired": tables,
-        "allOf": rules,
-    }
+    return {**form, "anyOf": [{"required": [table]} for table in tables], "dependentRequired": tables, "allOf": rules}
 
 
 def _required(kinds: Kinds) -> list[str]:
-    """Name the tables that a technique needs, and those that it rests on."""
     return [name for kind in kinds for name, known in kind.keys.items() if known.default is REQUIRED]
 
 
 def _on_demand(technique: Technique, required: list[str]) -> Form:
     """Say which tables the sheets of a technique need, and its keys of shared tables."""
-    sheets = [
-        {"properties": {"sheets": {"contains": {"const": sheet}}}, "required": ["sheets"]} for sheet in technique.sheets
-    ]
+    asked = ({"sheets": {"contains": {"const": sheet}}} for sheet in technique.sheets)
+    sheets = [{"properties": properties, "required": ["sheets"]} for properties in asked]
     keys = [_with_key(table, name) for table, names in technique.shares.items() for name in names]
     return {"if": {"anyOf": sheets + keys}, "then": {"required": required}}
 

@@ -37,12 +37,8 @@ def length(value: object) -> Decimal:
     return units.positive(units.WORKING.divide(machine, paper) * MM, FACTOR)
 
 
-def _form() -> forms.Form:
-    return {"anyOf": [_number(), forms.text(rf"^\s*{PART}\s*:\s*{PART}\s*$")]}
-
-
 _number = partial(forms.quantity, FACTOR, exclusiveMinimum=0)
-LENGTH = one(length, _form, 'm a mm, or "1:2"')
+LENGTH = one(length, lambda: {"anyOf": [_number(), forms.text(rf"^\s*{PART}\s*:\s*{PART}\s*$")]}, 'm a mm, or "1:2"')
 
 
 def _scale(unit: str, meaning: str) -> Any:

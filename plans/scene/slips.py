@@ -29,7 +29,8 @@ def slip(text: str, file: str, message: str) -> Fault:
     lines = text.split("\n")
     written = lines[line - 1] if line <= len(lines) else ""
     if "Exceeds the limit" in message:
-        return Fault(file, *_huge(text), (), "", "huge_integer")
+        longest = max(re.finditer(r"\d+", text), key=lambda match: len(match[0]))
+        return Fault(file, *line_column(text, longest.start()), (), "", "huge_integer")
     hints = (_json, _yaml, _prime, _duplicate if re.search(TWICE, message) else _open_mark)
     for hint in hints:
         found = hint(text, line)
@@ -58,8 +59,7 @@ def _json(text: str, line: int) -> Hint:
 
 
 def _yaml(text: str, line: int) -> Hint:
-    written = text.split("\n")[line - 1]
-    match = re.match(r"\s*(?:---\s*$|[\w-]++\s*:(?:\s|$))", written)
+    match = re.match(r"\s*(?:---\s*$|[\w-]++\s*:(?:\s|$))", text.split("\n")[line - 1])
     return ((line, 1), "yaml", {}) if match else None
 
 
@@ -134,8 +134,3 @@ def _number_hints(code: str) -> Iterator[tuple[int, str, dict[str, object]]]:
             yield match.start(2), "number_form", {"written": written.format(match[2])}
     if match := re.search(r"\d[eE][+-]?(?!\d)", code):
         yield match.start(), "exponent", {}
-
-
-def _huge(text: str) -> tuple[int, int]:
-    longest = max(re.finditer(r"\d+", text), key=lambda match: len(match[0]))
-    return line_column(text, longest.start())

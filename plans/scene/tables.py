@@ -184,8 +184,7 @@ def _meaning(holders: Kinds, name: str) -> str:
 
 
 def _form(holders: Kinds, name: str) -> Form:
-    first = holders[0].keys[name].field
-    return first.form() if len(holders) == 1 else form_of(_inner(holders, name))
+    return holders[0].keys[name].field.form() if len(holders) == 1 else form_of(_inner(holders, name))
 
 
 def _required(holders: Kinds, name: str) -> bool:
@@ -218,10 +217,7 @@ def _parts(kinds: Kinds, value: object, path: Path, refused: Refusals) -> Any:
 
 
 def _key(holders: Kinds, name: str, value: object, path: Path, refused: Refusals) -> list[tuple[type[Table], Any]]:
-    """Read the value of a key for each kind that states it."""
     if len(holders) == 1:
         return [(holders[0], holders[0].keys[name].field.read(value, path, refused))]
     found = _parts(_inner(holders, name), value, path, refused)
-    if found is REFUSED:
-        return []
-    return list(zip(holders, found.values(), strict=True))
+    return [] if found is REFUSED else list(zip(holders, found.values(), strict=True))

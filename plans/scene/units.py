@@ -133,9 +133,8 @@ TURNING_STIFFNESS = _kind("stiffness in turning", "N*m/rad", _TURNING, "N*m/rad 
 DENSITY = _kind("density", "kg/m3", "mass/length3", "kg/m3 g/cm3 t/m3", "1e-3", "1e6")
 TIME = _kind("time", "s", "time", "s ms min", "1e-9", "1e6")
 NUMBER = UnitKind("number", "")
-GYRATION = _kind(
-    "moment of inertia", "N*m2", "force*length2", ""
-)  # the flywheel moment GD2 of old books (маховой момент)
+# The flywheel moment GD2 of old books (маховой момент).
+GYRATION = _kind("moment of inertia", "N*m2", "force*length2", "")
 STANDARD_GRAVITY = Decimal("9.80665")  # m/s2
 
 
@@ -156,7 +155,6 @@ def _units(forms: tuple[str, ...], si: str) -> Mapping[str, Fraction]:
 
 
 def _spellings(group: str) -> Iterator[tuple[str, Fraction]]:
-    """Give the spellings of a group's units, with what one is."""
     for size, *symbols in map(str.split, SYMBOLS[group]):
         yield from ((symbol, Fraction(size)) for symbol in symbols)
 

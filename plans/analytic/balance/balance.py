@@ -41,7 +41,10 @@ class Weighing:
     """
 
     def __init__(self, course: Course, partial: Sequence[Counterweight], step: complex) -> None:
-        self.forces, self.reactions = _shaking(course, partial, step), _bearing(course, partial, step)
+        before = mass_centre(course.mechanism, bodies(course.machine, partial), course.turn).force
+        given = step * _turning(course)
+        self.forces: Forces = lambda share: np.asarray(before + share * given)
+        self.reactions = _bearing(course, partial, step)
         self.lightest = _lightest(course, partial, step)
 
     def force(self, share: float) -> float:
@@ -85,13 +88,6 @@ def _turning(course: Course) -> Complexes:
     return np.asarray((1j * epsilon - omega**2) * np.exp(1j * turn))
 
 
-def _shaking(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
-    """Give the shaking force of a share: that at share 0, and what the crank's counterweight gives up."""
-    before = mass_centre(course.mechanism, bodies(course.machine, partial), course.turn).force
-    given = step * _turning(course)
-    return lambda share: np.asarray(before + share * given)
-
-
 def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
     """Give the shaft's reaction on the crank of a share: without the crank's counterweight, and what that one adds.
 
@@ -101,8 +97,7 @@ def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) ->
     apart = np.exp(1j * how.at) * math.tan(how.pressure) / how.radius if how.kind == GEAR else 0.0
     course = replace(course, machine=replace(course.machine, transmission=how._replace(pressure=0.0)))
     key = pair(FRAME, drive.link, drive.pivot).key
-    others = [weight for weight in partial if weight.link != drive.link]
-    bare = course.forces(others)
+    bare = course.forces([weight for weight in partial if weight.link != drive.link])
     without, asked = bare.reactions[key].force, bare.balancing.moment
     twisted = course.twisted().reactions[key].force
     turning, gravity = _turning(course), course.machine.gravity
@@ -131,7 +126,9 @@ def least(forces: Forces, bends: tuple[float, ...] = ()) -> float:
     """Find the share in [0, 1] whose largest force is least, on either side of its bends; 0 where there is none."""
     if np.isnan(_largest(forces(0.0))):  # a mechanism that cannot be assembled
         return 0.0
-    if _straight(forces):
+    ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
+    most = max(_largest(end) for end in ends)
+    if _largest((ends[0] + ends[1]) / 2 - middle) <= STRAIGHT * EPS * most:
         start = forces(0.0)
         return lowest(start, forces(1.0) - start)
     sides = pairwise((0.0, *bends, 1.0))
@@ -162,13 +159,6 @@ def _golden(height: Callable[[float], float], low: float, high: float) -> float:
     return min((low, *places, high), key=height)
 
 
-def _straight(forces: Forces) -> bool:
-    """Tell whether the forces are straight in the share but for rounding."""
-    ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
-    most = max(_largest(end) for end in ends)
-    return _largest((ends[0] + ends[1]) / 2 - middle) <= STRAIGHT * EPS * most
-
-
 def lowest(start: Complexes, slope: Complexes) -> float:
     """Find the share in [0, 1] whose largest |F0 + k F1| is least."""
     known = np.flatnonzero(np.isfinite(start))
@@ -184,25 +174,17 @@ def lowest(start: Complexes, slope: Complexes) -> float:
 
 def _lowest_of(start: Complexes, slope: Complexes) -> float:
     """Take the lowest of where the envelope of a few parabolas can be lowest: ends, bottoms, meetings."""
-    points = np.clip([0.0, 1.0, *_bottoms(start, slope), *_meetings(start, slope)], 0.0, 1.0)
-    heights = np.abs(start[:, None] + slope[:, None] * points).max(axis=0)
-    return float(points[int(np.argmin(heights))])
+    # The parabolas are |F0|^2 + 2 k F0.F1 + k^2 |F1|^2.
+    rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
+    meetings = [root for row, other in combinations(rows, 2) for root in _roots(*(row - other)) if np.isfinite(root)]
+    points = np.clip([0.0, 1.0, *_bottoms(start, slope), *meetings], 0.0, 1.0)
+    return float(points[int(np.argmin(np.abs(start[:, None] + slope[:, None] * points).max(axis=0)))])
 
 
 def _bottoms(start: Complexes, slope: Complexes) -> Floats:
     moving = np.abs(slope) > 0
     start, slope = start[moving], slope[moving]
     return np.asarray(-(start.conj() * slope).real / np.abs(slope) ** 2)
-
-
-def _meetings(start: Complexes, slope: Complexes) -> list[float]:
-    """Find where two of the parabolas |F0|^2 + 2 k F0.F1 + k^2 |F1|^2 meet."""
-    found: list[float] = []
-    rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
-    for row, other in combinations(rows, 2):
-        roots = _roots(*(row - other))
-        found += [root for root in roots if np.isfinite(root)]
-    return found
 
 
 def _roots(a: float, b: float, c: float) -> list[float]:

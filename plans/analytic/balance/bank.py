@@ -50,9 +50,8 @@ def harmonics(vector: Callable[[Floats], Complexes], orders: Iterable[int], scal
     samples = vector(even(FEWEST))
     before, now = np.fft.fft(samples) / FEWEST, _finer(vector, samples)
     while not _settled(before, now, ordered, scale) and len(now[0]) < MOST:
-        before, now = np.fft.fft(now[0]) / len(now[0]), _finer(vector, now[0])
-    samples = now[0]
-    row = np.fft.fft(samples) / len(samples)
+        before, now = now[1], _finer(vector, now[0])
+    samples, row = now
     slack = ROUNDING * EPS * max(float(np.abs(samples).max()), scale)
     return {n: _harmonic(n, row, before, slack) for n in ordered}
 
@@ -114,8 +113,7 @@ class ExactLinkage:
         return self._force(start + 2 * np.pi * np.arange(STEPS + 1) / STEPS)
 
     def _force(self, phi: Floats) -> Complexes:
-        motion = self.road.around(np.mod(phi, 2 * np.pi))
-        return mass_centre(self.mechanism, self.bodies, motion).force
+        return mass_centre(self.mechanism, self.bodies, self.road.around(np.mod(phi, 2 * np.pi))).force
 
 
 def slider_harmonic(unit: Unit, order: int) -> float:
@@ -127,13 +125,12 @@ def slider_harmonic(unit: Unit, order: int) -> float:
     if order % 2:
         return unit.crank if order == 1 else 0.0
     root = math.sqrt((unit.rod - unit.crank) * (unit.rod + unit.crank)) / unit.rod
-    p = (unit.ratio / (1 + root)) ** 2
-    return unit.rod * (1 + root) * _coefficient(order // 2, p)
+    return unit.rod * (1 + root) * _coefficient(order // 2, (unit.ratio / (1 + root)) ** 2)
 
 
 def _coefficient(m: int, p: float) -> float:
     """Give the coefficient of e^(2i m phi) in sqrt((1 + p e^(2i phi)) (1 + p e^(-2i phi)))."""
-    first, term = _binomials(m) * p**m, 1.0
+    first, term = math.prod((1.5 - k) / k for k in range(1, m + 1)) * p**m, 1.0
     terms, j = [term], 0
     while abs(term) > EPS * EPS:  # each next term is less than p^2 times the last
         term *= (j - 0.5) * (j + m - 0.5) / ((j + 1) * (j + m + 1)) * p * p
@@ -142,16 +139,10 @@ def _coefficient(m: int, p: float) -> float:
     return first * math.fsum(terms)
 
 
-def _binomials(m: int) -> float:
-    """Give the binomial coefficient of 1/2 over m."""
-    return math.prod((1.5 - k) / k for k in range(1, m + 1))
-
-
 def slider_acceleration(unit: Unit, cosine: Floats, sine: Floats) -> Floats:
     """Give the second derivative of the slider's distance by the crank angle, m."""
     ratio = unit.ratio
-    root = np.sqrt((1 - ratio * sine) * (1 + ratio * sine))
-    rod = (cosine**2 - sine**2 + ratio**2 * sine**4) / root**3
+    rod = (cosine**2 - sine**2 + ratio**2 * sine**4) / np.sqrt((1 - ratio * sine) * (1 + ratio * sine)) ** 3
     return np.asarray(-unit.crank * (cosine + ratio * rod))
 
 
@@ -241,10 +232,8 @@ def _single(mechanism: BankMechanism, order: int) -> Harmonic:
 
 
 def _summed(harmonic: Harmonic, members: Sequence[Member], weights: Sequence[float]) -> Harmonic:
-    """Sum the vectors of an order over the bank, each with its weight."""
     order, axes = harmonic.order, [direction(member.axis) for member in members]
-    phases = [direction(order * member.phase) for member in members]
-    rows = list(zip(weights, axes, phases, strict=True))
+    rows = list(zip(weights, axes, [direction(order * member.phase) for member in members], strict=True))
     ahead = [harmonic.ahead * (weight * axis * phase) for weight, axis, phase in rows]
     back = [harmonic.back * (weight * axis * phase.conjugate()) for weight, axis, phase in rows]
     sizes = [max(abs(a), abs(b)) for a, b in zip(ahead, back, strict=True)]
@@ -287,7 +276,6 @@ def _couple_angle(forces: Sequence[complex], offset: float) -> float:
 
 
 def _pushes(compensator: Compensator, speed: float, phi: Floats) -> Complexes:
-    """Give the force of a compensator over a turn."""
     square, turn = (compensator.asked.order * speed) ** 2, compensator.asked.order * phi
     ahead = compensator.with_crank * np.exp(1j * (turn + (compensator.with_angle or 0.0)))
     return np.asarray(square * (ahead + compensator.against * np.exp(1j * ((compensator.against_angle or 0.0) - turn))))

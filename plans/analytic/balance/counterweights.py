@@ -37,7 +37,12 @@ class Formal:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
-        self.turned = _turned(mechanism)
+        found: dict[int, Turned] = {}
+        for leader in sorted(mechanism.links):
+            if leader not in found:
+                found[leader] = Turned(leader, 1 + 0j)
+                _follow(mechanism, leader, found)
+        self.turned = found
         leaders = sorted({turned.leader for turned in self.turned.values()} - {FRAME})
         self.columns = {link: k for k, link in enumerate((FRAME, *leaders))}
         self.size = len(self.columns) + len(mechanism.slides)
@@ -79,10 +84,8 @@ class Formal:
 
     def _pinned(self, first: int, second: int, point: str) -> Complexes:
         """Give how far the origin of a hinge's first link is from that of its second."""
-        links = self.mechanism.links
-        return np.asarray(
-            self.along(second, links[second].points[point]) - self.along(first, links[first].points[point])
-        )
+        ours, theirs = (self.along(link, self.mechanism.links[link].points[point]) for link in (first, second))
+        return np.asarray(theirs - ours)
 
     def _slid(self, slide: Slide) -> Complexes:
         """Give how far the origin of a slider is from that of its owner: along the line by what it slides."""
@@ -93,20 +96,9 @@ class Formal:
 
 
 def _joints(mechanism: Mechanism) -> Iterator[tuple[int, int, str | Slide]]:
-    """Give all pairs: two links and what joins them, of a slide slider and owner."""
     for point, links in mechanism.hinges.items():
         yield from ((links[0], link, point) for link in links[1:])
     yield from ((slide.slider, slide.owner, slide) for slide in mechanism.slides)
-
-
-def _turned(mechanism: Mechanism) -> dict[int, Turned]:
-    """Tell of every link with which other it turns; the frame, or else the lowest, leads those that turn together."""
-    found: dict[int, Turned] = {}
-    for leader in sorted(mechanism.links):
-        if leader not in found:
-            found[leader] = Turned(leader, 1 + 0j)
-            _follow(mechanism, leader, found)
-    return found
 
 
 def _follow(mechanism: Mechanism, link: int, found: dict[int, Turned]) -> None:
@@ -188,8 +180,7 @@ def sought(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> 
             links.add(carrier)
         if task.aim != FULL and (carrier is None or carrier == rod):
             left += _left(mechanism, group)
-    blanks = tuple(_blank(mechanism, groups, place) for place in task.places)
-    return Sought(blanks, frozenset(links), tuple(left))
+    return Sought(tuple(_blank(mechanism, groups, place) for place in task.places), frozenset(links), tuple(left))
 
 
 def _rod(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> int | None:
@@ -232,8 +223,7 @@ def _blank(mechanism: Mechanism, groups: Sequence[Assur], place: Site) -> Counte
     """Give a counterweight that has yet to be found, counted from the hinge of its link toward the frame."""
     begin = mechanism.drive.pivot
     if place.link != mechanism.drive.link:
-        ends = {pair.taker: pair.joint for group in groups for pair in group.outer_pairs}
-        joint = ends[place.link]
+        joint = {pair.taker: pair.joint for group in groups for pair in group.outer_pairs}[place.link]
         if not isinstance(joint, str):
             raise ValueError(place)  # a link that is guided and not hinged is refused before
         begin = joint
@@ -330,7 +320,10 @@ class Summed:
             found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
         sizes = ROUNDING * EPS * np.sum([mass * np.abs(row) for mass, row in borne], axis=0)
         off = [uncertain(weight, known.slack.get(weight.link, 0.0)) * np.abs(row) for weight, row in added]
-        return self._found(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
+        # How far rounding of the terms can have moved what is found, and what refinements leave of no term.
+        terms = ROUNDING * EPS * (np.abs(self.matrix) @ np.abs(found)) + np.sum([sizes, *off], axis=0)[1:]
+        left = (ROUNDING * EPS) ** REFINEMENTS * float(terms.max())
+        return self._found(known, found, np.asarray((np.abs(self.inverse) @ terms + left) / self.lengths))
 
     def _found(self, known: FoundWeights, found: Complexes, slack: Floats) -> FoundWeights:
         """Tell what is found; what rounding alone has left is nothing."""
@@ -339,15 +332,8 @@ class Summed:
         carried = tuple(carrying(weight, moments.get(weight.link, 0j)) for weight in known.counterweights)
         left = dict(zip(self.left, values[count:], strict=False))
         off = slack.tolist()
-        return FoundWeights(
-            carried, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
-        )
-
-    def _slack(self, found: Complexes, sizes: Floats) -> Floats:
-        """Give how far rounding of the terms can have moved what is found, and what refinements leave of no term."""
-        terms = ROUNDING * EPS * (np.abs(self.matrix) @ np.abs(found)) + sizes
-        left = (ROUNDING * EPS) ** REFINEMENTS * float(terms.max())
-        return np.asarray((np.abs(self.inverse) @ terms + left) / self.lengths)
+        slacks, loose = dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
+        return FoundWeights(carried, left, slacks, loose)
 
 
 def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:

@@ -16,9 +16,8 @@ from plans.model.motion import Motion
 
 def bodies(machine: Machine, counterweights: Sequence[Counterweight] = ()) -> list[Body]:
     """List what has mass: the links, then the counterweights that are needed."""
-    added = [
-        Body(weight.link, weight.mass, weight.inertia, weight.centre) for weight in counterweights if weight.needed
-    ]
+    needed = (weight for weight in counterweights if weight.needed)
+    added = [Body(weight.link, weight.mass, weight.inertia, weight.centre) for weight in needed]
     return [*machine.bodies.values(), *added]
 
 

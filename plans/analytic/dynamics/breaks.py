@@ -61,8 +61,7 @@ class Wave:
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
-        orders = np.arange(1, len(self.harmonics) + 1)
-        waves = self.harmonics / (1j * orders)
+        waves = self.harmonics / (1j * np.arange(1, len(self.harmonics) + 1))
         return self.mean * turned + _sum(waves, turned) - 2.0 * float(waves.real.sum())
 
 
@@ -192,7 +191,10 @@ def breaks(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun], noise:
     ends = [reduction.turned(phi) for run in strokes.values() for phi in (run.begin, run.end)]
     crossed = _crossings(reduction, strokes, noise)
     turned = _reversals(reduction, noise)
-    return _merged(np.concatenate((ends, crossed, turned)), noise * TURN)
+    least = noise * TURN
+    within = np.mod(np.concatenate((ends, crossed, turned)), TURN)
+    within = np.sort(np.where(np.minimum(within, TURN - within) < least, 0.0, within))
+    return np.asarray(within[np.diff(within, prepend=-1.0) >= least])
 
 
 def _crossings(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun], noise: float) -> Floats:
@@ -237,12 +239,10 @@ def _acts(reduction: ExactReduction, run: StrokeRun, curve: TurnQuantity, law: L
         return np.ones(len(turned), dtype=bool)
     if law.directed:
         return np.asarray((curve.slope.at(turned) > 0.0) == (law.during == FORWARD))
-    working = run.working(reduction.start + reduction.sense * turned)
-    return np.asarray(working == (law.during == WORKING))
+    return np.asarray(run.working(reduction.start + reduction.sense * turned) == (law.during == WORKING))
 
 
 def _laws(machine: Machine, track: Track) -> Iterator[LoadLaw]:
-    """Give what changes over a stroke."""
     for load in machine.loads:
         if load.stroke == track:
             places = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
@@ -295,10 +295,3 @@ def _rests(reduction: ExactReduction, point: str, turned: Floats, noise: float) 
         return turned
     speeds = np.abs(reduction.motion(np.append(turned, np.arange(12) * (TURN / 12))).points[point].v)
     return np.asarray(turned[speeds[: len(turned)] <= noise * speeds.max()])
-
-
-def _merged(found: Floats, least: float) -> Floats:
-    """Bring angles into one turn, and keep the first of those that are nearer than `least`; a whole turn is 0."""
-    within = np.mod(found, TURN)
-    within = np.sort(np.where(np.minimum(within, TURN - within) < least, 0.0, within))
-    return np.asarray(within[np.diff(within, prepend=-1.0) >= least])

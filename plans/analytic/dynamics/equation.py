@@ -47,8 +47,7 @@ class Equation:
     def moments(self, turned: float, omega: float) -> tuple[float, float, float, float]:
         """Give the moments N*m of the drive, the resistance, the brake and the weights, positive in the motion."""
         driving = self.motor.moment(omega) if self.motor else 0.0
-        inside = min(max(turned, self.piece[0]), self.piece[1])
-        resisting = self.link.resistance(inside) if self.loaded else 0.0
+        resisting = self.link.resistance(min(max(turned, self.piece[0]), self.piece[1])) if self.loaded else 0.0
         return driving, resisting, -self.brake, self.link.weight(turned)
 
     def epsilon(self, turned: float, omega: float) -> float:
@@ -153,7 +152,8 @@ class Solver:
             going = parts[-1].reason == ANGLE and stop < ends.angle
             if ends.speed is not None and crawls(parts, equation.link.breaks):
                 break
-        return _joined(parts)
+        rows, turning = (np.concatenate([part[k] for part in parts]) for k in range(2))
+        return Leg(rows, turning, parts[-1].end, parts[-1].reason)
 
     def _piece(self, equation: Equation, start: RunState, ends: LegEnds) -> Leg:
         """Follow a motion without jumps of the forces; its end is refined by Newton's rule from a step of its own."""
@@ -168,8 +168,7 @@ class Solver:
         rows = np.array([found.t[at], found.y[0, at], equation.base + found.y[1, at], np.zeros(len(at))]).T
         rows[-1, :3] = end.t, *end.values[:2]
         rows[:, 3] = [equation.epsilon(*place) for place in rows[:, 1:3].tolist()]
-        turning = np.array([equation.place(state)[1] for state in found.y_events[0]])
-        return Leg(rows, turning, end, reason)
+        return Leg(rows, np.array([equation.place(state)[1] for state in found.y_events[0]]), end, reason)
 
     def _kept(self, t: Floats) -> npt.NDArray[np.intp]:
         """Choose the steps that become rows, the first and the last among them: no more than a drawing needs."""
@@ -229,11 +228,6 @@ def _refined(equation: Equation, t: float, near: Floats, reason: str, ends: LegE
     values = near + late * rates
     values[part] = wanted
     return RunState(t + late, equation.counted(values, -1))
-
-
-def _joined(parts: Sequence[Leg]) -> Leg:
-    rows, turning = (np.concatenate([part[k] for part in parts]) for k in range(2))
-    return Leg(rows, turning, parts[-1].end, parts[-1].reason)
 
 
 def size_of(link: ReducedLink, speed: float) -> Floats:

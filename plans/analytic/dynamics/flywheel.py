@@ -105,7 +105,11 @@ class Exact:
 
 def exact(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun]) -> Exact:
     """Find moments and inertia over a turn of a machine whose loads change over `strokes`."""
-    noise, sizes = _noise(reduction), list[float]()
+    kappa = reduction.road.conditions(reduction.even(LEAST))
+    largest = float(np.max(kappa, where=np.isfinite(kappa), initial=1.0))
+    # Rates are known to this share: their condition magnifies a rounding once for every order.
+    # At a change point it is of no account, for the linkage is carried through.
+    noise, sizes = min(ROUNDINGS * EPS * largest**2, MOST), list[float]()
 
     def masses(motion: Motion) -> tuple[Floats, Floats]:
         found = reduction.ordinates(motion)
@@ -120,16 +124,6 @@ def exact(reduction: ExactReduction, strokes: Mapping[Track, StrokeRun]) -> Exac
     mass, growth = smooth(reduction, masses, noise)
     load, weight = broken(reduction, loads, at, noise) if at.size else smooth(reduction, loads, noise)
     return Exact(at, load, weight, mass, growth, noise, max(sizes))
-
-
-def _noise(reduction: ExactReduction) -> float:
-    """Give the share to which rates are known: their condition magnifies a rounding once for every order.
-
-    At a change point it is of no account, for the linkage is carried through.
-    """
-    kappa = reduction.road.conditions(reduction.even(LEAST))
-    largest = float(np.max(kappa, where=np.isfinite(kappa), initial=1.0))
-    return min(ROUNDINGS * EPS * largest**2, MOST)
 
 
 # Extremes that differ by less than this share of the loop's height are one and the same: the first of them counts.
@@ -250,7 +244,9 @@ def sampled_cycle(found: Exact, turned: Floats) -> Cycle:
 
 
 def _cycle(found: Exact, turned: Floats, work: Floats) -> Cycle:
-    sides = _snapped(turned, found.breaks)
+    sides = np.array(turned)  # where an edge is meant for a break it is the very break: each side is that of its strip
+    for at in found.breaks:
+        sides[np.abs(turned - at) <= EQUAL] = at
     moments = np.stack((found.moment(sides[:-1], 1), found.moment(sides[1:], -1)), axis=1)
     means = found.moment(_middles(turned))
     return Cycle(ANALYSIS, turned, found.breaks, moments, means, work, found.inertia(turned))
@@ -258,11 +254,3 @@ def _cycle(found: Exact, turned: Floats, work: Floats) -> Cycle:
 
 def _middles(turned: Floats) -> Floats:
     return np.asarray((turned[:-1] + turned[1:]) / 2.0)
-
-
-def _snapped(turned: Floats, breaks: Floats) -> Floats:
-    """Move edges that are meant for a break to the very break, so that each side of it is that of its strip."""
-    snapped = np.array(turned)
-    for at in breaks:
-        snapped[np.abs(turned - at) <= EQUAL] = at
-    return snapped

@@ -78,19 +78,14 @@ class ExactReduction:
         constraints, poses = self.road.constraints, self.road.poses(motion)
         first, second = _transfers(constraints, poses, motion)
         loading = self.loads(motion)
-        weight = self._weights(poses, first)
+        down, weight = self.machine.gravity.conjugate(), np.zeros(len(poses))
+        for link, body in self.machine.bodies.items():
+            weight += body.mass * (down * speed(self.road.constraints, poses, first, link, body.centre)).real
         moment = reduced_moment(self.road, motion, loading, first) + weight
         inertia = reduced_inertia(constraints, self.machine, poses, first)
         slope = self._slope(poses, first, second)
         turning = self.sense * moment, inertia, self.sense * slope, self.sense * weight
         return ReducedRows(*turning, self._gross(loading, poses, first))
-
-    def _weights(self, poses: Floats, first: Floats) -> Floats:
-        """Reduce the weights to the crank, N*m."""
-        down, total = self.machine.gravity.conjugate(), np.zeros(len(poses))
-        for link, body in self.machine.bodies.items():
-            total += body.mass * (down * speed(self.road.constraints, poses, first, link, body.centre)).real
-        return total
 
     def _gross(self, loading: Loading, poses: Floats, first: Floats) -> Floats:
         """Add up what every load and weight could do if it acted along the motion, N*m."""
@@ -187,8 +182,7 @@ class Pieced:
     @property
     def slope(self) -> Pieced:
         """Its derivative by the angle turned."""
-        wide = np.diff(self.edges)[:, None]
-        fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / wide
+        fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / np.diff(self.edges)[:, None]
         return Pieced(self.edges, fitted, self.coefficients, self.error, self.settled)
 
     @cached_property
@@ -228,9 +222,12 @@ def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
     kept: list[tuple[Floats, Floats, Floats]] = []
     largest, error, settled = np.zeros((1, 1)), 0.0, True
     while low.size:
-        fitted, size = _fit(sample, low, high)
+        at = (low[:, None] * (1.0 - _PLACES) + high[:, None] * (1.0 + _PLACES)) / 2.0
+        ordinates, sizes = sample(at.ravel())
+        fitted, size = ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None]
         largest = np.fmax(largest, size)  # NaN at gaps
-        tails = _share(np.abs(fitted[:, :, -TAIL:]).max(axis=2), largest).max(axis=0)
+        whole = np.where(largest == 0.0, 1.0, largest)  # of nothing at all there is no share
+        tails = (np.abs(fitted[:, :, -TAIL:]).max(axis=2) / whole).max(axis=0)
         tails = np.where(np.isfinite(tails), tails, np.inf)
         rounding = (tails <= noise) & (tails >= before / 2.0)  # of a smooth quantity halving leaves far less than half
         done = rounding | (tails <= ROUNDINGS * EPS)
@@ -243,26 +240,12 @@ def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieced]:
     return _joined(kept, error, settled)
 
 
-def _fit(sample: Sample, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Fit all quantities on some pieces: coefficients (k, p, n), and their sizes, (k, 1)."""
-    at = (low[:, None] * (1.0 - _PLACES) + high[:, None] * (1.0 + _PLACES)) / 2.0
-    ordinates, sizes = sample(at.ravel())
-    return ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None]
-
-
-def _share(part: Floats, whole: Floats) -> Floats:
-    """Divide by the largest; of nothing at all there is no share."""
-    return np.asarray(part / np.where(whole == 0.0, 1.0, whole))
-
-
 def _halves(low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Halve pieces."""
     middle = (low + high) / 2.0
     return np.concatenate((low, middle)), np.concatenate((middle, high))
 
 
 def _joined(kept: list[tuple[Floats, Floats, Floats]], error: float, settled: bool) -> list[Pieced]:
-    """Put the pieces in order and integrate each quantity along them."""
     low, high = (np.concatenate([part[k] for part in kept]) for k in (0, 1))
     order = np.argsort(low)
     edges = np.append(low[order], high[order][-1])

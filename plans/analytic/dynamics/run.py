@@ -107,8 +107,7 @@ class _GrowingRun:
         """The run with all its stages."""
         if self._runs_up() and self._goes_on() and self.task.brake is not None:
             self._runs_down(self.task.brake)
-        rows = np.concatenate([leg.rows for leg in self.legs] or [np.zeros((1, 4))])
-        t, turned, omega, epsilon = rows.T
+        t, turned, omega, epsilon = np.concatenate([leg.rows for leg in self.legs] or [np.zeros((1, 4))]).T
         stages = tuple(self.stages)
         return MachineRun(ANALYSIS, t, turned, omega, epsilon, stages, self.steady, self._method, self.failure)
 
@@ -187,7 +186,6 @@ class _GrowingRun:
             self._fails(RUN_DOWN, UNSETTLED, 0.0)
 
     def _append(self, name: str, since: RunState, legs: Sequence[Leg]) -> None:
-        """Add a stage made of some legs."""
         first = sum(len(leg.rows) for leg in self.legs)
         self.legs += legs
         end = self._now
@@ -201,7 +199,6 @@ class _GrowingRun:
 
 
 def _at(omega: float) -> RunState:
-    """Give the beginning of a turn at a speed."""
     return RunState(0.0, np.array([0.0, omega, 0.0, 0.0, 0.0, 0.0]))
 
 

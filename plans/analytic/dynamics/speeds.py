@@ -64,9 +64,7 @@ class Swing(NamedTuple):
 
 def with_flywheel(found: Exact, task: Task, wheel: Flywheel) -> Swing | Stall:
     """Give the motion with a flywheel; one that is not needed is not there."""
-    if wheel.needed > 0.0:
-        return Swing(found, wheel.whole, wheel.energy)
-    return without_flywheel(found, task)
+    return Swing(found, wheel.whole, wheel.energy) if wheel.needed > 0.0 else without_flywheel(found, task)
 
 
 def without_flywheel(found: Exact, task: Task) -> Swing | Stall:
@@ -78,8 +76,7 @@ def steady(found: Exact, inertia: float, speed: float) -> Swing | Stall:
     """Give the motion with an inertia kg*m2 at position 0 at which the mean of least and greatest speed is `speed`."""
     emptiest = found.turns(lambda turned, side: found.driving + found.moment(turned, side))
     left = found.surplus(emptiest)
-    least = -float(left.min())
-    stopped = Swing(found, inertia, least)
+    stopped = Swing(found, inertia, -float(left.min()))
     places = np.append(emptiest, found.load.looks)
     if not (inertia + found.varying(places)).min() > 0.0:
         return Stall(float(emptiest[np.argmin(left)]), np.nan)

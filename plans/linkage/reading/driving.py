@@ -12,11 +12,11 @@ import numpy as np
 from geometry.meet import cross
 from plans.linkage.assembly import SketchError
 from plans.linkage.ram import cylinder, passage
-from plans.linkage.reading.fields import LineTable, StrokeTable
+from plans.linkage.reading.fields import LineTable
 from plans.linkage.reading.form import SlideTable
 from plans.linkage.reading.guides import Spot, plain
 from plans.linkage.reading.survey import LinkageSurvey
-from plans.model.mechanism import FRAME, SLIDER, Drive, Link, Mechanism, Ram, Slide, StructureError
+from plans.model.mechanism import FRAME, SLIDER, Drive, Link, Mechanism, Ram, StructureError
 from plans.scene.faults import Path
 from plans.scene.units import WORKING
 from plans.words.words import message
@@ -108,7 +108,6 @@ def _on_crank(survey: LinkageSurvey, points: tuple[str, str], ends: tuple[str, s
 
 
 def _moves(survey: LinkageSurvey) -> bool:
-    """See that the cylinder has a speed."""
     stroke = survey.form.drive.stroke
     assert stroke is not None  # it is a cylinder's
     if not stroke.rates[0]:
@@ -201,7 +200,6 @@ def _check_turnless(survey: LinkageSurvey) -> None:
 
 
 def _pushed(survey: LinkageSurvey) -> SlideTable | None:
-    """Give the slide on the frame of the drive's link."""
     frame, link = survey.points_of[FRAME], survey.form.drive.link
     tables = (table for table in survey.form.mechanism.slides if table.link == link)
     return next((table for table in tables if _on_frame(table.along, frame)), None)
@@ -234,13 +232,9 @@ def drive_of(
     if form.stroke.between is not None:
         return by_ram(survey, ends, links, sketch)
     guide = next(slide for slide in survey.slides if slide.slider == form.link and slide.owner == FRAME)
-    unit = _unit(form.stroke, guide, links)
+    places = [abs(place) for link in links.values() for place in link.points.values()]
+    ways = [abs(float(way)) for way in (form.stroke.from_, form.stroke.to)]
+    # The power of two metres that no place of the stroke and no length of a link is beyond.
+    unit = float(2.0 ** ceil(log2(max(*places, *ways, abs(guide.on_owner.through)))))
     omega, epsilon = (rate / unit for rate in form.stroke.rates)
     return Drive(form.link, *ends, omega, epsilon, SLIDER, guide, unit, law=form.stroke.law)
-
-
-def _unit(stroke: StrokeTable, guide: Slide, links: Mapping[int, Link]) -> float:
-    """Give the power of two metres that no place of the stroke and no length of a link is beyond."""
-    places = [abs(place) for link in links.values() for place in link.points.values()]
-    ways = [abs(float(way)) for way in (stroke.from_, stroke.to)]
-    return float(2.0 ** ceil(log2(max(*places, *ways, abs(guide.on_owner.through)))))

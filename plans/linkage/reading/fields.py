@@ -14,7 +14,7 @@ from plans.model.mechanism import FRAME
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import Wrong, wrong
-from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, sample, whole
+from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, no_repeats, sample, whole
 from plans.scene.forms import Form
 from plans.scene.readers import Check, either, many, one
 from plans.scene.tables import Missing, Table, key
@@ -58,10 +58,7 @@ def check_letters(value: object) -> tuple[str, ...]:
             raise wrong("letters")
     else:
         raise wrong("wrong_type", wanted="letters of points", found=type_name(value), example=sample("OA"))
-    for name in names:
-        if names.count(name) > 1:
-            raise wrong("repeated", entry=name)
-    return names
+    return no_repeats(names)
 
 
 def check_line(value: object) -> tuple[str, ...]:
@@ -81,11 +78,9 @@ def check_pair_name(value: object) -> str:
     """Read the name of a pair of links, the lower number first: 0-1."""
     found = LINKS_OF_PAIR.fullmatch(value) if isinstance(value, str) else None
     low, high = sorted((int(found[1]), int(found[2]))) if found else (0, 0)
-    if low == high:
-        raise wrong("pair_name", example="0-1")
-    if value != f"{low}-{high}":
-        raise wrong("pair_name", example=f"{low}-{high}")
-    return value
+    if low == high or value != f"{low}-{high}":
+        raise wrong("pair_name", example="0-1" if low == high else f"{low}-{high}")
+    return f"{low}-{high}"
 
 
 def moving_link(value: object) -> int:
@@ -178,7 +173,6 @@ def law_speed(value: object) -> Decimal:
 
 SPEEDS = one(law_speed, partial(forms.quantity, units.VELOCITY, minimum=0), units.VELOCITY.si)
 
-
 Place = tuple[Decimal, Decimal]
 
 
@@ -204,9 +198,7 @@ class LineTable(Table):
 
     def place(self, points: Mapping[str, Place]) -> Place | None:
         """Give the point of the line, by the places of its link's points."""
-        if isinstance(self.through, tuple):
-            return self.through
-        return points.get(self.through or next(iter(points)))
+        return self.through if isinstance(self.through, tuple) else points.get(self.through or next(iter(points)))
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
@@ -229,10 +221,9 @@ class StrokeTable(Table):
     between: tuple[str, ...] | None = key(
         LINE,
         None,
-        meaning=(
-            'A cylinder that drives, by the points that it acts between, "EF": of two links, or a fixed one and one '
-            "of a link; the stroke is told by their distance. Default: a link that slides on the frame is pushed along."
-        ),
+        meaning='A cylinder that drives, by the points that it acts between, "EF": of two links, or a fixed one and '
+        "one of a link; the stroke is told by their distance. Default: a link that slides on the frame is pushed "
+        "along.",
     )
     from_: Decimal = key(
         f.COORDINATE,
@@ -240,9 +231,7 @@ class StrokeTable(Table):
         missing=Missing("place along the guide", 'from = "100 mm"', 0),
     )
     to: Decimal = key(
-        f.COORDINATE,
-        meaning="Where it ends.",
-        missing=Missing("place along the guide", 'to = "500 mm"', 1),
+        f.COORDINATE, meaning="Where it ends.", missing=Missing("place along the guide", 'to = "500 mm"', 1)
     )
     speed: Decimal | None = key(
         SPEED,
@@ -254,10 +243,8 @@ class StrokeTable(Table):
     speeds: tuple[Decimal, ...] = key(
         many(SPEEDS, first=f.FEW),
         (),
-        meaning=(
-            "In place of a speed its law over the stroke (закон движения): speeds at places, straight lines between "
-            "them; the acceleration follows. 0 at an end is rest, with one acceleration from it or to it."
-        ),
+        meaning="In place of a speed its law over the stroke (закон движения): speeds at places, straight lines "
+        "between them; the acceleration follows. 0 at an end is rest, with one acceleration from it or to it.",
     )
     places: tuple[Decimal, ...] = key(
         many(f.COORDINATE, first=f.FEW),

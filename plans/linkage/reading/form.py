@@ -65,20 +65,16 @@ class MechanismTable(Table):
     )
     links: Mapping[int, tuple[str, ...]] = key(
         named(g.LINK_NUMBER, g.LETTERS, f.NOT_EMPTY, first=g.FEW_LINKS),
-        meaning=(
-            'Moving links (звенья), each with the letters of its points, 1 = "OA": capitals with an optional number or '
-            'prime, A, B1, O\'; longer names as a list, 1 = ["crank", "pin"]. The first point is the origin of the '
-            "link's own frame, the second lies on its +x."
-        ),
+        meaning='Moving links (звенья), each with the letters of its points, 1 = "OA": capitals with an optional '
+        'number or prime, A, B1, O\'; longer names as a list, 1 = ["crank", "pin"]. The first point is the origin of '
+        "the link's own frame, the second lies on its +x.",
         missing=Missing("table of links", '[mechanism.links] with 1 = "OA"', {"1": "OA"}),
     )
     lengths: Mapping[str, Decimal] = key(
         named(g.LENGTH_NAME, f.LENGTH, first=f.FEW),
         {},
-        meaning=(
-            'Lengths: OA = 0.110 or "110 mm"; a third point of a link by its lengths to the first two, on the side '
-            "that the sketch shows."
-        ),
+        meaning='Lengths: OA = 0.110 or "110 mm"; a third point of a link by its lengths to the first two, on the side '
+        "that the sketch shows.",
     )
     points: Mapping[str, PointTable] = key(
         named(f.POINT, table(PointTable), first=f.FEW),
@@ -91,19 +87,16 @@ class MechanismTable(Table):
     sketch: Mapping[str, Place] = key(
         named(f.POINT, f.PLACE, first=f.FEW),
         {},
-        meaning=(
-            'Rough places at the first position (with start = "extreme", at any): they choose the assembly. One point '
-            "of each group with two assemblies; the crank's end and blocks are found; where a third point has its "
-            "place by lengths, all three points."
-        ),
+        meaning='Rough places at the first position (with start = "extreme", at any): they choose the assembly. One '
+        "point of each group with two assemblies; the crank's end and blocks are found; where a third point has its "
+        "place by lengths, all three points.",
     )
     through: str | None = key(
         f.words(*THROUGH),
         None,
-        meaning=(
-            "What carries the linkage through its change points, so that it goes on smoothly: another linkage beside "
-            "it, or its own inertia; default: nothing, a change point bars the crank, and what lies beyond is a gap."
-        ),
+        meaning="What carries the linkage through its change points, so that it goes on smoothly: another linkage "
+        "beside it, or its own inertia; default: nothing, a change point bars the crank, and what lies beyond is a "
+        "gap.",
     )
 
 
@@ -125,24 +118,17 @@ class DriveTable(Table):
     start: Decimal | str = key(
         g.START,
         Decimal(0),
-        meaning=(
-            'First crank angle from +x, or "extreme": the position from which the output\'s working stroke begins.'
-        ),
+        meaning='First crank angle from +x, or "extreme": the position from which the output\'s working stroke begins.',
     )
     positions: int | tuple[Decimal, ...] = key(
         g.POSITIONS,
         12,
-        meaning=(
-            "Number of equal steps over a turn in the sense of rotation, or over the stroke, or a list of crank angles "
-            "(then no start); "
-            "links times positions are at most 1,000,000, with a force sheet 500,000."
-        ),
+        meaning="Number of equal steps over a turn in the sense of rotation, or over the stroke, or a list of crank "
+        "angles (then no start); links times positions are at most 1,000,000, with a force sheet 500,000.",
     )
 
     stroke: StrokeTable | None = key(
-        table(StrokeTable),
-        None,
-        meaning="The stroke of a primary link that slides on the frame: a ram, a plunger.",
+        table(StrokeTable), None, meaning="The stroke of a primary link that slides on the frame: a ram, a plunger."
     )
 
     @property
@@ -167,16 +153,13 @@ class DriveTable(Table):
     def check(self) -> None:
         """See that a list of positions stands alone, and a stroke without what belongs to a crank."""
         if self.stroke is not None:
-            self._check_stroke()
+            alone = {"speed": "stroke_alone", "acceleration": "stroke_alone", "start": "turn_alone"}
+            if isinstance(self.positions, tuple):
+                raise wrong("stroke_with_list", at=("positions",))
+            for name in alone.keys() & self.given:
+                raise wrong(alone[name], name=name, at=(name,))
         elif isinstance(self.positions, tuple) and "start" in self.given:
             raise wrong("start_with_list", at=("start",))
-
-    def _check_stroke(self) -> None:
-        alone = {"speed": "stroke_alone", "acceleration": "stroke_alone", "start": "turn_alone"}
-        if isinstance(self.positions, tuple):
-            raise wrong("stroke_with_list", at=("positions",))
-        for name in alone.keys() & self.given:
-            raise wrong(alone[name], name=name, at=(name,))
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
@@ -199,10 +182,8 @@ class OutputTable(Table):
     working: str = key(
         f.words(*(name for name in STROKES if name not in PARTINGS)),
         SLOWER,
-        meaning=(
-            "Its working stroke (рабочий ход): by the time that it takes, by the way of its point or slider, or by the "
-            "turn of its link."
-        ),
+        meaning="Its working stroke (рабочий ход): by the time that it takes, by the way of its point or slider, or "
+        "by the turn of its link.",
     )
 
     def check(self) -> None:

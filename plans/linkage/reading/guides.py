@@ -34,7 +34,12 @@ class Shaper(NamedTuple):
         for index, name in enumerate(names[1:], 1):
             placed = self._placed(link, name)
             if index == 1 and name in letters:
-                self._second(link, name, spots)
+                first = next(iter(spots))
+                size = self.length(first, name)
+                if size is not None:
+                    spots[name] = (size, Decimal(0))
+                elif self._placed(link, name) is None:
+                    self._lacks(link, first, name)
             elif placed:
                 spots[name] = placed
             else:
@@ -49,14 +54,6 @@ class Shaper(NamedTuple):
         """Give the length between two points, in either order of its letters."""
         key = self.survey.lengths.get(frozenset(ends))
         return self.survey.form.mechanism.lengths[key] if key else None
-
-    def _second(self, link: int, name: str, spots: dict[str, Spot]) -> None:
-        first = next(iter(spots))
-        size = self.length(first, name)
-        if size is not None:
-            spots[name] = (size, Decimal(0))
-        elif self._placed(link, name) is None:
-            self._lacks(link, first, name)
 
     def _lacks(self, link: int, first: str, name: str) -> None:
         if not self.survey.may_lack(first, name):
@@ -143,12 +140,7 @@ def as_complex(spot: Spot) -> complex:
 
 
 # Directions of whole right angles have exact unit numbers.
-RIGHT_ANGLES: Mapping[Decimal, complex] = {
-    Decimal(0): 1 + 0j,
-    Decimal(90): 1j,
-    Decimal(180): -1 + 0j,
-    Decimal(270): -1j,
-}
+RIGHT_ANGLES = {Decimal(0): 1 + 0j, Decimal(90): 1j, Decimal(180): -1 + 0j, Decimal(270): -1j}
 
 
 def direction(angle: Decimal) -> complex:
@@ -214,7 +206,6 @@ class Guides(NamedTuple):
         return owner, Way(as_complex(spots[0]), run / abs(run)), line_name(*along)
 
     def _by_angle(self, path: Path, line: LineTable, slider: int) -> Way | None:
-        """Give a line of the frame or of a link by its point and its angle."""
         if line.link == slider:
             self.survey.report((*path, "link"), "not_itself")
         elif self._known(path, line):

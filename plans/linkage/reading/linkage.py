@@ -53,7 +53,6 @@ def _check_commas(survey: LinkageSurvey) -> None:
 
 
 def _one_way(angles: Sequence[Decimal]) -> bool:
-    """Tell whether angles only rise or only fall."""
     steps = [low < high for low, high in pairwise(angles)]
     return all(steps) or not any(steps)
 
@@ -64,8 +63,7 @@ def check_joining(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> None:
         return  # a faulty slide may be the very connection that is missing
     if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
         return
-    waiting = _islands(survey, slides)
-    if waiting:
+    if waiting := _islands(survey, slides):
         links = message("place.links", count=len(waiting), links=", ".join(map(str, sorted(waiting))))
         survey.report(_link(min(waiting)), "island", links=links)
     if survey.faults or survey.doubts:
@@ -83,7 +81,6 @@ def _link(number: int) -> Path:
 
 
 def _islands(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> set[int]:
-    """Give the links that nothing joins to the frame."""
     joined, points = {FRAME}, set(survey.points_of[FRAME])
     pairs = [(slide.slider, slide.owner) for slide in slides]
     waiting = set(survey.form.mechanism.links)
@@ -145,9 +142,8 @@ def _build(survey: LinkageSurvey) -> Mechanism | None:
     output = _output(survey, slides)
     if survey.faults or not ends:
         return None
-    links = {
-        number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
-    }
+    points = {link: {name: as_complex(spot) for name, spot in shape.items()} for link, shape in shapes.items()}
+    links = {number: Link(number, places) for number, places in points.items()}
     drive = drive_of(survey, ends, links, sketch)
     if drive is None:
         return None
@@ -189,14 +185,12 @@ def _check_points(survey: LinkageSurvey) -> None:
             survey.report(path, "second_by_place", name=name, link=placed.on, line=line)
     for pair, key in survey.lengths.items():
         _check_length(survey, pair, ("mechanism", "lengths", key))
-    apart = spread(form.lengths)
-    if apart and apart.ratio > RATIO_LIMIT:
+    if (apart := spread(form.lengths)) and apart.ratio > RATIO_LIMIT:
         details = {"name": apart.longest, "other": apart.shortest, "ratio": f"{apart.ratio:.3g}"}
         survey.report(("mechanism", "lengths", apart.longest), "ratio", most=f"{RATIO_LIMIT:.0e}", **details)
 
 
 def _check_places(survey: LinkageSurvey) -> None:
-    """See that no point of a link bears the letter of a fixed one."""
     form = survey.form.mechanism
     for name in sorted(form.points.keys() & form.frame.keys(), key=natural):
         survey.report(("mechanism", "points", name), "two_places", name=name, link=form.points[name].on)
@@ -268,15 +262,11 @@ def _mobility_advice(scene: Scene, mechanism: Mechanism) -> Message:
     unused = [name for name in fixed if name not in mechanism.hinges]
     if mechanism.mobility > 1 and unused:
         return message("advice.joint_fixed", points=", ".join(unused))
-    ends = _free_ends(scene, mechanism)
+    # Ends that hang on nothing: of a lead, one of its first two points is of no other link.
+    slid = {link for slide in mechanism.slides for link in (slide.slider, slide.owner)}
+    leads = {link: points[:2] for link, points in scene.of(LinkageForm).mechanism.links.items() if link not in slid}
+    ends = [(link, name) for link, names in leads.items() for name in names if name not in mechanism.hinges]
     if mechanism.mobility > 1 and ends:
         link, name = ends[0]
         return message("advice.joint_end", name=name, link=link)
     return message("advice.joint" if mechanism.mobility > 1 else "advice.held_twice")
-
-
-def _free_ends(scene: Scene, mechanism: Mechanism) -> list[tuple[int, str]]:
-    """Give the ends of links that hang on nothing: of a lead, one of its first two points is of no other link."""
-    slid = {link for slide in mechanism.slides for link in (slide.slider, slide.owner)}
-    leads = {link: points[:2] for link, points in scene.of(LinkageForm).mechanism.links.items() if link not in slid}
-    return [(link, name) for link, names in leads.items() for name in names if name not in mechanism.hinges]

@@ -193,8 +193,7 @@ def _lengths(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
     lengths = form.mechanism.lengths
     stated: dict[Path, Decimal] = {("mechanism", "lengths", key): size for key, size in lengths.items()}
     yield from odd_lengths(scene, stated, lambda path: str(path[-1]))
-    apart = spread(lengths)
-    if apart and apart.ratio > SPREAD:
+    if (apart := spread(lengths)) and apart.ratio > SPREAD:
         path = ("mechanism", "lengths", apart.longest)
         yield scene.fault(path, "spread", name=apart.longest, other=apart.shortest, ratio=f"{apart.ratio:.3g}")
 
@@ -235,17 +234,13 @@ def _twins(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
     where: dict[str, Path] = {
         name: ("mechanism", "links", str(link)) for link, points in form.mechanism.links.items() for name in points
     }
-    where |= {name: ("mechanism", table, name) for table, names in _placed(form) for name in names}
+    placed = (("points", form.mechanism.points), ("frame", form.mechanism.frame))
+    where |= {name: ("mechanism", table, name) for table, names in placed for name in names}
     plain: dict[str, str] = {}
     for name in sorted(where):
         other = plain.setdefault(name.translate(TWINS), name)
         if other != name:
             yield scene.fault(where[name], "twins", name=name, other=other)
-
-
-def _placed(form: LinkageForm) -> Iterator[tuple[str, Iterable[str]]]:
-    """Give the tables of points that have their own places."""
-    yield from (("points", form.mechanism.points), ("frame", form.mechanism.frame))
 
 
 def _spare_points(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
