@@ -76,7 +76,9 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [title, *_shaft(shown, place, hand), *_datum(shown, place, hand)]
     for member in shown.members:
-        lines += [_guide(shown, member, place, hand), *_throw(shown, member, place, hand)]
+        far = (place.length(shown.crank) + GUIDE * hand.symbol) * (-1 if _under(shown, member) else 1)
+        middle = place.on(complex(float(member.place)))
+        lines += [Line(middle, middle + 1j * far, fit(hand.axis, abs(far))), *_throw(shown, member, place, hand)]
     lines += _dimensions(shown, place, drafting)
     subject = Subject(NAME, QUANTITY, None)
     lines.append(view.origin(NAME, 0j, place, pole(place.on(0j)), QUANTITY))
@@ -134,13 +136,6 @@ def _throw(shown: BankView, member: Member, place: Place, hand: Hand) -> Iterato
     corners = (middle - half, middle - half + high, middle + half + high, middle + half)
     states = Statement(Kind.LENGTH, NAME, f"r {member.name}", scale=place.scale.mu)
     yield stating(states, *(Line(corner, other, hand.result) for corner, other in pairwise(corners)))
-
-
-def _guide(shown: BankView, member: Member, place: Place, hand: Hand) -> Line:
-    """Draw the axis of a guide from the shaft outward: up where the reference guide goes, down on the other side."""
-    far = (place.length(shown.crank) + GUIDE * hand.symbol) * (-1 if _under(shown, member) else 1)
-    middle = place.on(complex(float(member.place)))
-    return Line(middle, middle + 1j * far, fit(hand.axis, abs(far)))
 
 
 def _dimensioned(shown: BankView) -> dict[float, str]:

@@ -132,10 +132,7 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
     shows = (*_views(shown, drafting), *orders, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
     writers = order_table, compensator_table
-    tables = [
-        *(write(shown.balance, drafting) for write in writers),
-        results(comparison, bool(orders), drafting),
-    ]
+    tables = [*(write(shown.balance, drafting) for write in writers), results(comparison, bool(orders), drafting)]
     notes = BankNotes(shown.balance, drafting).all
     title = drafting.word("bank sheet title")
     there = tuple(written for written in tables if written is not None)

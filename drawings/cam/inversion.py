@@ -149,7 +149,8 @@ def _shaft(view: ProfileView, place: Place, hand: Hand) -> tuple[Mask, ...]:
 def _circles(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the circle of the least radius, of the offset, of the pivots; of a cam that translates its base line."""
     if view.cam.translates:
-        left, right = (place.on(complex(x)) for x in _ends(view))
+        across = view.curve.pitch.real
+        left, right = (place.on(complex(x)) for x in (across.min(), across.max()))
         yield Line(left, right, hand.other)
         return
     zero, sizes = place.on(0j), view.sizes
@@ -159,10 +160,6 @@ def _circles(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     if sizes.pivot:
         far = place.length(abs(sizes.pivot))
         yield Circle(zero, far, fit(hand.axis, TURN * far, True))
-
-
-def _ends(view: ProfileView) -> tuple[float, float]:
-    return float(view.curve.pitch.real.min()), float(view.curve.pitch.real.max())
 
 
 def _turned(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
@@ -183,9 +180,9 @@ def _turned(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
             yield from _missed(place.on(complex(view.contour.pitch[k])), face(view, place, turned), hand)
 
 
-def highest(view: ProfileView, place: Place, hand: Hand) -> float:
-    """Give the level at which the axes over a cam that translates end, mm."""
-    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + 3 * hand.symbol
+def highest(view: ProfileView, place: Place, hand: Hand, clear: float = 3.0) -> float:
+    """Give the level, mm, clear of roller or face in their highest place: over a cam that translates its axes end."""
+    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + clear * hand.symbol
 
 
 def _arm(view: ProfileView, place: Place, hand: Hand, k: int, turned: float) -> Iterator[Stroke]:
@@ -227,8 +224,10 @@ def _notches(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield _notch(zero, spot, hand)
         if view.cam.rocks:
             yield _notch(place.on(view.back(view.sizes.pivot, turned)), spot, hand)
-    carried = _carried(view)
-    if carried is not None:
+    # The middle one of the first motion is drawn whole, from the initial frame on.
+    moves = [*view.cam.moving()][:1]
+    within = [k for k, turned in view.positions for phase in moves if phase.start < turned < phase.end]
+    for carried in within[len(within) // 2 :][:1]:
         start, end = (place.on(complex(curve[carried])) - zero for curve in (view.contour.tip, view.contour.pitch))
         first, last = (start, end) if view.cam.sense < 0 else (end, start)
         yield Arc(zero, abs(start), cmath.phase(first), cmath.phase(last), hand.drafted)
@@ -240,33 +239,24 @@ def _notch(centre: complex, spot: complex, hand: Hand) -> Arc:
     return Arc(centre, radius, turn - half, turn + half, hand.drafted)
 
 
-def _carried(view: ProfileView) -> int | None:
-    """Choose the position whose notch is drawn whole, from the initial frame on: the middle one of the first motion."""
-    first = [*view.cam.moving()][:1]
-    within = [k for k, turned in view.positions for phase in first if phase.start < turned < phase.end]
-    return within[len(within) // 2] if within else None
-
-
 def _rollers(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the roller at a few positions, no two closer than they can be told apart."""
-    radius, last = place.length(view.found.roller), place.on(complex(view.contour.pitch[0]))
-    if not radius:
-        return
-    first = last
-    for k, _ in view.positions[1:]:
-        spot = place.on(complex(view.contour.pitch[k]))
-        if tied(min(abs(spot - last), abs(spot - first)) - FEW * radius) >= 0:
-            yield Circle(spot, radius, hand.other)
-            last = spot
+    radius = place.length(view.found.roller)
+    for k in [*_apart(view, place, FEW * radius)][1:] if radius else ():
+        yield Circle(place.on(complex(view.contour.pitch[k])), radius, hand.other)
 
 
 def marked(view: ProfileView, place: Place, hand: Hand) -> Iterator[int]:
     """Choose the positions whose points are marked and numbered: those that stand apart on paper."""
+    return _apart(view, place, APART * hand.number)
+
+
+def _apart(view: ProfileView, place: Place, least: float) -> Iterator[int]:
     last = first = place.on(complex(view.contour.pitch[0]))
     yield 0
     for k, _ in view.positions[1:]:
         spot = place.on(complex(view.contour.pitch[k]))
-        if tied(min(abs(spot - last), abs(spot - first)) - APART * hand.number) >= 0:
+        if tied(min(abs(spot - last), abs(spot - first)) - least) >= 0:
             yield k
             last = spot
 

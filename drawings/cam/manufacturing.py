@@ -121,7 +121,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
         *_sense(shown, place, hand),
         *_radii(shown, place, drafting),
         *curves(view, PLAN, place, hand),
-        *_rows(shown, place, hand),
+        *(Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.spots),
         *(hub.lines(drafting) if (hub := _bore(shown, place)) else ()),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
@@ -184,10 +184,8 @@ def _arrow(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, float
 def _straight(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, complex]:
     """Give the ends of the arrow of a cam that translates, within its body."""
     left, right = (place.on(corner) for corner in shown.view.body)
-    middle, half = (
-        (left + right) / 2 + 0.25j * place.length(shown.cam.lift),
-        shown.cam.sense * PAST * hand.symbol,
-    )
+    middle = (left + right) / 2 + 0.25j * place.length(shown.cam.lift)
+    half = shown.cam.sense * PAST * hand.symbol
     return middle + half, middle - half
 
 
@@ -213,18 +211,14 @@ def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Gro
         yield Group((Line(place.on(start), place.on(end), hand.drafted),), "", data, label(shown, name, drafting))
 
 
-def _rows(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the points that the table tells."""
-    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.spots)
-
-
 DIGITS = 5
 
 
 def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     """Say what a workshop must know beside the curve."""
     cam = shown.cam
-    yield drafting.word(_moves(shown))
+    names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
+    yield drafting.word(names[shown.cam.sense < 0])
     curve = drafting.word("mill path" if shown.found.grooved else "profile told")
     if cam.translates:
         yield drafting.word("plane datum", curve=curve)
@@ -239,12 +233,6 @@ def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     wrong = dict.fromkeys(flaw.kind for flaw in shown.found.flaws if flaw.kind in SHOWN)
     if wrong:
         yield drafting.word("profile flaws", flaws=", ".join(drafting.word(f"cam {kind}") for kind in wrong))
-
-
-def _moves(shown: Manufacture) -> str:
-    """Name the sense in which the cam moves."""
-    names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
-    return names[shown.cam.sense < 0]
 
 
 def _roller(shown: Manufacture, drafting: Drafting) -> str:

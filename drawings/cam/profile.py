@@ -55,17 +55,12 @@ def follower(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
 def _rod(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the rod as high as its guide, and the guide above the highest place that roller or face come to."""
     start = place.on(complex(view.axis, view.curve.tip[0].imag))  # the tip, the roller's centre, the middle of a face
-    low = highest(view, place, hand) if view.cam.translates else _above(view, place, hand)
+    low = highest(view, place, hand) if view.cam.translates else highest(view, place, hand, CLEAR)
     base, top = complex(start.real, low), complex(start.real, low + GUIDE * hand.symbol)
     yield Line(start, top + CLEAR * hand.symbol * 1j, hand.result)
     for side in (-1, 1):
         off = side * ROD * hand.symbol
         yield from ground(base + off, top + off, complex(side), hand)
-
-
-def _above(view: ProfileView, place: Place, hand: Hand) -> float:
-    """Give where the guide begins, mm: clear of roller or face in their highest place."""
-    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + CLEAR * hand.symbol
 
 
 def _rocker(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -99,13 +94,9 @@ def _end(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     elif view.cam.flat:
         yield Line(*face(view, place, 0.0), hand.result)
     elif view.cam.follower.end == POINTED:
-        yield _point(tip, hand, 1j * view.cam.rising if view.cam.rocks else 1j)
-
-
-def _point(tip: complex, hand: Hand, up: complex) -> Fill:
-    """Draw the point of a follower."""
-    high = TIP * hand.symbol * (up if up.imag > 0 else -up)
-    return Fill((tip, tip + high + 1j * SLIM * high, tip + high - 1j * SLIM * high))
+        up = 1j * view.cam.rising if view.cam.rocks else 1j
+        high = TIP * hand.symbol * (up if up.imag > 0 else -up)
+        yield Fill((tip, tip + high + 1j * SLIM * high, tip + high - 1j * SLIM * high))
 
 
 def pivot_mark(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
@@ -149,7 +140,11 @@ def _towards(view: ProfileView, tip: complex, rising: bool) -> float:
 def graduated(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the ticks of all divisions, the arc of a rocker's, and the points of those that bear numbers."""
     if view.cam.rocks and not view.cam.flat:
-        yield _arc(view, place, hand)
+        pivot = place.on(view.sizes.pivot)
+        turns = [place.on(complex(spot)) - pivot for spot in view.curve.tip]
+        middle = cmath.phase(sum(turns))
+        offs = [cmath.phase(turn * cmath.rect(1.0, -middle)) for turn in turns]
+        yield Arc(pivot, abs(turns[0]), middle + min(offs), middle + max(offs), hand.drafted)
     for division in _divisions(view, place):
         yield tick(division.spot, _across(view, division, place), hand)
     for division in divisions(view, place, hand):
@@ -163,14 +158,6 @@ def _across(view: ProfileView, division: Division, place: Place) -> complex:
         return 1j
     arm = division.spot - place.on(view.sizes.pivot)
     return 1j * arm / abs(arm)
-
-
-def _arc(view: ProfileView, place: Place, hand: Hand) -> Arc:
-    pivot = place.on(view.sizes.pivot)
-    turns = [place.on(complex(spot)) - pivot for spot in view.curve.tip]
-    middle = cmath.phase(sum(turns))
-    offs = [cmath.phase(turn * cmath.rect(1.0, -middle)) for turn in turns]
-    return Arc(pivot, abs(turns[0]), middle + min(offs), middle + max(offs), hand.drafted)
 
 
 LETTERS, MOST = 21.0, 80.0  # it is drawn at least so many letters large, and at most

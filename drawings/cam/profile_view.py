@@ -254,7 +254,8 @@ def _contour(view: ProfileView, curve: ShownCurve, place: Place, hand: Hand) -> 
     """Draw what of a curve with flaws lies between its loops."""
     flaws = [flaw for flaw in view.found.flaws if SHOWN.get(flaw.kind) == curve.name]
     turns = {0.0, view.cam.turn, *(end for flaw in flaws for end in (flaw.start, flaw.end))}
-    bounds = [PathCut(turned, _spot(view, curve, turned)) for turned in sorted(turns)]
+    points = _points(view, curve.name)
+    bounds = [PathCut(turned, complex(np.interp(turned, view.curve.turned, points))) for turned in sorted(turns)]
     for low, high in pairwise(bounds):
         kinds = [flaw.kind for flaw in flaws if _holds(flaw, (low.turned + high.turned) / 2)]
         pieces = curve.path.between(low, high, view.cam.turn)
@@ -262,11 +263,6 @@ def _contour(view: ProfileView, curve: ShownCurve, place: Place, hand: Hand) -> 
             style = LineStyle(HEAVY * hand.main, hand.dashed) if kinds else hand.result
             placed = tuple(piece.placed(1 / place.scale.mu, place.on(0j)) for piece in pieces)
             yield from fit_dashes([Curve(placed, False, style)])
-
-
-def _spot(view: ProfileView, curve: ShownCurve, turned: float) -> complex:
-    """Give the point of a curve at a turn, m."""
-    return complex(np.interp(turned, view.curve.turned, _points(view, curve.name)))
 
 
 def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:

@@ -132,15 +132,11 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
     if notes.cam.hub is not None:
         yield from (entry(f"{line}") for line in hub_notes(notes.found, notes.drafting))
     if laws:
-        yield f"- {_chords(drawing, notes.drafting)}"
-
-
-def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
-    """Say by how much the chords of S' and S are off."""
-    shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
-    slope, travel = (drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
-    strips = len(drawing.diagrams.strips.edges) - 1
-    return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
+        shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
+        slope, travel = (notes.drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
+        strips = len(drawing.diagrams.strips.edges) - 1
+        chords = word(notes.drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
+        yield f"- {chords}"
 
 
 REPORT = Report(chapters, headline, remarks, subject, _concluded)

@@ -79,11 +79,12 @@ def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], d
 def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> _CamContents:
     """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
     by_hand = any(readings(drawing))
+    ours, theirs = (results(found) for found in (drawing.found, exact))
     return _CamContents(
         drawing,
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
-        _results(drawing, exact, by_hand, drafting),
+        size_view.sizes(ours, theirs, by_hand, drafting),
         CamNotes(drawing.found, drafting).all,
     )
 
@@ -120,12 +121,6 @@ def _pressed(cam: Cam) -> bool:
     return cam.rocks or not cam.flat
 
 
-def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Drafting) -> RuledTable:
-    """Tell sizes, extremes and shocks by both roads, and what a hand may be out."""
-    ours, theirs = (results(found) for found in (drawing.found, exact))
-    return size_view.sizes(ours, theirs, by_hand, drafting)
-
-
 def charts(scene: Scene, cams: Sequence[Cam]) -> list[tuple[Scene, Draft]]:
     """Give the charts, on the smallest format that takes them; a cam alone has its phases on its own sheet."""
     turning = [cam for cam in cams if not cam.translates]
@@ -136,8 +131,9 @@ def charts(scene: Scene, cams: Sequence[Cam]) -> list[tuple[Scene, Draft]]:
 
 
 def _chart_draft(cams: Sequence[Cam], drafting: Drafting) -> Draft:
-    facts = partial(figures_facts, cam=ALL_CAMS)
-    return Draft("cam", drafting.word("cyclogram sheet title"), tuple(_charts(cams, drafting)), (), (), facts)
+    facts, chart = partial(figures_facts, cam=ALL_CAMS), Chart(rows_of_cams(cams), cams[0].sense)
+    shows = tuple(exhibit(figure, chart, drafting) for figure in (bar_chart, circular_chart))
+    return Draft("cam", drafting.word("cyclogram sheet title"), shows, (), (), facts)
 
 
 def _composed(scene: Scene, draft: Draft) -> Sequence[Composition]:
@@ -146,11 +142,6 @@ def _composed(scene: Scene, draft: Draft) -> Sequence[Composition]:
         return compositions(scene, draft)
     except SheetError:
         return ()
-
-
-def _charts(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
-    chart = Chart(rows_of_cams(cams), cams[0].sense)
-    yield from (exhibit(figures, chart, drafting) for figures in (bar_chart, circular_chart))
 
 
 KIND = "profile"
@@ -175,7 +166,11 @@ def _workshop_draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Sc
     """
     for small in _formats(scene):
         draft = _workshop_variant(shown, EVERY[0], several, drafting_of(small))
-        if _true(small, draft):
+        composed = _composed(small, draft)
+        (room,) = (show.panel.item for show in draft.shows if isinstance(show.panel.item, Picture))
+        natural = max(room.wide, room.high) * TRUE
+        large = max(natural, room.least) * SMALLER
+        if len(composed) == 1 and room.extent(composed[0].spots[room.name].scale) >= large:
             return small, draft
     first, *further = (_workshop_variant(shown, every, several, drafting_of(scene)) for every in EVERY)
     return scene, first._replace(instead=tuple(further))
@@ -197,15 +192,6 @@ def _lies(scene: Scene) -> bool:
     except SheetError:
         return False
     return True
-
-
-def _true(scene: Scene, draft: Draft) -> bool:
-    """Tell whether one sheet takes a draft with its figure at its own size, or larger."""
-    composed = _composed(scene, draft)
-    (room,) = (show.panel.item for show in draft.shows if isinstance(show.panel.item, Picture))
-    natural = max(room.wide, room.high) * TRUE
-    large = max(natural, room.least) * SMALLER
-    return len(composed) == 1 and room.extent(composed[0].spots[room.name].scale) >= large
 
 
 def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:

@@ -51,16 +51,12 @@ class AngleArc(NamedTuple):
 
 def phase_arcs(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> tuple[AngleArc, ...]:
     """Give the arcs of the phases: they run against the cam's motion, as the frame is turned."""
-    if view.cam.translates:
-        return ()
-    return tuple(_arcs(view, rings, drafting))
-
-
-def _arcs(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> Iterator[AngleArc]:
-    for number, phase in enumerate(view.cam.phases):
+    arcs = []
+    for number, phase in enumerate(() if view.cam.translates else view.cam.phases):
         start = cmath.phase(rings.crossing(phase.start, rings.phases))
         text, sweep = phase_letter(view.cam, number, drafting), -view.cam.sense * min(phase.angle, TURN)
-        yield AngleArc(f"φ_{number}", text, TurnArrow(rings.place.on(0j), rings.phases, start, sweep))
+        arcs.append(AngleArc(f"φ_{number}", text, TurnArrow(rings.place.on(0j), rings.phases, start, sweep)))
+    return tuple(arcs)
 
 
 def bounds(view: ProfileView, rings: ProfileRings, hand: Hand) -> Iterator[Stroke]:
@@ -137,7 +133,11 @@ def rulers(view: SizeView, place: Place, drafting: Drafting) -> tuple[tuple[Stro
         if angle is not None:
             taken.append(angle.middle)
             lines += angle.draw(drafting.hand)
-            letters.append(Letter(angle.middle, _limit_text(tangent, drafting), drafting.hand.number, angle.side, GAP))
+            assert isinstance(tangent.bound, PressureBound)
+            sign, minus = (-1, "−") if lower(tangent) else (1, "")
+            size = drafting.slot(Slot(f"{minus}α_{tangent.bound.kind}", sign * math.degrees(tangent.bound.angle)))
+            limit_text = joined("", (minus, drafting.letter(f"α_{{{tangent.bound.kind}}}"), " = ", size, "°"))
+            letters.append(Letter(angle.middle, limit_text, drafting.hand.number, angle.side, GAP))
         elif not view.cam.rocks:
             letters.append(Letter(past, "45°", drafting.hand.number, 0.0))
     lines += _chord(view, place, drafting.hand)
@@ -154,14 +154,6 @@ def _angle(
     line *= math.copysign(1.0, line.imag) / abs(line)
     ways = (LimitAngle(past, line, way, radius) for radius in (arm, NEARER * arm))
     return max(ways, key=lambda angle: min((CROWD, *(abs(angle.middle - spot) for spot in taken))))
-
-
-def _limit_text(tangent: SizeTangent, drafting: Drafting) -> str:
-    """Write a limit of the pressure angle."""
-    assert isinstance(tangent.bound, PressureBound)
-    sign, minus = (-1, "−") if lower(tangent) else (1, "")
-    size = drafting.slot(Slot(f"{minus}α_{tangent.bound.kind}", sign * math.degrees(tangent.bound.angle)))
-    return joined("", (minus, drafting.letter(f"α_{{{tangent.bound.kind}}}"), " = ", size, "°"))
 
 
 def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:

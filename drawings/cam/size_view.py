@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -161,17 +161,14 @@ def cut(outline: Sequence[complex], normal: complex, reach: float) -> list[compl
     [0j, (1+0j), (1+2j), 2j]
     """
     beyond = [(normal.conjugate() * corner).real - reach for corner in outline]
-    return [
-        spot for k in range(len(outline)) for spot in _corner((outline[k - 1], outline[k]), (beyond[k - 1], beyond[k]))
-    ]
-
-
-def _corner(side: tuple[complex, complex], beyond: tuple[float, float]) -> Iterator[complex]:
-    (start, end), (first, last) = side, beyond
-    if (first > 0) != (last > 0):
-        yield start + (end - start) * (first / (first - last))
-    if last <= 0:
-        yield end
+    kept = []
+    for k, end in enumerate(outline):
+        start, first, last = outline[k - 1], beyond[k - 1], beyond[k]
+        if (first > 0) != (last > 0):
+            kept.append(start + (end - start) * (first / (first - last)))
+        if last <= 0:
+            kept.append(end)
+    return kept
 
 
 def leaning(tangent: SizeTangent, view: SizeView) -> complex | None:

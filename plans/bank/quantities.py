@@ -85,18 +85,14 @@ class _ComparedBank(NamedTuple):
         """How far a force of the bank can be out."""
         return self._single * len(self.ours.task.members)
 
-    @property
-    def _lever(self) -> float:
-        """How far a moment of the bank can be out."""
-        return self._single * math.fsum(abs(float(member.place)) for member in self.ours.task.members)
-
     def harmonics(self) -> Iterator[Quantity]:
         """Compare every vector of every order."""
         largest, arm = _largest(self.ours.single), max(abs(float(member.place)) for member in self.ours.task.members)
+        lever = self._single * math.fsum(abs(float(member.place)) for member in self.ours.task.members)
         rows = (
             (SINGLE, "N", self.ours.single, self.theirs.single, self._single, largest),
             (FORCE, "N", self.ours.forces, self.theirs.forces, self._bank, largest),
-            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, self._lever, arm * largest),
+            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, lever, arm * largest),
         )
         for kind, unit, ours, theirs, bound, most in rows:
             for order, harmonic in ours.items():

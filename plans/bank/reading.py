@@ -241,23 +241,22 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     if form.unit is not None and form.unit.rod < CLOSE * form.unit.crank:
         yield scene.fault(("bank", "unit", "rod"), "near_rod", ratio=f"{form.unit.rod / form.unit.crank:.3g}")
     yield from _stacked(scene, form)
-    yield from _speed_notes(scene, form)
+    drive = scene.of(LinkageForm).drive.speed if scene.has(("drive",)) and form.unit is None else None
+    found, wanted = (f"{speed:.5g}" if speed else "" for speed in (form.speed, drive))
+    if found and wanted and found != wanted:
+        yield scene.fault(("bank", "speed"), "bank_speed", found=found, drive=wanted)
 
 
 def _lengths(form: BankTable) -> Iterator[tuple[Path, Decimal]]:
     """Give the lengths m that a scene states; a zero is one in any unit."""
     stated: dict[Path, Decimal | None] = {}
     if form.unit is not None:
-        stated |= _of_unit(form.unit)
+        stated |= {("bank", "unit", "crank"): form.unit.crank, ("bank", "unit", "rod"): form.unit.rod}
     stated |= {("bank", "members", number, "place"): member.place for number, member in enumerate(form.members)}
     for number, compensator in enumerate(form.compensators):
         path: Path = ("bank", "compensators", number)
         stated |= {(*path, "offset"): compensator.offset, (*path, "shafts"): compensator.shafts}
     return ((path, abs(size)) for path, size in stated.items() if size)
-
-
-def _of_unit(unit: UnitTable) -> dict[Path, Decimal | None]:
-    return {("bank", "unit", "crank"): unit.crank, ("bank", "unit", "rod"): unit.rod}
 
 
 def _stacked(scene: Scene, form: BankTable) -> Iterator[Fault]:
@@ -267,14 +266,6 @@ def _stacked(scene: Scene, form: BankTable) -> Iterator[Fault]:
         if stand in stands[:number]:
             yield scene.fault(("bank", "members", number), "stacked", other=stands.index(stand) + 1)
             return
-
-
-def _speed_notes(scene: Scene, form: BankTable) -> Iterator[Fault]:
-    """Find a speed other than that of the drive: forces and balancing of the linkage are told at that one."""
-    drive = scene.of(LinkageForm).drive.speed if scene.has(("drive",)) and form.unit is None else None
-    found, wanted = (f"{speed:.5g}" if speed else "" for speed in (form.speed, drive))
-    if found and wanted and found != wanted:
-        yield scene.fault(("bank", "speed"), "bank_speed", found=found, drive=wanted)
 
 
 LINKAGE, BALANCE = "mechanism", "balance"  # the tables of what a bank may be of

@@ -34,7 +34,11 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     found = _explained(drawing, position, bare)
     if found is None:
-        return _none(cams, drawing)
+        named = (*dict.fromkeys(_names(drawing)), *WAYS, *POLES, *PRESSURE[:1])
+        examples = tuple(example for example in EXAMPLES if _explained(drawing, 0, example) is not None)
+        other = [*cams.drawings][1:2]
+        listed = message("mark.of_cam", example=f"{other[0]}{OF}P") if other else None
+        return NoMark(named, listed, examples)
     steps = in_position(behind(*found.marks), position, count)
     title = _title(drawing.cam, float(drawing.turned[position]), mark=name, position=position)
     return Explanation(title, steps, {**UNITS, **found.units}, found.notes)
@@ -53,15 +57,6 @@ def _title(cam: Cam, turned: float, **parts: object) -> Message:
     if cam.translates:
         return message("explain.along_way", way=f"{1000 * turned:.7g}", **parts)
     return message("explain.title", angle=f"{math.degrees(turned):.4f}", **parts)
-
-
-def _none(cams: CamStudy, drawing: CamDrawing) -> NoMark:
-    """Say which marks there are: some of a cam, and how those of another cam are asked for."""
-    named = (*dict.fromkeys(_names(drawing)), *WAYS, *POLES, *PRESSURE[:1])
-    examples = tuple(example for example in EXAMPLES if _explained(drawing, 0, example) is not None)
-    other = [*cams.drawings][1:2]
-    listed = message("mark.of_cam", example=f"{other[0]}{OF}P") if other else None
-    return NoMark(named, listed, examples)
 
 
 def _explained(drawing: CamDrawing, position: int, name: str) -> Explained | None:

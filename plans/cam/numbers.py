@@ -39,7 +39,7 @@ def _cam(result: CamFound, plans: Collection[str]) -> dict[str, Any]:
         travel = contour.travel
         data |= {"S": plain(travel.s), "S'": plain(travel.slope), "S''": plain(travel.bend)}
         data["peaks"] = {name: _extreme(found) for name, found in result.peaks.items()}
-        data["shocks"] = [_shock(shock) for shock in result.shocks]
+        data["shocks"] = [{"phi": shock.turned, "order": shock.order, "jump": shock.jump} for shock in result.shocks]
     if SIZES in plans:
         data["sizes"] = _sizes(result.sizes, result)
         data["pressure"] = {kind: _extreme(found) for kind, found in result.pressure.items()}
@@ -81,10 +81,6 @@ def _forces(pressing: Pressing, rolls: bool) -> dict[str, Any]:
     """Give what presses the follower on the cam; what a roller would wear, stuck on its pin, is not told."""
     data = {"least": _extreme(pressing.least), "most": _extreme(pressing.most), "preload": pressing.preload}
     return data if rolls else data | {"wear": _extreme(pressing.wear)}
-
-
-def _shock(shock: Shock) -> dict[str, Any]:
-    return {"phi": shock.turned, "order": shock.order, "jump": shock.jump}
 
 
 def _extreme(extreme: Extreme | None) -> dict[str, float] | None:

@@ -249,16 +249,12 @@ class ComparedCam:
         if ours.outer is not None and theirs.outer is not None:
             yield self._row(PROFILE, "Q'", "m", ours.outer, theirs.outer, slack.profile)
         yield self._row(PROFILE, "α", "rad", ours.pressure, theirs.pressure, slack.angle)
-        yield self._row(PROFILE, "1/ρ", "1/m", *self._bends, slack.curvature)
+        edge = 0.0 if self.ours.cam.flat else np.nan
+        bends = _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
+        yield self._row(PROFILE, "1/ρ", "1/m", *bends, slack.curvature)
         if self.ours.cam.flat:
             yield self._row(PROFILE, "ρ", "m", ours.radius, theirs.radius, slack.radius)
         yield self._row(PROFILE, "v_sl/ω", "m", ours.sliding, theirs.sliding, slack.lever)
-
-    @property
-    def _bends(self) -> tuple[Floats, Floats]:
-        """1/ρ by both roads; of an edge under a flat face 0, for there ρ itself is compared."""
-        edge = 0.0 if self.ours.cam.flat else np.nan
-        return _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
 
     def extremes(self) -> Iterator[Quantity]:
         """Compare the largest pressure angles and the sharpest places."""

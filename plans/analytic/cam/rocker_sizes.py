@@ -129,7 +129,9 @@ def rocker_sizes(cam: Cam) -> CamSizes:
     given, length, f = cam.given, cam.follower.length or 0.0, cam.follower.sense
     start = f * length * cmath.exp(-0.5j * f * cam.lift)
     if given.base is not None and given.centre is not None:
-        initial = _notched(cam, length, given.base, given.centre)
+        if not abs(length - given.base) < given.centre < length + given.base:
+            raise no_triangle(cam, length, given.base, given.centre)
+        initial = math.acos((length**2 + given.centre**2 - given.base**2) / (2 * length * given.centre))
         return _sizes(cam, start, given.centre * start / length * cmath.exp(-1j * f * initial))
     place = _nearest(cam, start) if given.centre is None else _on_circle(cam, start, given.centre)
     if given.base is None and abs(place - start) < LEAST_BASE * cam.way:
@@ -137,13 +139,6 @@ def rocker_sizes(cam: Cam) -> CamSizes:
     if given.base is not None:
         place = start + given.base * (place - start) / abs(place - start)
     return _sizes(cam, start, place)
-
-
-def _notched(cam: Cam, length: float, base: float, centre: float) -> float:
-    """Give the angle at O1 of the triangle of l, L and R0."""
-    if not abs(length - base) < centre < length + base:
-        raise no_triangle(cam, length, base, centre)
-    return math.acos((length**2 + centre**2 - base**2) / (2 * length * centre))
 
 
 def _sizes(cam: Cam, start: complex, place: complex) -> CamSizes:
@@ -211,7 +206,9 @@ def _nearest(cam: Cam, start: complex) -> complex:
             seed for seed, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0
         ]
         return place if len(pressed) == 2 else _touched(pressed, place, cam, start)[0]
-    broken = _broken(place, normals, bounds)
+    beyond = ((normals.conj() * place).real - bounds) / np.abs(normals)
+    worst = int(np.argmax(beyond))
+    broken = worst if beyond[worst] > EXACT * abs(place) else None
     if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
         return place
     return _touched(both, place, cam, start)[0]
@@ -231,13 +228,6 @@ def _pressures(seeds: Sequence[Seed], shares: Sequence[float], off: complex) -> 
     """Give by how much each of two lines holds O off the start: below 0 O would leave it towards the start."""
     normals = np.array([seed.normal(share) for seed, share in zip(seeds, shares, strict=True)])
     return np.asarray(np.linalg.solve([normals.real, normals.imag], [off.real, off.imag]))
-
-
-def _broken(place: complex, normals: Points, bounds: Floats) -> int | None:
-    """Give the line that a place lies beyond, if there is one: closing in on one touch may go over another line."""
-    beyond = ((normals.conj() * place).real - bounds) / np.abs(normals)
-    worst = int(np.argmax(beyond))
-    return worst if beyond[worst] > EXACT * abs(place) else None
 
 
 def _apart(seeds: tuple[Seed, ...]) -> tuple[Seed, ...]:

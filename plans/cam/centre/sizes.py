@@ -187,7 +187,11 @@ def _rocker_centre(
     if centre is not None:
         arc = board.arc("L", pivot, centre, because("cam_distance"))
         if base is not None:
-            return _notched(board, cam, ends, arc, base, centre)
+            length = abs(complex(ends[1].point))
+            if not abs(length - base) < centre < length + base:
+                raise no_triangle(cam, length, base, centre)
+            other = board.arc("R_0", ends[1], base, because("cam_base"))
+            return board.meet("O", arc, other, side=-cam.rising, why=because("cam_given_centre"))
         side = 1 if (near / complex(lines[0].direction.point)).real > 0 else -1
         return board.meet("O", lines[0].line, arc, side=side, why=because("cam_on_arc"))
     corner = met(board, "O" if base is None else "O*", lines, start, "cam_centre")
@@ -196,15 +200,6 @@ def _rocker_centre(
     ray = board.join("K_0O*", start, corner)
     ray = board.turn("R_0", ray, base / abs(complex(ray.point)), because("cam_base"))
     return board.lay_off("O", start, ray, because("cam_on_ray"))
-
-
-def _notched(board: Board, cam: Cam, ends: tuple[Mark, Mark], arc: Mark, base: float, centre: float) -> Mark:
-    """Find O by two notches, L from O1 and R0 from K0, on the side from which the cam lifts the rocker."""
-    length = abs(complex(ends[1].point))
-    if not abs(length - base) < centre < length + base:
-        raise no_triangle(cam, length, base, centre)
-    other = board.arc("R_0", ends[1], base, because("cam_base"))
-    return board.meet("O", arc, other, side=-cam.rising, why=because("cam_given_centre"))
 
 
 def _chord(

@@ -117,14 +117,9 @@ def pace_of(entry: CamEntry) -> tuple[int, float | None]:
     if speed == 0:
         entry.fault(("speed",), "zero", kind=kind.name)
     if entry.form.speed is None and not entry.translates:
-        speed = _of_drive(entry)
+        linkage = entry.scene.part("linkage")
+        speed = cast("DrivenMachine", linkage).drive.omega if linkage is not None else None
     return -1 if speed is not None and speed < 0 else 1, abs(float(speed)) if speed else None
-
-
-def _of_drive(entry: CamEntry) -> Decimal | None:
-    """Give the speed of the drive, where the scene has one."""
-    linkage = entry.scene.part("linkage")
-    return cast("DrivenMachine", linkage).drive.omega if linkage is not None else None
 
 
 METRE, HUNDREDS = 1, 100  # m, and of the way of the follower: so large a roller is one in millimetres
@@ -166,7 +161,11 @@ def _mm(size: Decimal) -> str:
 def misplaced(entry: CamEntry) -> None:
     """Put a fault at each key that is of another kind of cam."""
     _follower(entry)
-    _phases(entry)
+    part, owner = ("lift", "translating") if entry.rocks else ("swing", "rocking")
+    for number, phase in enumerate(entry.form.phases):
+        entry.spare((part,), phase.given, owner, "phases", number)
+        if phase.kind == DWELL and entry.path("phases", number, "kind") not in entry.doubts:
+            entry.spare({"law", "lift", "swing"} - {part}, phase.given, "moving", "phases", number)
     _sizes(entry)
     _load(entry)
     _hub(entry)
@@ -186,14 +185,6 @@ def _follower(entry: CamEntry) -> None:
         entry.spare(("face",), given, "flat_rocking", "follower")
     if not entry.flat:
         entry.spare(("reach",), given, "flat", "follower")
-
-
-def _phases(entry: CamEntry) -> None:
-    part, owner = ("lift", "translating") if entry.rocks else ("swing", "rocking")
-    for number, phase in enumerate(entry.form.phases):
-        entry.spare((part,), phase.given, owner, "phases", number)
-        if phase.kind == DWELL and entry.path("phases", number, "kind") not in entry.doubts:
-            entry.spare({"law", "lift", "swing"} - {part}, phase.given, "moving", "phases", number)
 
 
 def _sizes(entry: CamEntry) -> None:

@@ -113,20 +113,15 @@ def _laws(entry: CamEntry) -> Iterator[Fault]:
         law, path = phase.law, ("phases", number, "law")
         if not isinstance(law, LawTable) or law.name != TABLE:
             continue
-        yield from _backward(entry, (*path, "points"), phase.kind, law)
+        levels = [s.of(units.ANGLE if entry.rocks else units.LENGTH) for _, s in law.points]
+        way = 1 if phase.kind == RISE else -1
+        back = [at for at, (level, other) in enumerate(pairwise(levels), 1) if way * (other - level) < 0]
+        if back and phase.kind != DWELL:
+            yield _note(entry, (*path, "points", back[0], 1), "table_falls" if phase.kind == RISE else "table_rises")
         if len(law.points) <= FEW_POINTS:
             yield _note(entry, (*path, "points"), "sparse_table", count=len(law.points))
         if law.tolerance is not None and law.tolerance.of(units.ANGLE if entry.rocks else units.LENGTH):
             yield _note(entry, (*path, "tolerance"), "smoothed")
-
-
-def _backward(entry: CamEntry, path: Path, kind: str, law: LawTable) -> Iterator[Fault]:
-    """Tell where a table first goes back within its phase."""
-    levels = [s.of(units.ANGLE if entry.rocks else units.LENGTH) for _, s in law.points]
-    way = 1 if kind == RISE else -1
-    back = [at for at, (level, other) in enumerate(pairwise(levels), 1) if way * (other - level) < 0]
-    if back and kind != DWELL:
-        yield _note(entry, (*path, back[0], 1), "table_falls" if kind == RISE else "table_rises")
 
 
 def _unused(entry: CamEntry) -> Iterator[Fault]:
