@@ -52,9 +52,8 @@ def fanned(sides: Sequence[tuple[str, complex]]) -> list[tuple[str, complex]]:
     ['1', '4', '3', '2']
     """
     first = next((value for _, value in sides if value), 1 + 0j)
-    return sorted(
-        sides, key=lambda side: round(math.degrees(cmath.phase(side[1] / first)) / ALIKE) % round(360 / ALIKE)
-    )
+    steps = round(360 / ALIKE)
+    return sorted(sides, key=lambda side: round(math.degrees(cmath.phase(side[1] / first)) / ALIKE) % steps)
 
 
 class BankView(NamedTuple):

@@ -134,7 +134,9 @@ def construction(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
     place, hand = rings.place, rings.hand
     lines = [*_circles(view, place, hand), *_turned(view, rings), *_notches(view, place, hand)]
     yield from trim(lines, () if view.cam.translates else _shaft(view, place, hand))
-    yield from _rollers(view, place, hand)
+    radius = place.length(view.found.roller)  # it is drawn where it can be told apart
+    for k in [*_apart(view, place, FEW * radius)][1:] if radius else ():
+        yield Circle(place.on(complex(view.contour.pitch[k])), radius, hand.other)
 
 
 def _shaft(view: ProfileView, place: Place, hand: Hand) -> tuple[Mask, ...]:
@@ -168,7 +170,12 @@ def _turned(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
     for k, turned in view.positions:
         spot = place.on(complex(view.contour.pitch[k]))
         if view.cam.rocks:
-            yield from _arm(view, place, hand, k, turned)
+            pivot = view.back(view.sizes.pivot, turned)
+            if view.cam.flat:
+                normal = view.way(complex(view.contour.lever[k]), turned)
+                yield Line(place.on(pivot), place.on(pivot + view.cam.follower.face * normal), hand.drafted)
+            else:
+                yield Line(place.on(pivot), place.on(complex(view.contour.pitch[k])), hand.drafted)
         elif view.cam.translates:
             foot = complex(spot.real, min(spot.imag, place.on(0j).imag))
             yield Line(foot, complex(spot.real, highest(view, place, hand)), hand.drafted)
@@ -183,16 +190,6 @@ def _turned(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
 def highest(view: ProfileView, place: Place, hand: Hand, clear: float = 3.0) -> float:
     """Give the level, mm, clear of roller or face in their highest place: over a cam that translates its axes end."""
     return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + clear * hand.symbol
-
-
-def _arm(view: ProfileView, place: Place, hand: Hand, k: int, turned: float) -> Iterator[Stroke]:
-    """Draw a turned rocker: from its pivot to its tip; of a flat one the offset to its face."""
-    pivot = view.back(view.sizes.pivot, turned)
-    if view.cam.flat:
-        normal = view.way(complex(view.contour.lever[k]), turned)
-        yield Line(place.on(pivot), place.on(pivot + view.cam.follower.face * normal), hand.drafted)
-    else:
-        yield Line(place.on(pivot), place.on(complex(view.contour.pitch[k])), hand.drafted)
 
 
 def face(view: ProfileView, place: Place, turned: float) -> tuple[complex, complex]:
@@ -237,13 +234,6 @@ def _notch(centre: complex, spot: complex, hand: Hand) -> Arc:
     radius, turn = abs(spot - centre), cmath.phase(spot - centre)
     half = min(NOTCH * hand.symbol / radius, math.pi)
     return Arc(centre, radius, turn - half, turn + half, hand.drafted)
-
-
-def _rollers(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the roller at a few positions, no two closer than they can be told apart."""
-    radius = place.length(view.found.roller)
-    for k in [*_apart(view, place, FEW * radius)][1:] if radius else ():
-        yield Circle(place.on(complex(view.contour.pitch[k])), radius, hand.other)
 
 
 def marked(view: ProfileView, place: Place, hand: Hand) -> Iterator[int]:

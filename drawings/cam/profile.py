@@ -126,10 +126,10 @@ def _divisions(view: ProfileView, place: Place) -> Iterator[Division]:
             if phase.start < turned < phase.end or (turned == phase.end and phase.change > 0):
                 tip = complex(view.contour.tip[k])
                 true = complex(view.axis, tip.imag) if view.cam.flat else tip
-                yield Division(k, place.on(true), true, _towards(view, tip, phase.change > 0))
+                yield Division(k, place.on(true), true, _towards(view, phase.change > 0))
 
 
-def _towards(view: ProfileView, tip: complex, rising: bool) -> float:
+def _towards(view: ProfileView, rising: bool) -> float:
     """Direct the number of a division: across the way, the rise to the left of it."""
     if not view.cam.rocks:
         return cmath.pi if rising else 0.0

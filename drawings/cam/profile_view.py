@@ -247,7 +247,12 @@ def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[S
         if flawed:
             yield from _contour(view, curve, place, hand)
     if view.cam.translates:
-        yield from _body(view, place, hand)
+        left, right = (place.on(corner) for corner in view.body)
+        ends = (place.on(complex(view.curve.profile[k])) for k in (0, -1))
+        first, last = sorted(ends, key=lambda spot: spot.real)
+        yield Polyline((first, left, right, last), False, hand.result)
+        middle, half = (left + right) / 2 - 1j * UNDER * hand.symbol, SIDE * hand.symbol / 2
+        yield from ground(middle - half, middle + half, -1j, hand)
 
 
 def _contour(view: ProfileView, curve: ShownCurve, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -291,13 +296,3 @@ def _holds(flaw: CamFlaw, turned: float) -> bool:
     if flaw.start <= flaw.end:
         return flaw.start <= turned <= flaw.end
     return not flaw.end < turned < flaw.start
-
-
-def _body(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Close the body of a cam that translates below its profile, on the ground that it slides on."""
-    left, right = (place.on(corner) for corner in view.body)
-    ends = (place.on(complex(view.curve.profile[k])) for k in (0, -1))
-    first, last = sorted(ends, key=lambda spot: spot.real)
-    yield Polyline((first, left, right, last), False, hand.result)
-    middle, half = (left + right) / 2 - 1j * UNDER * hand.symbol, SIDE * hand.symbol / 2
-    yield from ground(middle - half, middle + half, -1j, hand)

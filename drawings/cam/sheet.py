@@ -30,14 +30,12 @@ from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import compositions, lay_out_each
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.cam.numbers import cam_by_hand, readings, results
-from plans.cam.quantities import of_cam
 from plans.cam.reading.form import CamForm
 from plans.cam.study import CYCLOGRAM, CamDrawing, CamStudy
 from plans.cyclogram.rows import EVERY as ALL_CAMS
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
-from plans.quantity import Quantity
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -50,10 +48,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, each on sheets of its own."""
     scene, cams = study.scene, study.of(CamStudy).drawings.values()
     comparison, drafting = study.comparison("cam"), drafting_of(scene)
-    pairs = [
-        (drawing, exact, of_cam(comparison, drawing.cam.name))
-        for drawing, exact in zip(cams, comparison.analysis.cams, strict=True)
-    ]
+    pairs = zip(cams, comparison.analysis.cams, strict=True)
     shared = [] if CYCLOGRAM in scene.sheets else charts(scene, [drawing.cam for drawing in cams])
     return lay_out_each([*((scene, _draft(*pair, drafting)) for pair in pairs), *shared])
 
@@ -68,15 +63,15 @@ class _CamContents(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> Draft:
+def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
     """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
-    contents = _contents(drawing, exact, compared, drafting)
+    contents = _contents(drawing, exact, drafting)
     first, *further = (_variant(contents, drafting, way) for way in ways)
     return first._replace(instead=tuple(further))
 
 
-def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> _CamContents:
+def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _CamContents:
     """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
     by_hand = any(readings(drawing))
     ours, theirs = (results(found) for found in (drawing.found, exact))

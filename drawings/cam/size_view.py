@@ -141,17 +141,9 @@ class SizeView:
         past = touched + PAST * (high.imag - low.imag) * along
         level = low.imag if tangent.binding and not self.bent else min(self.centre.imag, touched.imag)
         foot = touched + (level - touched.imag) / along.imag * along
-        return past, _within(foot, along, low, high)
-
-
-def _within(foot: complex, along: complex, low: complex, high: complex) -> complex:
-    """Give the lower end of a line, no farther aside than the box is."""
-    wide = high.real - low.real
-    left, right = low.real - wide / 4, high.real + wide / 4
-    if left <= foot.real <= right:
-        return foot
-    edge = left if foot.real < left else right
-    return foot + (edge - foot.real) / along.real * along
+        aside = (high.real - low.real) / 4  # it goes no farther past the box
+        edge = min(max(foot.real, low.real - aside), high.real + aside)
+        return past, foot if edge == foot.real else foot + (edge - foot.real) / along.real * along
 
 
 def cut(outline: Sequence[complex], normal: complex, reach: float) -> list[complex]:

@@ -65,18 +65,12 @@ def _explained(drawing: CamDrawing, position: int, name: str) -> Explained | Non
         return _way(drawing, position, name)
     if name in PRESSURE:
         return _pressure(drawing, position)
-    known = [mark for board in _boards(drawing, position) for mark in board if mark.name in _called(name)]
-    mark = min(
-        known, key=lambda mark: mark.role == GIVEN, default=None
-    )  # what one board is given another may construct
+    called = tuple(f"{curve}:P" for curve in POLES.get(name, ())) or (name,)  # a pole bears the name of its curve
+    known = [mark for board in _boards(drawing, position) for mark in board if mark.name in called]
+    mark = min(known, key=lambda mark: mark.role == GIVEN, default=None)  # one board is given what another constructs
     if mark is not None:
         return Explained((mark,))
     return _radius(drawing.sizing) if name == "R_0" else None
-
-
-def _called(name: str) -> tuple[str, ...]:
-    """Give what the boards call a mark: a pole bears the name of its curve."""
-    return tuple(f"{curve}:P" for curve in POLES.get(name, ())) or (name,)
 
 
 def _way(drawing: CamDrawing, position: int, name: str) -> Explained:

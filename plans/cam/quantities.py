@@ -123,16 +123,6 @@ def _table_rows(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Quantity]
         yield Quantity.of((SIZES, f"{result.letter}{of}", result.unit), (result.value, exact.value), np.inf)
 
 
-def of_cam(comparison: Comparison, name: str) -> list[Quantity]:
-    """List what was compared of one cam beside its law: sizes, profile, extremes, forces."""
-    lone = len(comparison.analysis.cams) == 1
-    return [
-        quantity
-        for quantity in comparison.findings
-        if quantity.plan != LAWS and (lone or quantity.name.endswith(f" {name}"))
-    ]
-
-
 @dataclass(frozen=True)
 class ComparedCam:
     """One cam by both roads; beside others its quantities bear its name."""

@@ -136,9 +136,8 @@ class ContourValues:
     @cached_property
     def way(self) -> Floats:
         """The direction in which the tip goes when S grows, rad."""
-        return (
-            self.theta + self.cam.follower.sense * np.pi / 2 if self.cam.rocks else np.full_like(self.turned, np.pi / 2)
-        )
+        turned = np.full_like(self.turned, np.pi / 2)
+        return self.theta + self.cam.follower.sense * np.pi / 2 if self.cam.rocks else turned
 
     @cached_property
     def normal(self) -> Floats:

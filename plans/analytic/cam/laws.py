@@ -51,11 +51,6 @@ def along_shape(law: Law, k: Floats, before: bool) -> Rates:
 GIVEN: Final[Mapping[str, Closed]] = {TABLE: along_table, SHAPE: along_shape}
 
 
-def departure(law: Law) -> float:
-    """Tell how far a table's curve is from its points at most, in shares of the lift."""
-    return 0.0 if law.through == LINES else float(np.max(np.abs(beam(law).s - np.array(law.points)[:, 1])))
-
-
 def _interval(share: Floats, k: Floats, before: bool) -> np.ndarray[tuple[int], np.dtype[np.int_]]:
     """Give the interval of points, one beyond the other, that each share lies in."""
     interval = np.searchsorted(share, k, side="left" if before else "right") - 1

@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.cam.pressure import LawPart, stretches
+from plans.analytic.cam.stretches import LawPart, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import CamSizes, FollowerTravel, Points, no_region, no_triangle, vanishing
 from plans.model.motion import Floats

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.cam.pressure import golden, peak, stretches
 from plans.analytic.cam.rocker_sizes import rocker_sizes
+from plans.analytic.cam.stretches import golden, peak, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import (
     CamSizes,
@@ -130,9 +130,8 @@ def sides_of(cam: Cam) -> Iterator[LimitLine]:
 def _side(cam: Cam, kind: str, angle: float, sign: int) -> LimitLine:
     """Give the line of a limit: Q is the greatest of sign*S' - S tan a, at S'' = sign*S' tan a or at a corner."""
     t = math.tan(angle)
-    found = peak(
-        stretches(cam, (kind,)), lambda at: sign * at.slope - t * at.s, lambda at: sign * at.bend - t * at.slope
-    )
+    along = stretches(cam, (kind,))
+    found = peak(along, lambda at: sign * at.slope - t * at.s, lambda at: sign * at.bend - t * at.slope)
     return LimitLine(sign, t, found.value)
 
 

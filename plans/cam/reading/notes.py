@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
@@ -25,7 +25,13 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's cams."""
     entries = [*entries_of(scene)]
     yield from odd_lengths(scene, {path: size for entry in entries for path, size in _lengths(entry)})
-    yield from _paces(entries)
+    # One shaft has one speed: that of the first cam that turns.
+    found = ((entry, *pace_of(entry)) for entry in entries if not entry.translates)
+    paces = [(entry, sense * speed) for entry, sense, speed in found if speed]
+    for entry, pace in paces[1:]:
+        if pace != paces[0][1] and entry.form.speed is not None:
+            first = {"name": paces[0][0].name, "first": f"{paces[0][1]:.5g}"}
+            yield _note(entry, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
     for entry in entries:
         for notes in (_turns, _dwells, _way, _limits, _laws, _unused):
             yield from notes(entry)
@@ -37,16 +43,6 @@ def _lengths(entry: CamEntry) -> Iterator[tuple[Path, Decimal]]:
     stated = {("follower", name): getattr(follower, name) for name in ("lift", "length")}
     stated |= {("sizes", name): getattr(sizes, name) for name in ("base", "offset", "centre", "roller")}
     return ((entry.path(*path), abs(size)) for path, size in stated.items() if size)
-
-
-def _paces(entries: Sequence[CamEntry]) -> Iterator[Fault]:
-    """Find a cam that turns otherwise than the first that turns: one shaft has one speed."""
-    found = ((entry, *pace_of(entry)) for entry in entries if not entry.translates)
-    paces = [(entry, sense * speed) for entry, sense, speed in found if speed]
-    for entry, pace in paces[1:]:
-        if pace != paces[0][1] and entry.form.speed is not None:
-            first = {"name": paces[0][0].name, "first": f"{paces[0][1]:.5g}"}
-            yield _note(entry, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
 
 
 def _note(entry: CamEntry, path: Path, kind: str, **details: object) -> Fault:
