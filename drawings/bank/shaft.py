@@ -53,11 +53,6 @@ def named(shown: BankView) -> dict[float, str]:
     return found
 
 
-def is_thin(shown: BankView) -> bool:
-    """Tell whether all mechanisms stand in the plane of place 0: there is nothing to be seen across."""
-    return set(named(shown)) == {0.0}
-
-
 def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the shaft, its ends, the cranks, the dimensions under it."""
     hand, levels = drafting.hand, len(_dimensioned(shown))
@@ -179,6 +174,5 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
             continue
         states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
         sizes.append((complex(place.on(complex(where)).real, base.imag), text, states))
-    yield from view.dimensions(
-        base, base.imag - place.length(tall(shown)[1]) - (GUIDE + FIRST) * hand.symbol, sizes, hand
-    )
+    first = base.imag - place.length(tall(shown)[1]) - (GUIDE + FIRST) * hand.symbol
+    yield from view.dimensions(base, first, sizes, hand)

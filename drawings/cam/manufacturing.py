@@ -47,11 +47,6 @@ class Manufacture(NamedTuple):
         return self.view.cam
 
     @property
-    def found(self) -> CamFound:
-        """What the construction found of it."""
-        return self.view.found
-
-    @property
     def corners(self) -> list[complex]:
         """The corners of what is drawn to scale, m."""
         if self.cam.translates:
@@ -80,8 +75,8 @@ def angles(shown: Manufacture) -> Floats:
 
 def dwells(shown: Manufacture) -> Iterator[tuple[Phase, float]]:
     """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
-    contour = shown.found.contour
-    spots = shown.found.made(contour)
+    contour = shown.view.found.contour
+    spots = shown.view.found.made(contour)
     for phase in shown.cam.phases:
         if phase.kind == DWELL:
             yield phase, float(abs(spots[int(np.argmin(abs(contour.turned - phase.start)))]))
@@ -129,7 +124,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
 
 
 def _bore(shown: Manufacture, place: Place) -> KeyedBore | None:
-    return bore(PLAN, shown.found, shown.view.curve, place)
+    return bore(PLAN, shown.view.found, shown.view.curve, place)
 
 
 def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
@@ -219,27 +214,27 @@ def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     cam = shown.cam
     names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
     yield drafting.word(names[shown.cam.sense < 0])
-    curve = drafting.word("mill path" if shown.found.grooved else "profile told")
+    curve = drafting.word("mill path" if shown.view.found.grooved else "profile told")
     if cam.translates:
         yield drafting.word("plane datum", curve=curve)
     else:
         yield drafting.phrase("polar datum", curve=curve, keyway=keyway_place(cam.hub, drafting, cam.name))
-    if shown.found.roller:
+    if shown.view.found.roller:
         yield drafting.letter(_roller(shown, drafting))
     if not cam.translates:
         yield from _dwells(shown, drafting)
-        yield from hub_notes(shown.found, drafting)
+        yield from hub_notes(shown.view.found, drafting)
     yield drafting.word("drawn pieces", tolerance=drafting.number(MM * cam.tolerance))
-    wrong = dict.fromkeys(flaw.kind for flaw in shown.found.flaws if flaw.kind in SHOWN)
+    wrong = dict.fromkeys(flaw.kind for flaw in shown.view.found.flaws if flaw.kind in SHOWN)
     if wrong:
         yield drafting.word("profile flaws", flaws=", ".join(drafting.word(f"cam {kind}") for kind in wrong))
 
 
 def _roller(shown: Manufacture, drafting: Drafting) -> str:
-    radius = Slot(f"r_rol {shown.cam.name}", MM * shown.found.roller, DIGITS)
-    if not shown.found.grooved:
+    radius = Slot(f"r_rol {shown.cam.name}", MM * shown.view.found.roller, DIGITS)
+    if not shown.view.found.grooved:
         return drafting.phrase("roller of cam", radius=radius)
-    breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.found.roller, DIGITS)
+    breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.view.found.roller, DIGITS)
     return drafting.phrase("groove of cam", radius=radius, breadth=breadth)
 
 

@@ -54,7 +54,8 @@ REST = "rest"
 
 def phase_indices(cam: Cam) -> tuple[str, ...]:
     """Give the index of each phase: a dwell at the lowest level is a rest, several of one kind are numbered."""
-    kinds = [_kind(cam, phase) for phase in cam.phases]
+    lowest = min(min(phase.level, phase.level + phase.change) for phase in cam.phases)
+    kinds = [REST if phase.change == 0 and phase.level == lowest else phase.kind for phase in cam.phases]
     return tuple(
         kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
         for k, kind in enumerate(kinds)
@@ -67,11 +68,6 @@ def phase_letter(cam: Cam, number: int, drafting: Drafting) -> Phrase:
     letter, size, unit = ("x", MM * angle, "") if cam.translates else ("φ", math.degrees(angle), "°")
     parts = drafting.letter(f"{letter}_{{{index}}} = "), drafting.slot(Slot(f"φ_{number}", size, DIGITS)), unit
     return joined("", parts)
-
-
-def _kind(cam: Cam, phase: Phase) -> str:
-    lowest = min(min(other.level, other.level + other.change) for other in cam.phases)
-    return REST if phase.change == 0 and phase.level == lowest else phase.kind
 
 
 RPM = 30 / math.pi  # of a rad/s

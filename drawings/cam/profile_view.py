@@ -21,7 +21,7 @@ from plans.cam.course import FollowerCourse
 from plans.cam.path import PathCut, ProfilePath, path
 from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, Cam
-from plans.model.cam_motion import CamFlaw, CamFound, CamSizes, Contour, Points
+from plans.model.cam_motion import CamFlaw, CamFound, Contour, Points
 from plans.model.motion import Complexes, Floats
 
 MANY = 1441  # turns at which the contour is known: every quarter of a degree
@@ -52,19 +52,9 @@ class ProfileView(NamedTuple):
         return self.found.cam
 
     @property
-    def sizes(self) -> CamSizes:
-        """Its main sizes."""
-        return self.found.sizes
-
-    @property
-    def contour(self) -> Contour:
-        """The profile at the numbered positions."""
-        return self.found.contour
-
-    @property
     def positions(self) -> list[tuple[int, float]]:
         """The numbered positions with the turns of the cam, rad."""
-        return list(enumerate(self.contour.turned.tolist()))
+        return list(enumerate(self.found.contour.turned.tolist()))
 
     @property
     def apart(self) -> bool:
@@ -94,7 +84,7 @@ class ProfileView(NamedTuple):
     @property
     def axis(self) -> float:
         """Where the axis of a follower that translates stands, x in m."""
-        return self.cam.sense * self.sizes.offset
+        return self.cam.sense * self.found.sizes.offset
 
     @property
     def reach(self) -> float:
@@ -104,7 +94,11 @@ class ProfileView(NamedTuple):
             return float(abs(curve.tip.imag + 1j * max(map(abs, self.face))).max())
         far = [abs(curve.pitch).max() + self.found.roller, *(abs(outline).max() for outline in self.outlines)]
         if self.cam.follower.reach is not None:  # the end of a rocker's face
-            end = self.sizes.pivot - 1j * curve.lever * max(self.face, key=abs) + self.cam.follower.face * curve.lever
+            end = (
+                self.found.sizes.pivot
+                - 1j * curve.lever * max(self.face, key=abs)
+                + self.cam.follower.face * curve.lever
+            )
             far.append(abs(end).max())
         return float(max(far))
 
@@ -114,7 +108,7 @@ class ProfileView(NamedTuple):
 
         As far as it reaches, of a rocker from its pivot on; where that is not said a little past all contact.
         """
-        foot = self.sizes.pivot if self.cam.rocks else complex(self.axis)
+        foot = self.found.sizes.pivot if self.cam.rocks else complex(self.axis)
         off = ((self.curve.tip - foot) * (-1j * self.curve.lever).conj()).real
         low, high = float(off.min()), float(off.max())
         reach = self.cam.follower.reach
@@ -138,7 +132,7 @@ class ProfileView(NamedTuple):
             top = float(self.curve.tip.imag.max()) + self.found.roller
             across, by = self.curve.pitch.real, self.found.roller
             return [*self.body, *(complex(x, top) for x in (across.min() - by, across.max() + by))]
-        reach = max(self.reach, abs(self.sizes.pivot))
+        reach = max(self.reach, abs(self.found.sizes.pivot))
         return [complex(x, y) for x in (-reach, reach) for y in (-reach, reach)]
 
     def at(self, turned: float) -> tuple[complex, complex]:
@@ -154,12 +148,14 @@ class ProfileView(NamedTuple):
     @property
     def step(self) -> tuple[float, float]:
         """The longest step from one numbered position to the next: the turns of both, rad."""
-        return max(pairwise([*self.contour.turned.tolist(), self.cam.turn]), key=lambda pair: tied(pair[1] - pair[0]))
+        return max(
+            pairwise([*self.found.contour.turned.tolist(), self.cam.turn]), key=lambda pair: tied(pair[1] - pair[0])
+        )
 
     @property
     def quiet(self) -> float:
         """The direction from O, rad, about which the frame is turned to no position: the middle of the longest step."""
-        return cmath.phase(self.way(self.sizes.pivot if self.cam.rocks else 1j, sum(self.step) / 2))
+        return cmath.phase(self.way(self.found.sizes.pivot if self.cam.rocks else 1j, sum(self.step) / 2))
 
 
 def profile_view(found: CamFound) -> ProfileView:

@@ -219,7 +219,7 @@ def size_marks(view: ProfileView, place: Place, drafting: Drafting) -> tuple[Siz
 
 
 def _main(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
-    sizes = view.sizes
+    sizes = view.found.sizes
     if view.cam.translates:
         return
     ray = cmath.rect(sizes.base, view.quiet)
@@ -239,7 +239,7 @@ def offset_seen(sizes: CamSizes) -> bool:
 
 def _level(view: ProfileView) -> float:
     """Give the level over O at which the offset is dimensioned, m."""
-    return OFFSET * max(view.sizes.base - view.found.roller, 0.0)
+    return OFFSET * max(view.found.sizes.base - view.found.roller, 0.0)
 
 
 def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
@@ -264,7 +264,7 @@ def _mark(name: str, start: complex, end: complex, size: float, place: Place, dr
 
 def thin(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw what the sizes stand by: the line of centres' axis, the level of the offset, the circle by three points."""
-    if offset_seen(view.sizes) and not view.cam.translates:
+    if offset_seen(view.found.sizes) and not view.cam.translates:
         top = place.on(1j * _level(view))
         yield Line(place.on(0j), top + 2j * hand.symbol, hand.drafted)
     sharpest = view.found.sharpest
@@ -286,8 +286,8 @@ def _circle(view: ProfileView, turned: float, radius: float, place: Place, hand:
 
 def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[AngleArc]:
     """Give the initial angle of a rocker, from the line of centres to its arm: where the cam begins with S = 0."""
-    if view.cam.rocks and not (view.cam.flat or view.cam.translates or view.contour.travel.s[0]):
-        pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
+    if view.cam.rocks and not (view.cam.flat or view.cam.translates or view.found.contour.travel.s[0]):
+        pivot, tip = place.on(view.found.sizes.pivot), place.on(complex(view.curve.tip[0]))
         start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
         off = cmath.phase(cmath.rect(1.0, end - start))
         text = joined("", ("ψ_0 = ", drafting.slot(Slot("ψ_0", math.degrees(abs(off)), DIGITS)), "°"))

@@ -240,13 +240,10 @@ class WorkshopTurns(NamedTuple):
 
 def stations(cam: Cam) -> WorkshopTurns:
     """Give the turns of a cam that a workshop is told."""
-    return WorkshopTurns(cam, settled(_stations(cam), FollowerCourse(cam)))
-
-
-def _stations(cam: Cam) -> Floats:
-    if not cam.translates:
-        return np.linspace(0.0, cam.turn, STATIONS, endpoint=False)
-    least = MM * cam.turn / STATIONS
-    power = 10.0 ** math.floor(math.log10(least))
-    step = next(part * power for part in MANTISSAS if part * power >= least * (1 - QUOTIENT)) / MM
-    return np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
+    turned = np.linspace(0.0, cam.turn, STATIONS, endpoint=False)
+    if cam.translates:
+        least = MM * cam.turn / STATIONS
+        power = 10.0 ** math.floor(math.log10(least))
+        step = next(part * power for part in MANTISSAS if part * power >= least * (1 - QUOTIENT)) / MM
+        turned = np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
+    return WorkshopTurns(cam, settled(turned, FollowerCourse(cam)))

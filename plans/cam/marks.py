@@ -34,7 +34,8 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     found = _explained(drawing, position, bare)
     if found is None:
-        named = (*dict.fromkeys(_names(drawing)), *WAYS, *POLES, *PRESSURE[:1])
+        drawn = dict.fromkeys(mark.name for board in _boards(drawing, 0) for mark in board)
+        named = (*drawn, *WAYS, *POLES, *PRESSURE[:1])
         examples = tuple(example for example in EXAMPLES if _explained(drawing, 0, example) is not None)
         other = [*cams.drawings][1:2]
         listed = message("mark.of_cam", example=f"{other[0]}{OF}P") if other else None
@@ -107,7 +108,3 @@ def _boards(drawing: CamDrawing, position: int) -> Iterator[Board]:
     """Give the profile drawn at one position alone, then the sizes, then the diagrams of the law."""
     profile = drawing.profile(drawing.turned[position : position + 1])
     yield from (profile.drawing.board, drawing.sizing.board, drawing.diagrams.board)
-
-
-def _names(drawing: CamDrawing) -> Iterator[str]:
-    return (mark.name for board in _boards(drawing, 0) for mark in board)

@@ -265,23 +265,18 @@ def _motion(found: CamFound) -> Iterator[Result]:
 def _shock_rows(found: CamFound) -> Iterator[Result]:
     """Give the shocks, each by its jump: of the velocity a hard one, of the acceleration a soft one."""
     for number, shock in enumerate(found.shocks):
-        letter = f"Δ{_jumps(found.cam, shock)}_{{{number + 1}}}"
-        yield Result(letter, _unit(found.cam, shock), shock.jump * (found.cam.speed or 1.0) ** shock.order)
+        jumps, unit = _jump(found.cam, shock)
+        letter = f"Δ{jumps}_{{{number + 1}}}"
+        yield Result(letter, unit, shock.jump * (found.cam.speed or 1.0) ** shock.order)
         yield _where(found.cam, letter, shock.turned)
 
 
-def _jumps(cam: Cam, shock: Shock) -> str:
-    """Name what jumps."""
-    if cam.speed is None:
-        return ("ψ" if cam.rocks else "S") + "'" * shock.order
-    return ("ωε" if cam.rocks else "va")[shock.order - 1]
-
-
-def _unit(cam: Cam, shock: Shock) -> str:
+def _jump(cam: Cam, shock: Shock) -> tuple[str, str]:
+    """Name what jumps, and its unit; without a speed it is a derivative by the cam's turn."""
     if cam.speed is None:
         bare = dimensions(cam)[shock.order]
-        return "" if bare == RATIO else bare
-    return _units(cam)[shock.order - 1]
+        return ("ψ" if cam.rocks else "S") + "'" * shock.order, "" if bare == RATIO else bare
+    return ("ωε" if cam.rocks else "va")[shock.order - 1], _units(cam)[shock.order - 1]
 
 
 def _units(cam: Cam) -> tuple[str, str]:
