@@ -307,7 +307,6 @@ def order_rows(balance: BankBalance, drafting: Drafting, digits: int) -> Iterato
 
 
 def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
-    """Write the table of the orders."""
     rows = (row([order, *cells]) for order, cells in order_rows(balance, drafting, DIGITS))
     return [*header([plain(drafting.word(head)) for head in ("order", *ORDER_HEADS)]), *rows]
 

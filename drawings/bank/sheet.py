@@ -173,7 +173,6 @@ def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 
 
 def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:
-    """Show a hodograph."""
     turn = values[:-1]
     ends, title = turn[:: len(turn) // STATIONS], drafting.word(f"hodograph of {name}")
     figure = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)

@@ -257,15 +257,11 @@ POLAR, PLANE = ("polar radius, mm", "polar angle, °"), ("abscissa, mm", "ordina
 def radii(shown: Manufacture, every: int, drafting: Drafting) -> RuledTable:
     """Tell the profile, of a groove its middle, at every so many of the tabled turns."""
     names, spots = shown.stations.names, cells(shown)
-    lines = [_row(names[k], *spots[k], drafting) for k in range(0, len(names), every)]
+    sizes = [tuple(fixed(size, drafting.language, PLACES) for size in spot) for spot in spots]
+    lines = [TableRow(drafting.number(names[k], 5), sizes[k]) for k in range(0, len(names), every)]
     words = PLANE if shown.cam.translates else POLAR
     first = drafting.word("x of cam, mm" if shown.cam.translates else "φ of cam, °")
     return table(lines, first, tuple(drafting.word(key) for key in words), drafting.hand.text)._replace(name=NAME)
-
-
-def _row(name: float, first: float, second: float, drafting: Drafting) -> TableRow:
-    sizes = (fixed(value, drafting.language, PLACES) for value in (first, second))
-    return TableRow(drafting.number(name, 5), tuple(sizes))
 
 
 def cells(shown: Manufacture) -> list[tuple[float, float]]:

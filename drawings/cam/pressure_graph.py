@@ -147,7 +147,6 @@ def _phases(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 
 
 def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw the limits over their own phases."""
     for kind, level in view.levels:
         for phase in view.cam.phases:
             if phase.kind == kind:
@@ -175,7 +174,6 @@ def _marks(view: PressureView, graph: Graph, drafting: Drafting) -> Iterator[Str
 
 
 def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    """Letter the limits and the extremes."""
     hand = drafting.hand
     for kind, extreme in view.marked:
         at = axes.on(extreme.turned, math.degrees(extreme.value))
@@ -191,7 +189,6 @@ def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Let
 
 
 def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    """Name the phases in their row."""
     level = _bottom(view, axes, drafting.hand)
     for k, phase in enumerate(view.cam.phases):
         middle = axes.on(phase.start + phase.angle / 2).real

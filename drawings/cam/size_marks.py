@@ -136,8 +136,8 @@ def rulers(view: SizeView, place: Place, drafting: Drafting) -> tuple[tuple[Stro
             assert isinstance(tangent.bound, PressureBound)
             sign, minus = (-1, "−") if lower(tangent) else (1, "")
             size = drafting.slot(Slot(f"{minus}α_{tangent.bound.kind}", sign * math.degrees(tangent.bound.angle)))
-            limit_text = joined("", (minus, drafting.letter(f"α_{{{tangent.bound.kind}}}"), " = ", size, "°"))
-            letters.append(Letter(angle.middle, limit_text, drafting.hand.number, angle.side, GAP))
+            text = joined("", (minus, drafting.letter(f"α_{{{tangent.bound.kind}}}"), " = ", size, "°"))
+            letters.append(Letter(angle.middle, text, drafting.hand.number, angle.side, GAP))
         elif not view.cam.rocks:
             letters.append(Letter(past, "45°", drafting.hand.number, 0.0))
     lines += _chord(view, place, drafting.hand)

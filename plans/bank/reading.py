@@ -281,30 +281,22 @@ class BankSurvey(NamedTuple):
 def task_of(scene: Scene) -> BankTask:
     """Make the task; without a speed of its own it is the drive's, in the drive's sense."""
     form = scene.of(BankForm).bank
+    speed = form.speed
+    if speed is None:  # of a bank that is at fault it is no matter
+        speed = scene.of(LinkageForm).drive.omega if scene.has((LINKAGE,)) else Decimal(0)
+    members = enumerate(form.members, 1)
     return BankTask(
         _unit(form.unit) if form.unit else None,
-        tuple(_members(form)),
-        float(_speed(scene, form)),
+        tuple(Member(str(k), Fraction(one.crank), Fraction(one.place), Fraction(one.axis)) for k, one in members),
+        float(speed),
         tuple(sorted(form.orders)),
         tuple(map(_asked, form.compensators)),
         math.radians(float(form.axis)) if form.unit else 0.0,
     )
 
 
-def _speed(scene: Scene, form: BankTable) -> Decimal:
-    """Give the speed; of a bank that is at fault it is no matter."""
-    if form.speed is not None:
-        return form.speed
-    return scene.of(LinkageForm).drive.omega if scene.has((LINKAGE,)) else Decimal(0)
-
-
 def _unit(unit: UnitTable) -> Unit:
     return Unit(float(unit.crank), float(unit.rod), float(unit.rotating), float(unit.reciprocating))
-
-
-def _members(form: BankTable) -> Iterator[Member]:
-    for number, member in enumerate(form.members, 1):
-        yield Member(str(number), Fraction(member.crank), Fraction(member.place), Fraction(member.axis))
 
 
 def _asked(compensator: CompensatorTable) -> Asked:

@@ -280,5 +280,4 @@ def _jump(cam: Cam, shock: Shock) -> tuple[str, str]:
 
 
 def _units(cam: Cam) -> tuple[str, str]:
-    """Give the units of velocity and acceleration."""
     return ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")

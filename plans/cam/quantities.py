@@ -239,7 +239,7 @@ class ComparedCam:
         if ours.outer is not None and theirs.outer is not None:
             yield self._row(PROFILE, "Q'", "m", ours.outer, theirs.outer, slack.profile)
         yield self._row(PROFILE, "α", "rad", ours.pressure, theirs.pressure, slack.angle)
-        edge = 0.0 if self.ours.cam.flat else np.nan
+        edge = 0.0 if self.ours.cam.flat else np.nan  # under a flat face ρ itself is compared
         bends = _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
         yield self._row(PROFILE, "1/ρ", "1/m", *bends, slack.curvature)
         if self.ours.cam.flat:
@@ -251,9 +251,8 @@ class ComparedCam:
         ours, theirs = self.ours, self.theirs
         for kind, extreme in ours.pressure.items():
             angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
-            yield self._quantity(
-                PROFILE, f"α_{kind}", "rad", abs(extreme.value), abs(theirs.pressure[kind].value), angle
-            )
+            pair = abs(extreme.value), abs(theirs.pressure[kind].value)
+            yield self._quantity(PROFILE, f"α_{kind}", "rad", *pair, angle)
         for name, found, true in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
             yield self._quantity(PROFILE, name, "1/m", _bent(found), _bent(true), self.bent(found))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):

@@ -168,10 +168,6 @@ def _lines(families: Sequence[Family]) -> tuple[Points, Floats, list[tuple[Famil
     return np.concatenate([normals for normals, _ in lines]), np.concatenate([bounds for _, bounds in lines]), which
 
 
-def _seeds(lines: Sequence[int], which: Sequence[tuple[Family, float]], centre: complex) -> tuple[Seed, ...]:
-    return tuple(_pressed(k, which, centre) for k in lines)
-
-
 def _pressed(number: int, which: Sequence[tuple[Family, float]], centre: complex) -> Seed:
     """Give the seed of a line: where a law breaks it is a corner if the stretches on both sides are pressed there."""
     family, share = which[number]
@@ -199,15 +195,14 @@ def _nearest(cam: Cam, start: complex) -> complex:
     at, lying = found
     if not lying:
         raise vanishing(cam, limits_of(cam))
-    seeds = _apart(_seeds(lying, which, at))
+    seeds = _apart(tuple(_pressed(line, which, at) for line in lying))
     place, shares = _touched(seeds, at, cam, start)
     if len(seeds) == 2:
-        pressed = [
-            seed for seed, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0
-        ]
+        parts = zip(seeds, _pressures(seeds, shares, start - place), strict=True)
+        pressed = [seed for seed, part in parts if part >= 0]
         return place if len(pressed) == 2 else _touched(pressed, place, cam, start)[0]
     beyond = ((normals.conj() * place).real - bounds) / np.abs(normals)
-    worst = int(np.argmax(beyond))
+    worst = int(np.argmax(beyond))  # closing in on one touch may go over another line
     broken = worst if beyond[worst] > EXACT * abs(place) else None
     if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
         return place
@@ -246,7 +241,7 @@ def _on_circle(cam: Cam, start: complex, radius: float) -> complex:
     best = min(below, key=lambda k: abs(places[k] - start))
     at = complex(places[best])
     size = cam.follower.length or 0.0
-    seeds = _seeds([numbers[best]], which, at)
+    seeds = (_pressed(numbers[best], which, at),)
     return _polished(seeds, at, cam, [lambda centre, _: (abs(centre) ** 2 - radius**2) / size])[0]
 
 
@@ -262,7 +257,9 @@ def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Con
         return _residual(seeds, scale * complex(values[0], values[1]), values[2:].tolist(), others) / scale
 
     for _ in range(STEPS):
-        step = np.linalg.solve(_jacobian(residual, unknowns), residual(unknowns))
+        near = np.eye(len(unknowns)) * STEP
+        slopes = [(residual(unknowns + off) - residual(unknowns - off)) / (2 * STEP) for off in near]
+        step = np.linalg.solve(np.array(slopes).T, residual(unknowns))
         unknowns = np.clip(unknowns - step, low, high)
         if np.abs(step[:2]).max() <= 2 * np.finfo(float).eps:
             break
@@ -277,8 +274,3 @@ def _residual(seeds: Sequence[Seed], centre: complex, free: Sequence[float], oth
     touching = [seed.family.touching(np.array([share]), centre) for seed, share in zip(seeds, shares, strict=True)]
     slopes = [touch[1] for seed, touch in zip(seeds, touching, strict=True) if not seed.corner]
     return np.array([*(touch[0] for touch in touching), *slopes, *(condition(centre, shares) for condition in others)])
-
-
-def _jacobian(residual: Callable[[Floats], Floats], at: Floats) -> Floats:
-    steps = np.eye(len(at)) * STEP
-    return np.array([(residual(at + step) - residual(at - step)) / (2 * STEP) for step in steps]).T

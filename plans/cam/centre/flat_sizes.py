@@ -119,7 +119,7 @@ def _lowest(
     moving = stretches(course.cam, {phase.kind for phase in course.cam.moving()})
     sense = course.cam.follower.sense
     fastest = touch(moving, lambda at: (sense * at.slope, sense * at.bend))
-    if fastest.beyond >= 1:
+    if fastest.beyond >= 1:  # its face would stand still on the cam, and then go back
         raise fast_face(course.cam, fastest.turned)
     line, near = _convex(board, course.cam, bound, *bound.upright)
     side = 1 if (near / complex(line.direction.point)).real > 0 else -1

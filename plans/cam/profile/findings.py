@@ -126,10 +126,11 @@ class Search:
         def beyond(tip: Tip) -> Floats:
             return np.where(on(tip, kind), side * pressure(tip) - limit * (1 + TOUCHES), -1.0)
 
-        for span in self.stretches.spans(beyond, self.extremes.turning):
-            yield self._flaw(
-                "pressure", span, lambda tip: np.where(on(tip, kind), side * pressure(tip), 0.0), least=side < 0
-            )
+        def pressed(tip: Tip) -> Floats:
+            return np.where(on(tip, kind), side * pressure(tip), 0.0)
+
+        spans = self.stretches.spans(beyond, self.extremes.turning)
+        yield from (self._flaw("pressure", span, pressed, least=side < 0) for span in spans)
 
     def _face(self) -> Iterator[CamFlaw]:
         """Find where contact goes off a face that is too short."""
@@ -138,8 +139,7 @@ class Search:
             return
         places = self.stretches.places(lambda tip: FaceTouch(tip).place_slope)
         off = self.stretches.spans(lambda tip: np.abs(FaceTouch(tip).place) - reach * (1 + TOUCHES), places)
-        for span in off:
-            yield self._flaw("short face", span, lambda tip: np.abs(FaceTouch(tip).place))
+        yield from (self._flaw("short face", span, lambda tip: np.abs(FaceTouch(tip).place)) for span in off)
 
     def _off(self) -> Iterator[CamFlaw]:
         """Find where nothing holds the follower on the cam."""

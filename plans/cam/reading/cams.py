@@ -130,7 +130,6 @@ def entries_of(scene: Scene, doubts: frozenset[Path] = frozenset()) -> Iterator[
 
 
 def _one_name(scene: Scene, entries: Sequence[CamEntry]) -> Iterator[Fault]:
-    """See that no two cams have one name."""
     for number, entry in enumerate(entries):
         before = [other.number for other in entries[:number] if other.name == entry.name]
         if before:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
-from typing import Protocol, cast
+from typing import Any
 
 from plans.cam.reading.fields import CYCLOGRAM, Measure
 from plans.cam.reading.form import CamTable
@@ -98,18 +98,6 @@ def shown(number: Fraction | Decimal) -> str:
     return f"{float(number):.10g}"
 
 
-class DriveSpeed(Protocol):
-    """A drive, whatever technique states it."""
-
-    omega: Decimal
-
-
-class DrivenMachine(Protocol):
-    """What a scene says of a mechanism with a drive."""
-
-    drive: DriveSpeed
-
-
 def pace_of(entry: CamEntry) -> tuple[int, float | None]:
     """Give the sense of a cam, +1 counter-clockwise, and its speed, rad/s (m/s of one that translates), or none."""
     kind = units.VELOCITY if entry.translates else units.SPEED
@@ -117,8 +105,8 @@ def pace_of(entry: CamEntry) -> tuple[int, float | None]:
     if speed == 0:
         entry.fault(("speed",), "zero", kind=kind.name)
     if entry.form.speed is None and not entry.translates:
-        linkage = entry.scene.part("linkage")
-        speed = cast("DrivenMachine", linkage).drive.omega if linkage is not None else None
+        linkage: Any = entry.scene.part("linkage")
+        speed = linkage.drive.omega if linkage is not None else None
     return -1 if speed is not None and speed < 0 else 1, abs(float(speed)) if speed else None
 
 

@@ -111,7 +111,7 @@ def _table(entry: CamEntry, number: int, law: LawTable, turned: Fraction, way: P
     size = way.change or Fraction(1)
     shares = [((x - points[0][0]) / turned, (y - way.level) / size) for x, y in points]
     allowed = float(Fraction(tolerance or 0) / abs(size))
-    ended = (Fraction(0), Fraction(0)), *shares[1:-1], (Fraction(1), Fraction(1))
+    ended = (Fraction(0), Fraction(0)), *shares[1:-1], (Fraction(1), Fraction(1))  # rounded points are near them
     return Law(TABLE, 0.5, _floats(ended), law.through or CUBICS, allowed)
 
 

@@ -61,7 +61,6 @@ def _turns(entry: CamEntry) -> Iterator[Fault]:
 
 
 def _dwells(entry: CamEntry) -> Iterator[Fault]:
-    """Find two dwells in a row."""
     kinds = [phase.kind for phase in entry.form.phases]
     for number in range(1, len(kinds)):
         if kinds[number - 1] == kinds[number] == DWELL:
