@@ -28,8 +28,6 @@ from plans.study import Study
 PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
 DOUBTFUL = 4.0  # each road has its own bound of rounding: so near to one what is seen may be, or be left out
 LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
-GEAR, OF_SHAFTS = 1.25, 0.15  # radius of a gear in that of its mass; in the distance of a couple's shafts at the least
-COVERED = 0.4  # of a gear's radius: a mass nearer to its shaft is drawn farther out, and its arm is not to scale
 SEEN = 1 / 1000  # of the largest order of one mechanism: less is no longer than a line is wide, and bears no figure
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
 
@@ -177,10 +175,6 @@ class Bank:
         """Give the direction of a crank on the sheet at phi = 0."""
         return cmath.rect(1.0, math.radians(float(member.crank % 360)) + self.task.axis)
 
-    def ways(self) -> Mapping[str, complex]:
-        """Give the directions of the guides on the sheet by the numbers of their mechanisms."""
-        return {member.name: axis * self.turn for member, axis in zip(self.members, self.axes, strict=True)}
-
     def force_of(self, name: str) -> Complexes:
         """Give what is followed over the turn by the name of its finding."""
         rows = {WHOLE: self.analysis.force, LEFT: self.analysis.left, WHOLE_MOMENT: self.analysis.moment}
@@ -217,17 +211,6 @@ class Bank:
             yield CompensatorBody(name, compensator.couple, way, order, True)
             yield CompensatorBody(f"{name}'", compensator.couple, -way, order, True)
 
-    def nominal(self, compensator: Compensator, stated: bool) -> bool:
-        """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
-        asked, moments = compensator.asked, [body.moment for body in self.bodies(compensator) if not body.coupled]
-        if not asked.mass or not moments:
-            return True
-        offset = 0.0 if compensator.on_crank else abs(asked.offset)
-        shafts = asked.shafts if compensator.couple_angle is not None and asked.shafts else 0.0
-        gear = max(GEAR * max(moments) / asked.mass, offset / 2, OF_SHAFTS * shafts)
-        over = min(moments) / asked.mass - COVERED * gear
-        return stated if abs(over) <= 2 * self.slack_of(compensator) / asked.mass + LINE * gear else over < 0
-
     def line(self, compensator: Compensator) -> complex:
         """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""
         if compensator.with_angle is None or compensator.against_angle is None:
@@ -235,12 +218,6 @@ class Bank:
         along = cmath.rect(1.0, (compensator.with_angle + compensator.against_angle) / 2)
         towards = along.real if abs(along.real) > LINE else along.imag
         return along * self.turn * math.copysign(1.0, towards)
-
-    def directed(self, compensator: Compensator) -> bool:
-        """Tell whether the two roads must agree in the direction of an order's force as nearly as lines are held."""
-        order = compensator.asked.order
-        whole, allowed = self.analysis.forces[order], self.allowed.get(letters(FORCE, order), 0.0)
-        return allowed <= LINE * max(abs(whole.ahead), abs(whole.back))
 
     def slack_of(self, compensator: Compensator) -> float:
         """Give how far the static moment of a mass may be off, kg*m."""
@@ -261,9 +238,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     sheet = _BankSheet(task, comparison, crank_of(study), drafting=drafting_of(study.scene))
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
     yield from chain(sheet.vectors(), sheet.views(), sheet.courses(), sheet.orders(), sheet.compensators())
-    yield from sheet.results(
-        bank_by_hand(comparison.findings, scales), any(name.startswith("order_") for name in scales)
-    )
+    slips, polygons = bank_by_hand(comparison.findings, scales), any(name.startswith("order_") for name in scales)
+    yield from sheet.results(slips, polygons)
 
 
 @dataclass(frozen=True)

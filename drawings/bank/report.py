@@ -134,7 +134,12 @@ class BankNotes(NamedTuple):
         """Say how fast the shaft turns, and of a slider-crank what its rod is to its crank."""
         task, word = self.balance.task, self.drafting.word
         counted = "bank speed" if task.unit is not None else "bank speed of linkage"
-        yield from self._stand()
+        members = self.balance.task.members
+        yield self.drafting.word("crank angles", angles=self._row(member.crank for member in members))
+        if any(member.axis for member in members):
+            yield self.drafting.word("guide angles", angles=self._row(member.axis for member in members))
+        if any(member.place for member in members):
+            yield self.drafting.word("bank places", places=self._row(1000 * member.place for member in members))
         yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
         if task.unit is not None:
             yield word("bank unit", ratio=self._number(task.unit.ratio))
@@ -147,15 +152,6 @@ class BankNotes(NamedTuple):
         if alone and alone != orders:
             return self.drafting.word("some mirror images", orders=", ".join(map(str, alone)))
         return self.drafting.word("mirror image" if alone else "both senses")
-
-    def _stand(self) -> Iterator[str]:
-        """Say how all mechanisms stand: their cranks, their guides and places unless these are all 0."""
-        members = self.balance.task.members
-        yield self.drafting.word("crank angles", angles=self._row(member.crank for member in members))
-        if any(member.axis for member in members):
-            yield self.drafting.word("guide angles", angles=self._row(member.axis for member in members))
-        if any(member.place for member in members):
-            yield self.drafting.word("bank places", places=self._row(1000 * member.place for member in members))
 
     def _row(self, values: Iterable[Fraction]) -> str:
         return "; ".join(map(self._exact, values))
@@ -193,10 +189,8 @@ class BankNotes(NamedTuple):
         yield from self._orders("no order", lambda order: single[order].vanishes)
         yield from self._orders("no order force", lambda order: not single[order].vanishes and forces[order].vanishes)
         if any(member.place for member in self.balance.task.members):
-            apart = self._orders(
-                "no order moment", lambda order: not single[order].vanishes and moments[order].vanishes
-            )
-            yield from apart
+            holds = [order for order in single if not single[order].vanishes and moments[order].vanishes]
+            yield from self._orders("no order moment", holds.__contains__)
         else:
             yield self.drafting.word("one plane of a bank")
 
@@ -313,7 +307,6 @@ def order_rows(balance: BankBalance, drafting: Drafting, digits: int) -> Iterato
 
 
 def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
-    """Write the table of the orders."""
     rows = (row([order, *cells]) for order, cells in order_rows(balance, drafting, DIGITS))
     return [*header([plain(drafting.word(head)) for head in ("order", *ORDER_HEADS)]), *rows]
 

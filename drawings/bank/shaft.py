@@ -53,11 +53,6 @@ def named(shown: BankView) -> dict[float, str]:
     return found
 
 
-def is_thin(shown: BankView) -> bool:
-    """Tell whether all mechanisms stand in the plane of place 0: there is nothing to be seen across."""
-    return set(named(shown)) == {0.0}
-
-
 def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the shaft, its ends, the cranks, the dimensions under it."""
     hand, levels = drafting.hand, len(_dimensioned(shown))
@@ -76,7 +71,9 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [title, *_shaft(shown, place, hand), *_datum(shown, place, hand)]
     for member in shown.members:
-        lines += [_guide(shown, member, place, hand), *_throw(shown, member, place, hand)]
+        far = (place.length(shown.crank) + GUIDE * hand.symbol) * (-1 if _under(shown, member) else 1)
+        middle = place.on(complex(float(member.place)))
+        lines += [Line(middle, middle + 1j * far, fit(hand.axis, abs(far))), *_throw(shown, member, place, hand)]
     lines += _dimensions(shown, place, drafting)
     subject = Subject(NAME, QUANTITY, None)
     lines.append(view.origin(NAME, 0j, place, pole(place.on(0j)), QUANTITY))
@@ -136,13 +133,6 @@ def _throw(shown: BankView, member: Member, place: Place, hand: Hand) -> Iterato
     yield stating(states, *(Line(corner, other, hand.result) for corner, other in pairwise(corners)))
 
 
-def _guide(shown: BankView, member: Member, place: Place, hand: Hand) -> Line:
-    """Draw the axis of a guide from the shaft outward: up where the reference guide goes, down on the other side."""
-    far = (place.length(shown.crank) + GUIDE * hand.symbol) * (-1 if _under(shown, member) else 1)
-    middle = place.on(complex(float(member.place)))
-    return Line(middle, middle + 1j * far, fit(hand.axis, abs(far)))
-
-
 def _dimensioned(shown: BankView) -> dict[float, str]:
     """Give the places that are dimensioned, the nearest to the plane of place 0 first."""
     found = {place: names for place, names in named(shown).items() if place}
@@ -184,6 +174,5 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
             continue
         states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
         sizes.append((complex(place.on(complex(where)).real, base.imag), text, states))
-    yield from view.dimensions(
-        base, base.imag - place.length(tall(shown)[1]) - (GUIDE + FIRST) * hand.symbol, sizes, hand
-    )
+    first = base.imag - place.length(tall(shown)[1]) - (GUIDE + FIRST) * hand.symbol
+    yield from view.dimensions(base, first, sizes, hand)

@@ -66,7 +66,10 @@ def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledT
     Without `by_hand` there is no polygon in which a hand might err.
     """
     heads = tuple(drafting.word(head) for head in (COLUMNS if by_hand else COLUMNS[:-1]))
-    lines = [_result(quantity, drafting) for quantity in compared(comparison)]
+    # What the table tells: vectors of the bank and masses, more than rounding.
+    kept = [one for one in comparison.findings if one.name.partition("_")[0] in (FORCE, MOMENT, STATIC)]
+    told = [one for one in kept if one.plan != EQUILIBRIUM and abs(one.analysis[0]) > one.allowed[0]]
+    lines = [_result(quantity, drafting) for quantity in told]
     lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     if not lines:
         return None
@@ -78,17 +81,6 @@ def _result(quantity: Quantity, drafting: Drafting) -> TableRow:
     known = float(quantity.allowed[0]) * 10 ** (FIGURES - 1)
     sized = quantity._replace(largest=max(float(abs(quantity.analysis[0])), known))  # rounding has no digits
     return value_row(sized, f"{lowered_bank(quantity.name)}, {drafting.word(quantity.unit)}", (0,), drafting.language)
-
-
-def compared(comparison: Comparison) -> list[Quantity]:
-    """List what the table of results tells."""
-    return [finding for finding in comparison.findings if _is_told(finding)]
-
-
-def _is_told(quantity: Quantity) -> bool:
-    """Tell whether a finding stands in the table of results: a vector of the bank or a mass, more than rounding."""
-    kept = quantity.name.partition("_")[0] in (FORCE, MOMENT, STATIC) and quantity.plan != EQUILIBRIUM
-    return kept and abs(quantity.analysis[0]) > quantity.allowed[0]
 
 
 def _masses(compensator: Compensator, balance: BankBalance, drafting: Drafting) -> Iterator[TableRow]:
@@ -129,13 +121,12 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
     orders = tuple(_polygon(polygon, drafting) for polygon in polygons(shown, drafting))
-    shows = (*_views(shown, drafting), *orders, *_courses(shown, drafting))
+    thin = set(shaft.named(shown)) == {0.0}  # all stand in one plane: there is nothing to be seen across
+    views = [exhibit(kind, shown, drafting, scale=shaft.VIEWS) for kind in ((star,) if thin else (star, shaft))]
+    shows = (*views, *orders, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
     writers = order_table, compensator_table
-    tables = [
-        *(write(shown.balance, drafting) for write in writers),
-        results(comparison, bool(orders), drafting),
-    ]
+    tables = [*(write(shown.balance, drafting) for write in writers), results(comparison, bool(orders), drafting)]
     notes = BankNotes(shown.balance, drafting).all
     title = drafting.word("bank sheet title")
     there = tuple(written for written in tables if written is not None)
@@ -146,13 +137,6 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
 def _polygon(shown: Polygon, drafting: Drafting) -> Exhibit:
     room = polygon_room(shown, drafting)
     return Exhibit(Panel(room), partial(polygon.draw, shown, room, drafting=drafting))
-
-
-def _views(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
-    """Show the bank along its shaft; across it too, unless all mechanisms stand in one plane."""
-    yield exhibit(star, shown, drafting, scale=shaft.VIEWS)
-    if not shaft.is_thin(shown):
-        yield exhibit(shaft, shown, drafting, scale=shaft.VIEWS)
 
 
 def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
@@ -189,7 +173,6 @@ def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 
 
 def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:
-    """Show a hodograph."""
     turn = values[:-1]
     ends, title = turn[:: len(turn) // STATIONS], drafting.word(f"hodograph of {name}")
     figure = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)
@@ -199,7 +182,7 @@ def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: D
 def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the compensators of every order that needs some."""
     for found in shown.balance.compensators:
-        layout = CompensatorLayout(found, shown.turn, shown.task.speed)
+        layout = CompensatorLayout(found, shown.turn, shown.balance.task.speed)
         if any(layout.weights()):
             yield exhibit(compensators, layout, drafting)
 

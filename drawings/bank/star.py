@@ -24,7 +24,7 @@ from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, fit, hinge, rotation
 from plans.bank.harmonics import FORCE, MOMENT
 from plans.bank.polygons import Total
-from plans.model.balance.bank import BankBalance, BankTask, Member
+from plans.model.balance.bank import BankBalance, Member
 from plans.model.motion import Complexes
 from plans.rotor.balancing import heading as direction
 
@@ -52,9 +52,8 @@ def fanned(sides: Sequence[tuple[str, complex]]) -> list[tuple[str, complex]]:
     ['1', '4', '3', '2']
     """
     first = next((value for _, value in sides if value), 1 + 0j)
-    return sorted(
-        sides, key=lambda side: round(math.degrees(cmath.phase(side[1] / first)) / ALIKE) % round(360 / ALIKE)
-    )
+    steps = round(360 / ALIKE)
+    return sorted(sides, key=lambda side: round(math.degrees(cmath.phase(side[1] / first)) / ALIKE) % steps)
 
 
 class BankView(NamedTuple):
@@ -65,19 +64,14 @@ class BankView(NamedTuple):
     crank: float
 
     @property
-    def task(self) -> BankTask:
-        """What is asked."""
-        return self.balance.task
-
-    @property
     def members(self) -> tuple[Member, ...]:
         """The mechanisms."""
-        return self.task.members
+        return self.balance.task.members
 
     @property
     def turn(self) -> complex:
         """The direction of the reference guide on the sheet."""
-        return direction(Fraction(float(np.degrees(self.task.axis))))
+        return direction(Fraction(float(np.degrees(self.balance.task.axis))))
 
     def shown(self) -> Iterator[ShownOrder]:
         """Give the polygons of every order that can be seen.
@@ -93,7 +87,7 @@ class BankView(NamedTuple):
     def acts(self, kind: str, signed: int) -> bool:
         """Tell whether several mechanisms of the bank have something to lay off in a polygon."""
         single = self.balance.single[abs(signed)]
-        several = sum(1 for member in self.task.members if member.place or kind == FORCE) > 1
+        several = sum(1 for member in self.members if member.place or kind == FORCE) > 1
         return several and abs(single.ahead if signed > 0 else single.back) > single.slack
 
     def _shown(self, kind: str, signed: int) -> ShownOrder:
@@ -167,7 +161,7 @@ def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) 
         text = drafting.word("guide of", names=names)
         yield labels.beside(centre + far * way, text, hand.number, BESIDE, cmath.phase(way))
     yield labels.beside(centre, ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
-    spot, _ = rotation(centre, shown.task.speed, TURN, hand).middle
+    spot, _ = rotation(centre, shown.balance.task.speed, TURN, hand).middle
     yield labels.beside(spot, "ω", hand.letter, BESIDE, TURN[1])
 
 
@@ -196,7 +190,8 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     """Draw the star in its spot: the circle of the pins, the guides' axes, the cranks at phi = 0."""
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("star of cranks"), drafting.scale(spot.scale), hand)
-    lines = (title, *_axes(shown, place, hand), *rotation(place.on(0j), shown.task.speed, TURN, hand).draw(hand))
+    arrow = rotation(place.on(0j), shown.balance.task.speed, TURN, hand)
+    lines = (title, *_axes(shown, place, hand), *arrow.draw(hand))
     cranks = [
         Line(place.on(0j), place.on(shown.crank_at(member) * shown.crank), hand.result) for member in shown.members
     ]

@@ -179,10 +179,8 @@ class _ExpectedCam:
         true = {} if values.cam.translates else true
         numbers = {name: self.numbers.size(name) for name in true}
         if found.sharpest is not None:
-            true["ρ_min"], numbers["ρ_min"] = (
-                complex(found.sharpest.value),
-                self.numbers.radius("ρ_min", found.sharpest),
-            )
+            true["ρ_min"] = complex(found.sharpest.value)
+            numbers["ρ_min"] = self.numbers.radius("ρ_min", found.sharpest)
         for name, value in true.items():
             way = cmath.phase(pair(self.drawn[name]["value"])) if name in self.drawn else 0.0
             number, slack = numbers[name]
@@ -196,7 +194,8 @@ class _ExpectedCam:
         values, cam = self.values, self.values.cam
         if cam.translates:
             return
-        slack = self.slack + self.numbers.slack("S''" if cam.flat else "S'") * self._arm
+        arm = values.compared.slack.reach if cam.rocks else 1.0
+        slack = self.slack + self.numbers.slack("S''" if cam.flat else "S'") * arm
         yield Expected(Kind.POINT, SIZES, "O", -values.zero, self.numbers.slack("R_0"))
         if not (cam.flat and cam.rocks):
             yield Expected(Kind.CURVE, SIZES, "D", values.diagram, slack)
@@ -213,10 +212,6 @@ class _ExpectedCam:
         for name, reach in reaches.items():
             yield Expected(Kind.VECTOR, SIZES, name, reach, self.numbers.slack("R_0"))
         yield from self._dimensions()
-
-    @property
-    def _arm(self) -> float:
-        return self.values.compared.slack.reach if self.values.cam.rocks else 1.0
 
     def _dimensions(self) -> Iterator[Expected]:
         cam, numbers = self.values.cam, self.numbers
@@ -263,13 +258,8 @@ class _ExpectedCam:
             if extreme is not None:
                 yield mark, "mm", numbers.radius(name, extreme), False
                 yield self._at(mark, extreme.turned)
-        for k, far in enumerate(found.face if cam.flat else (), 1):
-            yield (
-                f"b_{k}",
-                "mm",
-                (MM * abs(far), MM * self.numbers.slack(f"face_{'back' if k == 1 else 'front'}")),
-                False,
-            )
+        for k, (side, far) in enumerate(zip(("back", "front"), found.face if cam.flat else (), strict=False), 1):
+            yield f"b_{k}", "mm", (MM * abs(far), MM * self.numbers.slack(f"face_{side}")), False
         for kind in (RISE, RETURN) if cam.rocks or not cam.flat else ():
             if kind in found.pressure:
                 mark, extreme = f"α_{{{kind}}}", found.pressure[kind]
@@ -283,12 +273,8 @@ class _ExpectedCam:
         for order, (name, peak) in enumerate(found.peaks.items() if cam.speed is not None else (), 1):
             speed = (cam.speed or 0.0) ** order
             unit = f"{'rad' if cam.rocks else 'm'}/s{'' if order == HARD else '2'}"
-            yield (
-                f"{way[order - 1]}_{{max}}",
-                unit,
-                (abs(peak.value) * speed, self.numbers.slack(f"{name}_max") * speed),
-                False,
-            )
+            most = abs(peak.value) * speed, self.numbers.slack(f"{name}_max") * speed
+            yield f"{way[order - 1]}_{{max}}", unit, most, False
         bare = "ψ" if cam.rocks else "S"
         for k, shock in enumerate(found.shocks, 1):
             jumps = bare + "'" * shock.order if cam.speed is None else way[shock.order - 1]

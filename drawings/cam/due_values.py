@@ -15,7 +15,7 @@ import numpy as np
 from drawings.checks.hold import bows
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
-from plans.analytic.cam.pressure import stretches
+from plans.analytic.cam.stretches import stretches
 from plans.cam.quantities import ComparedCam
 from plans.cam.study import CamDrawing
 from plans.model.cam import RETURN, RISE, Cam

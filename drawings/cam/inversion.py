@@ -41,7 +41,7 @@ class ProfileRings(NamedTuple):
     def ends(self) -> float:
         """The ends of the turned axes, or the turned pivots of a rocker."""
         if self.view.cam.rocks:
-            return max(self.place.length(abs(self.view.sizes.pivot)), self.cam + CLEAR * self.hand.symbol)
+            return max(self.place.length(abs(self.view.found.sizes.pivot)), self.cam + CLEAR * self.hand.symbol)
         return self.cam + beyond(self.hand)
 
     @property
@@ -53,7 +53,7 @@ class ProfileRings(NamedTuple):
         """Give where a turned axis, or the ray through a turned pivot, meets a circle about O, mm from O."""
         view = self.view
         if view.cam.rocks:
-            ray = view.way(view.sizes.pivot, turned)
+            ray = view.way(view.found.sizes.pivot, turned)
             return radius * ray / abs(ray)
         off = self.place.length(view.axis)
         return view.way(complex(off, cmath.sqrt(radius**2 - off**2).real), turned)
@@ -134,7 +134,9 @@ def construction(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
     place, hand = rings.place, rings.hand
     lines = [*_circles(view, place, hand), *_turned(view, rings), *_notches(view, place, hand)]
     yield from trim(lines, () if view.cam.translates else _shaft(view, place, hand))
-    yield from _rollers(view, place, hand)
+    radius = place.length(view.found.roller)  # it is drawn where it can be told apart
+    for k in [*_apart(view, place, FEW * radius)][1:] if radius else ():
+        yield Circle(place.on(complex(view.found.contour.pitch[k])), radius, hand.other)
 
 
 def _shaft(view: ProfileView, place: Place, hand: Hand) -> tuple[Mask, ...]:
@@ -142,17 +144,18 @@ def _shaft(view: ProfileView, place: Place, hand: Hand) -> tuple[Mask, ...]:
     zero, (high, half, more) = place.on(0j), (size * hand.symbol for size in STAND)
     wide, low = half + more, zero - 1j * (high + HATCH * hand.symbol)
     outlines = (Circle(zero, HINGE * hand.symbol), Polyline((zero, low - wide, low + wide), True))
-    spots = [place.on(point) for point in view.contour.pitch.tolist()]
+    spots = [place.on(point) for point in view.found.contour.pitch.tolist()]
     return tuple(outline for outline in outlines if not any(holds(outline, spot) for spot in spots))
 
 
 def _circles(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the circle of the least radius, of the offset, of the pivots; of a cam that translates its base line."""
     if view.cam.translates:
-        left, right = (place.on(complex(x)) for x in _ends(view))
+        across = view.curve.pitch.real
+        left, right = (place.on(complex(x)) for x in (across.min(), across.max()))
         yield Line(left, right, hand.other)
         return
-    zero, sizes = place.on(0j), view.sizes
+    zero, sizes = place.on(0j), view.found.sizes
     yield Circle(zero, place.length(sizes.base), hand.other)
     if place.length(abs(sizes.offset)) > POINT:
         yield Circle(zero, place.length(abs(sizes.offset)), hand.other)
@@ -161,17 +164,18 @@ def _circles(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Circle(zero, far, fit(hand.axis, TURN * far, True))
 
 
-def _ends(view: ProfileView) -> tuple[float, float]:
-    return float(view.curve.pitch.real.min()), float(view.curve.pitch.real.max())
-
-
 def _turned(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
     """Draw the turned frame of each position: the axis of the follower, or the arm from the turned pivot."""
     place, hand = rings.place, rings.hand
     for k, turned in view.positions:
-        spot = place.on(complex(view.contour.pitch[k]))
+        spot = place.on(complex(view.found.contour.pitch[k]))
         if view.cam.rocks:
-            yield from _arm(view, place, hand, k, turned)
+            pivot = view.back(view.found.sizes.pivot, turned)
+            if view.cam.flat:
+                normal = view.way(complex(view.found.contour.lever[k]), turned)
+                yield Line(place.on(pivot), place.on(pivot + view.cam.follower.face * normal), hand.drafted)
+            else:
+                yield Line(place.on(pivot), place.on(complex(view.found.contour.pitch[k])), hand.drafted)
         elif view.cam.translates:
             foot = complex(spot.real, min(spot.imag, place.on(0j).imag))
             yield Line(foot, complex(spot.real, highest(view, place, hand)), hand.drafted)
@@ -180,29 +184,19 @@ def _turned(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
             yield Line(foot, place.on(0j) + rings.crossing(turned, rings.ends), hand.drafted)
         if view.cam.flat:
             yield Line(*face(view, place, turned), hand.other)
-            yield from _missed(place.on(complex(view.contour.pitch[k])), face(view, place, turned), hand)
+            yield from _missed(place.on(complex(view.found.contour.pitch[k])), face(view, place, turned), hand)
 
 
-def highest(view: ProfileView, place: Place, hand: Hand) -> float:
-    """Give the level at which the axes over a cam that translates end, mm."""
-    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + 3 * hand.symbol
-
-
-def _arm(view: ProfileView, place: Place, hand: Hand, k: int, turned: float) -> Iterator[Stroke]:
-    """Draw a turned rocker: from its pivot to its tip; of a flat one the offset to its face."""
-    pivot = view.back(view.sizes.pivot, turned)
-    if view.cam.flat:
-        normal = view.way(complex(view.contour.lever[k]), turned)
-        yield Line(place.on(pivot), place.on(pivot + view.cam.follower.face * normal), hand.drafted)
-    else:
-        yield Line(place.on(pivot), place.on(complex(view.contour.pitch[k])), hand.drafted)
+def highest(view: ProfileView, place: Place, hand: Hand, clear: float = 3.0) -> float:
+    """Give the level, mm, clear of roller or face in their highest place: over a cam that translates its axes end."""
+    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + clear * hand.symbol
 
 
 def face(view: ProfileView, place: Place, turned: float) -> tuple[complex, complex]:
     """Give the ends of a turned face on paper: as far as contact goes over the whole turn, and a little more."""
     spot, normal = view.at(turned)
     along = -1j * normal
-    foot = view.back(complex(view.axis) if not view.cam.rocks else view.sizes.pivot, turned)
+    foot = view.back(complex(view.axis) if not view.cam.rocks else view.found.sizes.pivot, turned)
     low, high = view.face
     off = ((spot - foot) * along.conjugate()).real
     return place.on(spot + (low - off) * along), place.on(spot + (high - off) * along)
@@ -223,13 +217,17 @@ def _notches(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
         return
     zero = place.on(0j)
     for k, turned in view.positions:
-        spot = place.on(complex(view.contour.pitch[k]))
+        spot = place.on(complex(view.found.contour.pitch[k]))
         yield _notch(zero, spot, hand)
         if view.cam.rocks:
-            yield _notch(place.on(view.back(view.sizes.pivot, turned)), spot, hand)
-    carried = _carried(view)
-    if carried is not None:
-        start, end = (place.on(complex(curve[carried])) - zero for curve in (view.contour.tip, view.contour.pitch))
+            yield _notch(place.on(view.back(view.found.sizes.pivot, turned)), spot, hand)
+    # The middle one of the first motion is drawn whole, from the initial frame on.
+    moves = [*view.cam.moving()][:1]
+    within = [k for k, turned in view.positions for phase in moves if phase.start < turned < phase.end]
+    for carried in within[len(within) // 2 :][:1]:
+        start, end = (
+            place.on(complex(curve[carried])) - zero for curve in (view.found.contour.tip, view.found.contour.pitch)
+        )
         first, last = (start, end) if view.cam.sense < 0 else (end, start)
         yield Arc(zero, abs(start), cmath.phase(first), cmath.phase(last), hand.drafted)
 
@@ -240,33 +238,17 @@ def _notch(centre: complex, spot: complex, hand: Hand) -> Arc:
     return Arc(centre, radius, turn - half, turn + half, hand.drafted)
 
 
-def _carried(view: ProfileView) -> int | None:
-    """Choose the position whose notch is drawn whole, from the initial frame on: the middle one of the first motion."""
-    first = [*view.cam.moving()][:1]
-    within = [k for k, turned in view.positions for phase in first if phase.start < turned < phase.end]
-    return within[len(within) // 2] if within else None
-
-
-def _rollers(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the roller at a few positions, no two closer than they can be told apart."""
-    radius, last = place.length(view.found.roller), place.on(complex(view.contour.pitch[0]))
-    if not radius:
-        return
-    first = last
-    for k, _ in view.positions[1:]:
-        spot = place.on(complex(view.contour.pitch[k]))
-        if tied(min(abs(spot - last), abs(spot - first)) - FEW * radius) >= 0:
-            yield Circle(spot, radius, hand.other)
-            last = spot
-
-
 def marked(view: ProfileView, place: Place, hand: Hand) -> Iterator[int]:
     """Choose the positions whose points are marked and numbered: those that stand apart on paper."""
-    last = first = place.on(complex(view.contour.pitch[0]))
+    return _apart(view, place, APART * hand.number)
+
+
+def _apart(view: ProfileView, place: Place, least: float) -> Iterator[int]:
+    last = first = place.on(complex(view.found.contour.pitch[0]))
     yield 0
     for k, _ in view.positions[1:]:
-        spot = place.on(complex(view.contour.pitch[k]))
-        if tied(min(abs(spot - last), abs(spot - first)) - APART * hand.number) >= 0:
+        spot = place.on(complex(view.found.contour.pitch[k]))
+        if tied(min(abs(spot - last), abs(spot - first)) - least) >= 0:
             yield k
             last = spot
 
@@ -275,7 +257,7 @@ def marks(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw the found points of the numbered positions, and the normals from the roller's centre to the profile."""
     for k in marked(view, place, hand):
         subject, letter = Subject(NAME, QUANTITY, k), str(k)
-        spot, touch = complex(view.contour.pitch[k]), complex(view.contour.profile[k])
+        spot, touch = complex(view.found.contour.pitch[k]), complex(view.found.contour.profile[k])
         if view.apart:
             line = Line(place.on(spot), place.on(touch), hand.drafted)
             yield Group((line,), "", subject.data("vector", "Q", touch - spot, place.scale), letter)
@@ -286,7 +268,7 @@ def marks(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
 def pivots(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw the turned pivots of a rocker."""
     style = LineStyle(hand.thin, fill="#ffffff")
-    for k, turned in view.positions[1:] if view.sizes.pivot else ():
-        spot = view.back(view.sizes.pivot, turned)
+    for k, turned in view.positions[1:] if view.found.sizes.pivot else ():
+        spot = view.back(view.found.sizes.pivot, turned)
         circle = Circle(place.on(spot), 0.8 * hand.symbol, style)
         yield point(Subject(NAME, QUANTITY, k), "O_1", spot, place, circle, title=str(k))

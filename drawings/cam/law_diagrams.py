@@ -85,7 +85,6 @@ class LawFrame(RowFrame[LawRow]):
         return Part(graph.name, lines, (*ends, *self._infinite(row, axes), *self._numbers(row, graph)))
 
     def _edges(self, row: LawRow, graph: Graph) -> Iterator[Stroke]:
-        """Draw tick, ordinate and points of each edge."""
         strips = self.plate.shown.strips
         for k in range(len(strips.edges)) if len(strips.edges) <= MARKED + 1 else self.numbered:
             sides = float(row.after[k]), float(row.before[k])
@@ -105,7 +104,6 @@ class LawFrame(RowFrame[LawRow]):
         return axes.on(at), axes.on(at, high if sense > 0 else low)
 
     def _infinite(self, row: LawRow, axes: Axes) -> Iterator[Letter]:
-        """Letter the impulses."""
         for k, sense in row.impulses:
             tip = self._impulse(row, axes, k, sense)[1]
             yield Letter(tip, INFINITE, self.plate.hand.number, 0.0 if sense > 0 else math.pi)

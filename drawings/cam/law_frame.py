@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar, NamedTuple
@@ -17,7 +17,7 @@ from drawings.kinds.smooth import cubics
 from drawings.lettering.words import Slot
 from drawings.page.page import Drafting, Scale
 from geometry.strips import middles
-from plans.cam.diagrams import LawDiagrams, TurnStrips
+from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import TABLE, Cam
 from plans.model.motion import Floats
 
@@ -211,11 +211,8 @@ class LawPlate(RowPlate[LawRow]):
         strips = self.shown.strips
         soft = [k for k in strips.jumps if k not in strips.hard]
         kinds = (("hard shocks", strips.hard), ("soft shocks", soft))
-        sentences = [self.drafting.word(key, places=_places(strips, edges)) for key, edges in kinds if edges]
+        # The end of a turn is its beginning.
+        named = ((key, ", ".join(dict.fromkeys(strips.names[k] for k in edges))) for key, edges in kinds)
+        sentences = [self.drafting.word(key, places=places) for key, places in named if places]
         if sentences:
             yield ";  ".join(sentences)
-
-
-def _places(strips: TurnStrips, edges: Iterable[int]) -> str:
-    """Name edges; the end of a turn is its beginning."""
-    return ", ".join(dict.fromkeys(strips.names[k] for k in edges))

@@ -47,11 +47,6 @@ class Manufacture(NamedTuple):
         return self.view.cam
 
     @property
-    def found(self) -> CamFound:
-        """What the construction found of it."""
-        return self.view.found
-
-    @property
     def corners(self) -> list[complex]:
         """The corners of what is drawn to scale, m."""
         if self.cam.translates:
@@ -80,8 +75,8 @@ def angles(shown: Manufacture) -> Floats:
 
 def dwells(shown: Manufacture) -> Iterator[tuple[Phase, float]]:
     """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
-    contour = shown.found.contour
-    spots = shown.found.made(contour)
+    contour = shown.view.found.contour
+    spots = shown.view.found.made(contour)
     for phase in shown.cam.phases:
         if phase.kind == DWELL:
             yield phase, float(abs(spots[int(np.argmin(abs(contour.turned - phase.start)))]))
@@ -121,7 +116,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
         *_sense(shown, place, hand),
         *_radii(shown, place, drafting),
         *curves(view, PLAN, place, hand),
-        *_rows(shown, place, hand),
+        *(Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.spots),
         *(hub.lines(drafting) if (hub := _bore(shown, place)) else ()),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
@@ -129,7 +124,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
 
 
 def _bore(shown: Manufacture, place: Place) -> KeyedBore | None:
-    return bore(PLAN, shown.found, shown.view.curve, place)
+    return bore(PLAN, shown.view.found, shown.view.curve, place)
 
 
 def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
@@ -184,10 +179,8 @@ def _arrow(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, float
 def _straight(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, complex]:
     """Give the ends of the arrow of a cam that translates, within its body."""
     left, right = (place.on(corner) for corner in shown.view.body)
-    middle, half = (
-        (left + right) / 2 + 0.25j * place.length(shown.cam.lift),
-        shown.cam.sense * PAST * hand.symbol,
-    )
+    middle = (left + right) / 2 + 0.25j * place.length(shown.cam.lift)
+    half = shown.cam.sense * PAST * hand.symbol
     return middle + half, middle - half
 
 
@@ -213,45 +206,35 @@ def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Gro
         yield Group((Line(place.on(start), place.on(end), hand.drafted),), "", data, label(shown, name, drafting))
 
 
-def _rows(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the points that the table tells."""
-    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.spots)
-
-
 DIGITS = 5
 
 
 def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     """Say what a workshop must know beside the curve."""
     cam = shown.cam
-    yield drafting.word(_moves(shown))
-    curve = drafting.word("mill path" if shown.found.grooved else "profile told")
+    names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
+    yield drafting.word(names[shown.cam.sense < 0])
+    curve = drafting.word("mill path" if shown.view.found.grooved else "profile told")
     if cam.translates:
         yield drafting.word("plane datum", curve=curve)
     else:
         yield drafting.phrase("polar datum", curve=curve, keyway=keyway_place(cam.hub, drafting, cam.name))
-    if shown.found.roller:
+    if shown.view.found.roller:
         yield drafting.letter(_roller(shown, drafting))
     if not cam.translates:
         yield from _dwells(shown, drafting)
-        yield from hub_notes(shown.found, drafting)
+        yield from hub_notes(shown.view.found, drafting)
     yield drafting.word("drawn pieces", tolerance=drafting.number(MM * cam.tolerance))
-    wrong = dict.fromkeys(flaw.kind for flaw in shown.found.flaws if flaw.kind in SHOWN)
+    wrong = dict.fromkeys(flaw.kind for flaw in shown.view.found.flaws if flaw.kind in SHOWN)
     if wrong:
         yield drafting.word("profile flaws", flaws=", ".join(drafting.word(f"cam {kind}") for kind in wrong))
 
 
-def _moves(shown: Manufacture) -> str:
-    """Name the sense in which the cam moves."""
-    names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
-    return names[shown.cam.sense < 0]
-
-
 def _roller(shown: Manufacture, drafting: Drafting) -> str:
-    radius = Slot(f"r_rol {shown.cam.name}", MM * shown.found.roller, DIGITS)
-    if not shown.found.grooved:
+    radius = Slot(f"r_rol {shown.cam.name}", MM * shown.view.found.roller, DIGITS)
+    if not shown.view.found.grooved:
         return drafting.phrase("roller of cam", radius=radius)
-    breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.found.roller, DIGITS)
+    breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.view.found.roller, DIGITS)
     return drafting.phrase("groove of cam", radius=radius, breadth=breadth)
 
 
@@ -274,15 +257,11 @@ POLAR, PLANE = ("polar radius, mm", "polar angle, °"), ("abscissa, mm", "ordina
 def radii(shown: Manufacture, every: int, drafting: Drafting) -> RuledTable:
     """Tell the profile, of a groove its middle, at every so many of the tabled turns."""
     names, spots = shown.stations.names, cells(shown)
-    lines = [_row(names[k], *spots[k], drafting) for k in range(0, len(names), every)]
+    sizes = [tuple(fixed(size, drafting.language, PLACES) for size in spot) for spot in spots]
+    lines = [TableRow(drafting.number(names[k], 5), sizes[k]) for k in range(0, len(names), every)]
     words = PLANE if shown.cam.translates else POLAR
     first = drafting.word("x of cam, mm" if shown.cam.translates else "φ of cam, °")
     return table(lines, first, tuple(drafting.word(key) for key in words), drafting.hand.text)._replace(name=NAME)
-
-
-def _row(name: float, first: float, second: float, drafting: Drafting) -> TableRow:
-    sizes = (fixed(value, drafting.language, PLACES) for value in (first, second))
-    return TableRow(drafting.number(name, 5), tuple(sizes))
 
 
 def cells(shown: Manufacture) -> list[tuple[float, float]]:

@@ -54,7 +54,8 @@ REST = "rest"
 
 def phase_indices(cam: Cam) -> tuple[str, ...]:
     """Give the index of each phase: a dwell at the lowest level is a rest, several of one kind are numbered."""
-    kinds = [_kind(cam, phase) for phase in cam.phases]
+    lowest = min(min(phase.level, phase.level + phase.change) for phase in cam.phases)
+    kinds = [REST if phase.change == 0 and phase.level == lowest else phase.kind for phase in cam.phases]
     return tuple(
         kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
         for k, kind in enumerate(kinds)
@@ -67,11 +68,6 @@ def phase_letter(cam: Cam, number: int, drafting: Drafting) -> Phrase:
     letter, size, unit = ("x", MM * angle, "") if cam.translates else ("φ", math.degrees(angle), "°")
     parts = drafting.letter(f"{letter}_{{{index}}} = "), drafting.slot(Slot(f"φ_{number}", size, DIGITS)), unit
     return joined("", parts)
-
-
-def _kind(cam: Cam, phase: Phase) -> str:
-    lowest = min(min(other.level, other.level + other.change) for other in cam.phases)
-    return REST if phase.change == 0 and phase.level == lowest else phase.kind
 
 
 RPM = 30 / math.pi  # of a rad/s
@@ -89,17 +85,8 @@ class CamNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is asked, over which phases, how it runs, what is wrong with it; the sizes are in the table."""
-        return (
-            *self.asked(),
-            *self.phases(),
-            *self.smoothed(),
-            *self.face(),
-            *self.pressure(),
-            *self.rolling(),
-            *self.shocks(),
-            *self.pressing(),
-            *self.flaws(),
-        )
+        asked = (self.asked, self.phases, self.smoothed, self.face, self.pressure, self.rolling)
+        return tuple(line for part in (*asked, self.shocks, self.pressing, self.flaws) for line in part())
 
     @property
     def cam(self) -> Cam:
@@ -275,7 +262,7 @@ class CamNotes(NamedTuple):
             return self.drafting.phrase(f"cam flaw {flaw.kind} corner", phi=ends["phi"])
         if flaw.kind == "crossing":
             return self._crossing(name, value, ends)
-        unit = math.degrees(1) if flaw.kind == "pressure" else self._unit(flaw)
+        unit = {"pressure": math.degrees(1), "lift-off": 1.0, "outrun": 1.0}.get(flaw.kind, MM)
         most = {"most": self._slot(f"{name} most", MM * abs(value))} if flaw.kind in CORNERED else {}
         return self.drafting.phrase(f"cam flaw {flaw.kind}", worst=self._slot(name, unit * value), **most, **ends)
 
@@ -285,9 +272,6 @@ class CamNotes(NamedTuple):
             return self.drafting.phrase("cam flaw crossing", **ends)
         key = "cam flaw crossing and loss" if lost > 0 else "cam flaw crossing and no loss"
         return self.drafting.phrase(key, worst=self.way(name, lost), **ends)
-
-    def _unit(self, flaw: CamFlaw) -> float:
-        return 1.0 if flaw.kind in ("lift-off", "outrun") else MM
 
     def way(self, name: str, value: float) -> Phrase:
         """Write how far the follower goes: mm, or degrees of one that rocks."""

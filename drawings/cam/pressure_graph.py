@@ -127,7 +127,9 @@ def _graph(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) ->
         *_marks(view, graph, drafting),
     )
     ends = graph.ends((turn, room.letter), (view.span[1], f"{LETTER}, {UNIT}"))
-    letters = (*_letters(view, axes, drafting), *_named(view, axes, drafting), *_numbers(view, graph))
+    turns, angles = view.found.contour.turned.tolist(), view.ordinates.tolist()
+    numbers = (graph.number(turns[k], str(k), angles[k]) for k in _roomy(view, graph))
+    letters = (*_letters(view, axes, drafting), *_named(view, axes, drafting), *numbers)
     return Part(NAME, lines, (*ends, *letters))
 
 
@@ -145,7 +147,6 @@ def _phases(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 
 
 def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw the limits over their own phases."""
     for kind, level in view.levels:
         for phase in view.cam.phases:
             if phase.kind == kind:
@@ -173,7 +174,6 @@ def _marks(view: PressureView, graph: Graph, drafting: Drafting) -> Iterator[Str
 
 
 def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    """Letter the limits and the extremes."""
     hand = drafting.hand
     for kind, extreme in view.marked:
         at = axes.on(extreme.turned, math.degrees(extreme.value))
@@ -189,19 +189,11 @@ def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Let
 
 
 def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    """Name the phases in their row."""
     level = _bottom(view, axes, drafting.hand)
     for k, phase in enumerate(view.cam.phases):
         middle = axes.on(phase.start + phase.angle / 2).real
-        yield Letter(
-            complex(middle, level), phase_letter(view.cam, k, drafting), drafting.hand.number, -math.pi / 2, 0.0
-        )
-
-
-def _numbers(view: PressureView, graph: Graph) -> Iterator[Letter]:
-    """Number the positions at the axis, each on the side away from its ordinate, those that have room."""
-    for k in _roomy(view, graph):
-        yield graph.number(float(view.found.contour.turned[k]), str(k), float(view.ordinates[k]))
+        text = phase_letter(view.cam, k, drafting)
+        yield Letter(complex(middle, level), text, drafting.hand.number, -math.pi / 2, 0.0)
 
 
 def _roomy(view: PressureView, graph: Graph) -> tuple[int, ...]:

@@ -55,7 +55,7 @@ def follower(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
 def _rod(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the rod as high as its guide, and the guide above the highest place that roller or face come to."""
     start = place.on(complex(view.axis, view.curve.tip[0].imag))  # the tip, the roller's centre, the middle of a face
-    low = highest(view, place, hand) if view.cam.translates else _above(view, place, hand)
+    low = highest(view, place, hand) if view.cam.translates else highest(view, place, hand, CLEAR)
     base, top = complex(start.real, low), complex(start.real, low + GUIDE * hand.symbol)
     yield Line(start, top + CLEAR * hand.symbol * 1j, hand.result)
     for side in (-1, 1):
@@ -63,18 +63,13 @@ def _rod(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield from ground(base + off, top + off, complex(side), hand)
 
 
-def _above(view: ProfileView, place: Place, hand: Hand) -> float:
-    """Give where the guide begins, mm: clear of roller or face in their highest place."""
-    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + CLEAR * hand.symbol
-
-
 def _rocker(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the arm, the stand of its pivot, and of a flat one what holds its face before the pivot."""
-    pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
+    pivot, tip = place.on(view.found.sizes.pivot), place.on(complex(view.curve.tip[0]))
     radius = HINGE * hand.symbol
     yield from fixed_hinge(pivot, hand, radius, _downward(pivot - place.on(0j) or -1j, tip - pivot))
     if view.cam.flat:
-        root = place.on(view.sizes.pivot + view.cam.follower.face * complex(view.curve.lever[0]))
+        root = place.on(view.found.sizes.pivot + view.cam.follower.face * complex(view.curve.lever[0]))
         yield Line(root, tip, hand.result)
         tip = root
     if abs(tip - pivot) > radius:
@@ -99,20 +94,16 @@ def _end(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     elif view.cam.flat:
         yield Line(*face(view, place, 0.0), hand.result)
     elif view.cam.follower.end == POINTED:
-        yield _point(tip, hand, 1j * view.cam.rising if view.cam.rocks else 1j)
-
-
-def _point(tip: complex, hand: Hand, up: complex) -> Fill:
-    """Draw the point of a follower."""
-    high = TIP * hand.symbol * (up if up.imag > 0 else -up)
-    return Fill((tip, tip + high + 1j * SLIM * high, tip + high - 1j * SLIM * high))
+        up = 1j * view.cam.rising if view.cam.rocks else 1j
+        high = TIP * hand.symbol * (up if up.imag > 0 else -up)
+        yield Fill((tip, tip + high + 1j * SLIM * high, tip + high - 1j * SLIM * high))
 
 
 def pivot_mark(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw the hinge of a rocker's pivot; it can be measured."""
-    if view.sizes.pivot:
-        (circle,) = hinge(place.on(view.sizes.pivot), hand)
-        yield point(Subject(NAME, QUANTITY, None), "O_1", view.sizes.pivot, place, circle)
+    if view.found.sizes.pivot:
+        (circle,) = hinge(place.on(view.found.sizes.pivot), hand)
+        yield point(Subject(NAME, QUANTITY, None), "O_1", view.found.sizes.pivot, place, circle)
 
 
 def divisions(view: ProfileView, place: Place, hand: Hand) -> tuple[Division, ...]:
@@ -133,23 +124,27 @@ def _divisions(view: ProfileView, place: Place) -> Iterator[Division]:
     for phase in view.cam.moving():
         for k, turned in view.positions:
             if phase.start < turned < phase.end or (turned == phase.end and phase.change > 0):
-                tip = complex(view.contour.tip[k])
+                tip = complex(view.found.contour.tip[k])
                 true = complex(view.axis, tip.imag) if view.cam.flat else tip
-                yield Division(k, place.on(true), true, _towards(view, tip, phase.change > 0))
+                yield Division(k, place.on(true), true, _towards(view, phase.change > 0))
 
 
-def _towards(view: ProfileView, tip: complex, rising: bool) -> float:
+def _towards(view: ProfileView, rising: bool) -> float:
     """Direct the number of a division: across the way, the rise to the left of it."""
     if not view.cam.rocks:
         return cmath.pi if rising else 0.0
-    level = view.curve.tip.mean() - view.sizes.pivot
+    level = view.curve.tip.mean() - view.found.sizes.pivot
     return cmath.phase(level if rising else -level)
 
 
 def graduated(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the ticks of all divisions, the arc of a rocker's, and the points of those that bear numbers."""
     if view.cam.rocks and not view.cam.flat:
-        yield _arc(view, place, hand)
+        pivot = place.on(view.found.sizes.pivot)
+        turns = [place.on(complex(spot)) - pivot for spot in view.curve.tip]
+        middle = cmath.phase(sum(turns))
+        offs = [cmath.phase(turn * cmath.rect(1.0, -middle)) for turn in turns]
+        yield Arc(pivot, abs(turns[0]), middle + min(offs), middle + max(offs), hand.drafted)
     for division in _divisions(view, place):
         yield tick(division.spot, _across(view, division, place), hand)
     for division in divisions(view, place, hand):
@@ -161,16 +156,8 @@ def _across(view: ProfileView, division: Division, place: Place) -> complex:
     """Give the direction of the follower's way at a division."""
     if not view.cam.rocks:
         return 1j
-    arm = division.spot - place.on(view.sizes.pivot)
+    arm = division.spot - place.on(view.found.sizes.pivot)
     return 1j * arm / abs(arm)
-
-
-def _arc(view: ProfileView, place: Place, hand: Hand) -> Arc:
-    pivot = place.on(view.sizes.pivot)
-    turns = [place.on(complex(spot)) - pivot for spot in view.curve.tip]
-    middle = cmath.phase(sum(turns))
-    offs = [cmath.phase(turn * cmath.rect(1.0, -middle)) for turn in turns]
-    return Arc(pivot, abs(turns[0]), middle + min(offs), middle + max(offs), hand.drafted)
 
 
 LETTERS, MOST = 21.0, 80.0  # it is drawn at least so many letters large, and at most
@@ -237,8 +224,8 @@ def _points(view: ProfileView, rings: ProfileRings, labels: Labels) -> Iterator[
     place, hand = rings.place, rings.hand
     gap = BESIDE + (0.0 if view.cam.translates else HINGE * hand.symbol)
     yield labels.beside(place.on(0j), ORIGIN, hand.letter, gap, view.quiet)
-    if view.sizes.pivot:
-        yield labels.beside(place.on(view.sizes.pivot), "O_1", hand.letter, gap, math.pi / 2)
+    if view.found.sizes.pivot:
+        yield labels.beside(place.on(view.found.sizes.pivot), "O_1", hand.letter, gap, math.pi / 2)
     for sense in inversion.senses(view, rings):
         yield sense.letter_beside(labels, hand)
     for start, end in inversion.straight(view, rings):
@@ -252,8 +239,8 @@ def _numbers(view: ProfileView, rings: ProfileRings, labels: Labels) -> Iterator
         spot, towards = _end_of(view, rings, k, turned)
         yield labels.beside(spot, str(k), size, END, towards)
     for k in inversion.marked(view, place, rings.hand):
-        normal = view.at(view.contour.turned[k])[1]
-        spot = place.on(complex(view.contour.pitch[k]))
+        normal = view.at(view.found.contour.turned[k])[1]
+        spot = place.on(complex(view.found.contour.pitch[k]))
         yield labels.beside(spot, str(k), size, BESIDE, math.atan2(normal.imag, normal.real))
 
 
@@ -262,8 +249,8 @@ def _end_of(view: ProfileView, rings: ProfileRings, k: int, turned: float) -> tu
     place, zero = rings.place, rings.place.on(0j)
     if view.cam.translates:
         high = inversion.highest(view, place, rings.hand)
-        return complex(place.on(complex(view.contour.pitch[k])).real, high), math.pi / 2
-    pivot = place.on(view.back(view.sizes.pivot, turned)) - zero
+        return complex(place.on(complex(view.found.contour.pitch[k])).real, high), math.pi / 2
+    pivot = place.on(view.back(view.found.sizes.pivot, turned)) - zero
     off = pivot if view.cam.rocks and k else rings.crossing(turned, rings.ends)
     return zero + off, math.atan2(off.imag, off.real)
 

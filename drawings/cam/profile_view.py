@@ -21,7 +21,7 @@ from plans.cam.course import FollowerCourse
 from plans.cam.path import PathCut, ProfilePath, path
 from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, Cam
-from plans.model.cam_motion import CamFlaw, CamFound, CamSizes, Contour, Points
+from plans.model.cam_motion import CamFlaw, CamFound, Contour, Points
 from plans.model.motion import Complexes, Floats
 
 MANY = 1441  # turns at which the contour is known: every quarter of a degree
@@ -52,19 +52,9 @@ class ProfileView(NamedTuple):
         return self.found.cam
 
     @property
-    def sizes(self) -> CamSizes:
-        """Its main sizes."""
-        return self.found.sizes
-
-    @property
-    def contour(self) -> Contour:
-        """The profile at the numbered positions."""
-        return self.found.contour
-
-    @property
     def positions(self) -> list[tuple[int, float]]:
         """The numbered positions with the turns of the cam, rad."""
-        return list(enumerate(self.contour.turned.tolist()))
+        return list(enumerate(self.found.contour.turned.tolist()))
 
     @property
     def apart(self) -> bool:
@@ -94,7 +84,7 @@ class ProfileView(NamedTuple):
     @property
     def axis(self) -> float:
         """Where the axis of a follower that translates stands, x in m."""
-        return self.cam.sense * self.sizes.offset
+        return self.cam.sense * self.found.sizes.offset
 
     @property
     def reach(self) -> float:
@@ -104,7 +94,11 @@ class ProfileView(NamedTuple):
             return float(abs(curve.tip.imag + 1j * max(map(abs, self.face))).max())
         far = [abs(curve.pitch).max() + self.found.roller, *(abs(outline).max() for outline in self.outlines)]
         if self.cam.follower.reach is not None:  # the end of a rocker's face
-            end = self.sizes.pivot - 1j * curve.lever * max(self.face, key=abs) + self.cam.follower.face * curve.lever
+            end = (
+                self.found.sizes.pivot
+                - 1j * curve.lever * max(self.face, key=abs)
+                + self.cam.follower.face * curve.lever
+            )
             far.append(abs(end).max())
         return float(max(far))
 
@@ -114,7 +108,7 @@ class ProfileView(NamedTuple):
 
         As far as it reaches, of a rocker from its pivot on; where that is not said a little past all contact.
         """
-        foot = self.sizes.pivot if self.cam.rocks else complex(self.axis)
+        foot = self.found.sizes.pivot if self.cam.rocks else complex(self.axis)
         off = ((self.curve.tip - foot) * (-1j * self.curve.lever).conj()).real
         low, high = float(off.min()), float(off.max())
         reach = self.cam.follower.reach
@@ -138,7 +132,7 @@ class ProfileView(NamedTuple):
             top = float(self.curve.tip.imag.max()) + self.found.roller
             across, by = self.curve.pitch.real, self.found.roller
             return [*self.body, *(complex(x, top) for x in (across.min() - by, across.max() + by))]
-        reach = max(self.reach, abs(self.sizes.pivot))
+        reach = max(self.reach, abs(self.found.sizes.pivot))
         return [complex(x, y) for x in (-reach, reach) for y in (-reach, reach)]
 
     def at(self, turned: float) -> tuple[complex, complex]:
@@ -154,12 +148,14 @@ class ProfileView(NamedTuple):
     @property
     def step(self) -> tuple[float, float]:
         """The longest step from one numbered position to the next: the turns of both, rad."""
-        return max(pairwise([*self.contour.turned.tolist(), self.cam.turn]), key=lambda pair: tied(pair[1] - pair[0]))
+        return max(
+            pairwise([*self.found.contour.turned.tolist(), self.cam.turn]), key=lambda pair: tied(pair[1] - pair[0])
+        )
 
     @property
     def quiet(self) -> float:
         """The direction from O, rad, about which the frame is turned to no position: the middle of the longest step."""
-        return cmath.phase(self.way(self.sizes.pivot if self.cam.rocks else 1j, sum(self.step) / 2))
+        return cmath.phase(self.way(self.found.sizes.pivot if self.cam.rocks else 1j, sum(self.step) / 2))
 
 
 def profile_view(found: CamFound) -> ProfileView:
@@ -247,14 +243,20 @@ def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[S
         if flawed:
             yield from _contour(view, curve, place, hand)
     if view.cam.translates:
-        yield from _body(view, place, hand)
+        left, right = (place.on(corner) for corner in view.body)
+        ends = (place.on(complex(view.curve.profile[k])) for k in (0, -1))
+        first, last = sorted(ends, key=lambda spot: spot.real)
+        yield Polyline((first, left, right, last), False, hand.result)
+        middle, half = (left + right) / 2 - 1j * UNDER * hand.symbol, SIDE * hand.symbol / 2
+        yield from ground(middle - half, middle + half, -1j, hand)
 
 
 def _contour(view: ProfileView, curve: ShownCurve, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw what of a curve with flaws lies between its loops."""
     flaws = [flaw for flaw in view.found.flaws if SHOWN.get(flaw.kind) == curve.name]
     turns = {0.0, view.cam.turn, *(end for flaw in flaws for end in (flaw.start, flaw.end))}
-    bounds = [PathCut(turned, _spot(view, curve, turned)) for turned in sorted(turns)]
+    points = _points(view, curve.name)
+    bounds = [PathCut(turned, complex(np.interp(turned, view.curve.turned, points))) for turned in sorted(turns)]
     for low, high in pairwise(bounds):
         kinds = [flaw.kind for flaw in flaws if _holds(flaw, (low.turned + high.turned) / 2)]
         pieces = curve.path.between(low, high, view.cam.turn)
@@ -262,11 +264,6 @@ def _contour(view: ProfileView, curve: ShownCurve, place: Place, hand: Hand) -> 
             style = LineStyle(HEAVY * hand.main, hand.dashed) if kinds else hand.result
             placed = tuple(piece.placed(1 / place.scale.mu, place.on(0j)) for piece in pieces)
             yield from fit_dashes([Curve(placed, False, style)])
-
-
-def _spot(view: ProfileView, curve: ShownCurve, turned: float) -> complex:
-    """Give the point of a curve at a turn, m."""
-    return complex(np.interp(turned, view.curve.turned, _points(view, curve.name)))
 
 
 def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:
@@ -295,13 +292,3 @@ def _holds(flaw: CamFlaw, turned: float) -> bool:
     if flaw.start <= flaw.end:
         return flaw.start <= turned <= flaw.end
     return not flaw.end < turned < flaw.start
-
-
-def _body(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Close the body of a cam that translates below its profile, on the ground that it slides on."""
-    left, right = (place.on(corner) for corner in view.body)
-    ends = (place.on(complex(view.curve.profile[k])) for k in (0, -1))
-    first, last = sorted(ends, key=lambda spot: spot.real)
-    yield Polyline((first, left, right, last), False, hand.result)
-    middle, half = (left + right) / 2 - 1j * UNDER * hand.symbol, SIDE * hand.symbol / 2
-    yield from ground(middle - half, middle + half, -1j, hand)

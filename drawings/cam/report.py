@@ -82,9 +82,8 @@ def _task(notes: CamNotes) -> Iterator[str]:
 def _values(found: CamFound, drafting: Drafting) -> Iterator[str]:
     """Tell every numbered position."""
     yield word(drafting.language, "report.cam_values", name=literal(found.cam.name))
-    yield from header(
-        ["i", *(_head(name, found, drafting) for name in ("φ", "S", "S'", "S''", "x_P", "y_P", "α", "ρ"))]
-    )
+    heads = (_head(name, found, drafting) for name in ("φ", "S", "S'", "S''", "x_P", "y_P", "α", "ρ"))
+    yield from header(["i", *heads])
     yield from (row([str(k), *cells]) for k, cells in enumerate(_cells(found, drafting)))
 
 
@@ -99,13 +98,15 @@ def _head(name: str, found: CamFound, drafting: Drafting) -> str:
 
 def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
     contour, cam = found.contour, found.cam
+    with np.errstate(divide="ignore"):  # infinite where 1/ρ is nothing but rounding
+        radius = np.asarray(1 / without_rounding(1 / contour.radius))
     columns = (
         contour.turned * (MM if cam.translates else DEGREES),
         *(way.size * column for way, column in zip(table_units(cam), contour.travel, strict=True)),
         MM * contour.pitch.real,
         MM * contour.pitch.imag,
         DEGREES * contour.pressure,
-        MM * _radius(contour.radius),
+        MM * radius,
     )
     yield from map(list, zip(*(column(values, drafting.language) for values in columns), strict=True))
 
@@ -114,12 +115,6 @@ def without_rounding(values: Floats) -> Floats:
     """Give a column with 0 for what is nothing but rounding beside its largest number."""
     finite = np.abs(values[np.isfinite(values)])
     return np.asarray(np.where(np.abs(values) <= ROUNDING * np.max(finite, initial=0.0), 0.0, values))
-
-
-def _radius(radius: Floats) -> Floats:
-    """Give radii of curvature, infinite where 1/ρ is nothing but rounding."""
-    with np.errstate(divide="ignore"):
-        return np.asarray(1 / without_rounding(1 / radius))
 
 
 def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[str]:
@@ -132,15 +127,11 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
     if notes.cam.hub is not None:
         yield from (entry(f"{line}") for line in hub_notes(notes.found, notes.drafting))
     if laws:
-        yield f"- {_chords(drawing, notes.drafting)}"
-
-
-def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
-    """Say by how much the chords of S' and S are off."""
-    shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
-    slope, travel = (drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
-    strips = len(drawing.diagrams.strips.edges) - 1
-    return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
+        shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
+        slope, travel = (notes.drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
+        strips = len(drawing.diagrams.strips.edges) - 1
+        chords = word(notes.drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
+        yield f"- {chords}"
 
 
 REPORT = Report(chapters, headline, remarks, subject, _concluded)

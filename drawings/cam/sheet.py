@@ -30,14 +30,12 @@ from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import compositions, lay_out_each
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.cam.numbers import cam_by_hand, readings, results
-from plans.cam.quantities import of_cam
 from plans.cam.reading.form import CamForm
 from plans.cam.study import CYCLOGRAM, CamDrawing, CamStudy
 from plans.cyclogram.rows import EVERY as ALL_CAMS
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
-from plans.quantity import Quantity
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -50,10 +48,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, each on sheets of its own."""
     scene, cams = study.scene, study.of(CamStudy).drawings.values()
     comparison, drafting = study.comparison("cam"), drafting_of(scene)
-    pairs = [
-        (drawing, exact, of_cam(comparison, drawing.cam.name))
-        for drawing, exact in zip(cams, comparison.analysis.cams, strict=True)
-    ]
+    pairs = zip(cams, comparison.analysis.cams, strict=True)
     shared = [] if CYCLOGRAM in scene.sheets else charts(scene, [drawing.cam for drawing in cams])
     return lay_out_each([*((scene, _draft(*pair, drafting)) for pair in pairs), *shared])
 
@@ -68,22 +63,23 @@ class _CamContents(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> Draft:
+def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
     """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
-    contents = _contents(drawing, exact, compared, drafting)
+    contents = _contents(drawing, exact, drafting)
     first, *further = (_variant(contents, drafting, way) for way in ways)
     return first._replace(instead=tuple(further))
 
 
-def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> _CamContents:
+def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _CamContents:
     """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
     by_hand = any(readings(drawing))
+    ours, theirs = (results(found) for found in (drawing.found, exact))
     return _CamContents(
         drawing,
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
-        _results(drawing, exact, by_hand, drafting),
+        size_view.sizes(ours, theirs, by_hand, drafting),
         CamNotes(drawing.found, drafting).all,
     )
 
@@ -120,12 +116,6 @@ def _pressed(cam: Cam) -> bool:
     return cam.rocks or not cam.flat
 
 
-def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Drafting) -> RuledTable:
-    """Tell sizes, extremes and shocks by both roads, and what a hand may be out."""
-    ours, theirs = (results(found) for found in (drawing.found, exact))
-    return size_view.sizes(ours, theirs, by_hand, drafting)
-
-
 def charts(scene: Scene, cams: Sequence[Cam]) -> list[tuple[Scene, Draft]]:
     """Give the charts, on the smallest format that takes them; a cam alone has its phases on its own sheet."""
     turning = [cam for cam in cams if not cam.translates]
@@ -136,8 +126,9 @@ def charts(scene: Scene, cams: Sequence[Cam]) -> list[tuple[Scene, Draft]]:
 
 
 def _chart_draft(cams: Sequence[Cam], drafting: Drafting) -> Draft:
-    facts = partial(figures_facts, cam=ALL_CAMS)
-    return Draft("cam", drafting.word("cyclogram sheet title"), tuple(_charts(cams, drafting)), (), (), facts)
+    facts, chart = partial(figures_facts, cam=ALL_CAMS), Chart(rows_of_cams(cams), cams[0].sense)
+    shows = tuple(exhibit(figure, chart, drafting) for figure in (bar_chart, circular_chart))
+    return Draft("cam", drafting.word("cyclogram sheet title"), shows, (), (), facts)
 
 
 def _composed(scene: Scene, draft: Draft) -> Sequence[Composition]:
@@ -146,11 +137,6 @@ def _composed(scene: Scene, draft: Draft) -> Sequence[Composition]:
         return compositions(scene, draft)
     except SheetError:
         return ()
-
-
-def _charts(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
-    chart = Chart(rows_of_cams(cams), cams[0].sense)
-    yield from (exhibit(figures, chart, drafting) for figures in (bar_chart, circular_chart))
 
 
 KIND = "profile"
@@ -175,7 +161,11 @@ def _workshop_draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Sc
     """
     for small in _formats(scene):
         draft = _workshop_variant(shown, EVERY[0], several, drafting_of(small))
-        if _true(small, draft):
+        composed = _composed(small, draft)
+        (room,) = (show.panel.item for show in draft.shows if isinstance(show.panel.item, Picture))
+        natural = max(room.wide, room.high) * TRUE
+        large = max(natural, room.least) * SMALLER
+        if len(composed) == 1 and room.extent(composed[0].spots[room.name].scale) >= large:
             return small, draft
     first, *further = (_workshop_variant(shown, every, several, drafting_of(scene)) for every in EVERY)
     return scene, first._replace(instead=tuple(further))
@@ -197,15 +187,6 @@ def _lies(scene: Scene) -> bool:
     except SheetError:
         return False
     return True
-
-
-def _true(scene: Scene, draft: Draft) -> bool:
-    """Tell whether one sheet takes a draft with its figure at its own size, or larger."""
-    composed = _composed(scene, draft)
-    (room,) = (show.panel.item for show in draft.shows if isinstance(show.panel.item, Picture))
-    natural = max(room.wide, room.high) * TRUE
-    large = max(natural, room.least) * SMALLER
-    return len(composed) == 1 and room.extent(composed[0].spots[room.name].scale) >= large
 
 
 def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:

@@ -51,16 +51,12 @@ class AngleArc(NamedTuple):
 
 def phase_arcs(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> tuple[AngleArc, ...]:
     """Give the arcs of the phases: they run against the cam's motion, as the frame is turned."""
-    if view.cam.translates:
-        return ()
-    return tuple(_arcs(view, rings, drafting))
-
-
-def _arcs(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> Iterator[AngleArc]:
-    for number, phase in enumerate(view.cam.phases):
+    arcs = []
+    for number, phase in enumerate(() if view.cam.translates else view.cam.phases):
         start = cmath.phase(rings.crossing(phase.start, rings.phases))
         text, sweep = phase_letter(view.cam, number, drafting), -view.cam.sense * min(phase.angle, TURN)
-        yield AngleArc(f"φ_{number}", text, TurnArrow(rings.place.on(0j), rings.phases, start, sweep))
+        arcs.append(AngleArc(f"φ_{number}", text, TurnArrow(rings.place.on(0j), rings.phases, start, sweep)))
+    return tuple(arcs)
 
 
 def bounds(view: ProfileView, rings: ProfileRings, hand: Hand) -> Iterator[Stroke]:
@@ -137,7 +133,11 @@ def rulers(view: SizeView, place: Place, drafting: Drafting) -> tuple[tuple[Stro
         if angle is not None:
             taken.append(angle.middle)
             lines += angle.draw(drafting.hand)
-            letters.append(Letter(angle.middle, _limit_text(tangent, drafting), drafting.hand.number, angle.side, GAP))
+            assert isinstance(tangent.bound, PressureBound)
+            sign, minus = (-1, "−") if lower(tangent) else (1, "")
+            size = drafting.slot(Slot(f"{minus}α_{tangent.bound.kind}", sign * math.degrees(tangent.bound.angle)))
+            text = joined("", (minus, drafting.letter(f"α_{{{tangent.bound.kind}}}"), " = ", size, "°"))
+            letters.append(Letter(angle.middle, text, drafting.hand.number, angle.side, GAP))
         elif not view.cam.rocks:
             letters.append(Letter(past, "45°", drafting.hand.number, 0.0))
     lines += _chord(view, place, drafting.hand)
@@ -154,14 +154,6 @@ def _angle(
     line *= math.copysign(1.0, line.imag) / abs(line)
     ways = (LimitAngle(past, line, way, radius) for radius in (arm, NEARER * arm))
     return max(ways, key=lambda angle: min((CROWD, *(abs(angle.middle - spot) for spot in taken))))
-
-
-def _limit_text(tangent: SizeTangent, drafting: Drafting) -> str:
-    """Write a limit of the pressure angle."""
-    assert isinstance(tangent.bound, PressureBound)
-    sign, minus = (-1, "−") if lower(tangent) else (1, "")
-    size = drafting.slot(Slot(f"{minus}α_{tangent.bound.kind}", sign * math.degrees(tangent.bound.angle)))
-    return joined("", (minus, drafting.letter(f"α_{{{tangent.bound.kind}}}"), " = ", size, "°"))
 
 
 def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -227,7 +219,7 @@ def size_marks(view: ProfileView, place: Place, drafting: Drafting) -> tuple[Siz
 
 
 def _main(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
-    sizes = view.sizes
+    sizes = view.found.sizes
     if view.cam.translates:
         return
     ray = cmath.rect(sizes.base, view.quiet)
@@ -247,7 +239,7 @@ def offset_seen(sizes: CamSizes) -> bool:
 
 def _level(view: ProfileView) -> float:
     """Give the level over O at which the offset is dimensioned, m."""
-    return OFFSET * max(view.sizes.base - view.found.roller, 0.0)
+    return OFFSET * max(view.found.sizes.base - view.found.roller, 0.0)
 
 
 def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
@@ -272,7 +264,7 @@ def _mark(name: str, start: complex, end: complex, size: float, place: Place, dr
 
 def thin(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw what the sizes stand by: the line of centres' axis, the level of the offset, the circle by three points."""
-    if offset_seen(view.sizes) and not view.cam.translates:
+    if offset_seen(view.found.sizes) and not view.cam.translates:
         top = place.on(1j * _level(view))
         yield Line(place.on(0j), top + 2j * hand.symbol, hand.drafted)
     sharpest = view.found.sharpest
@@ -294,8 +286,8 @@ def _circle(view: ProfileView, turned: float, radius: float, place: Place, hand:
 
 def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[AngleArc]:
     """Give the initial angle of a rocker, from the line of centres to its arm: where the cam begins with S = 0."""
-    if view.cam.rocks and not (view.cam.flat or view.cam.translates or view.contour.travel.s[0]):
-        pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
+    if view.cam.rocks and not (view.cam.flat or view.cam.translates or view.found.contour.travel.s[0]):
+        pivot, tip = place.on(view.found.sizes.pivot), place.on(complex(view.curve.tip[0]))
         start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
         off = cmath.phase(cmath.rect(1.0, end - start))
         text = joined("", ("ψ_0 = ", drafting.slot(Slot("ψ_0", math.degrees(abs(off)), DIGITS)), "°"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -141,17 +141,9 @@ class SizeView:
         past = touched + PAST * (high.imag - low.imag) * along
         level = low.imag if tangent.binding and not self.bent else min(self.centre.imag, touched.imag)
         foot = touched + (level - touched.imag) / along.imag * along
-        return past, _within(foot, along, low, high)
-
-
-def _within(foot: complex, along: complex, low: complex, high: complex) -> complex:
-    """Give the lower end of a line, no farther aside than the box is."""
-    wide = high.real - low.real
-    left, right = low.real - wide / 4, high.real + wide / 4
-    if left <= foot.real <= right:
-        return foot
-    edge = left if foot.real < left else right
-    return foot + (edge - foot.real) / along.real * along
+        aside = (high.real - low.real) / 4  # it goes no farther past the box
+        edge = min(max(foot.real, low.real - aside), high.real + aside)
+        return past, foot if edge == foot.real else foot + (edge - foot.real) / along.real * along
 
 
 def cut(outline: Sequence[complex], normal: complex, reach: float) -> list[complex]:
@@ -161,17 +153,14 @@ def cut(outline: Sequence[complex], normal: complex, reach: float) -> list[compl
     [0j, (1+0j), (1+2j), 2j]
     """
     beyond = [(normal.conjugate() * corner).real - reach for corner in outline]
-    return [
-        spot for k in range(len(outline)) for spot in _corner((outline[k - 1], outline[k]), (beyond[k - 1], beyond[k]))
-    ]
-
-
-def _corner(side: tuple[complex, complex], beyond: tuple[float, float]) -> Iterator[complex]:
-    (start, end), (first, last) = side, beyond
-    if (first > 0) != (last > 0):
-        yield start + (end - start) * (first / (first - last))
-    if last <= 0:
-        yield end
+    kept = []
+    for k, end in enumerate(outline):
+        start, first, last = outline[k - 1], beyond[k - 1], beyond[k]
+        if (first > 0) != (last > 0):
+            kept.append(start + (end - start) * (first / (first - last)))
+        if last <= 0:
+            kept.append(end)
+    return kept
 
 
 def leaning(tangent: SizeTangent, view: SizeView) -> complex | None:

@@ -22,7 +22,6 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS
 from plans.study import Study
 
-# From which level of its row to which the line of a span leads: 0 the lower, 1 the upper.
 CHARACTERISTIC, TABLE = "characteristic", "stations"
 FAR = 1e-9  # of the mechanism's size: both roads agree in a place far better
 ANGLES, LENGTHS, WHOLE = 1e-5, 1e-3, 360.0  # degrees and mm that both roads may differ by; a turn

@@ -28,7 +28,9 @@ class CyclogramNotes(NamedTuple):
     def machine(self) -> Iterator[str]:
         """Tell the stroke, its angles, and the pressure angle where it is extreme."""
         found = self.found
-        work, idle = (self._degrees(math.pi + sign * found.overlap) for sign in self._signs())
+        begin, end = (found.positions[found.number(role)].turned for role in ("begin", "end"))
+        signs = (1, -1) if (end - begin) % TURN >= math.pi else (-1, 1)  # the working stroke may be the slower one
+        work, idle = (self._degrees(math.pi + sign * found.overlap) for sign in signs)
         strokes = {"work": work, "idle": idle, "theta": self._degrees(found.overlap)}
         if found.sliding:
             stroke = decimals(1000 * found.stroke, self.drafting)
@@ -39,11 +41,6 @@ class CyclogramNotes(NamedTuple):
         if extreme:
             angles = ",  ".join(f"α_{{{k}}} = {self._degrees(angle or 0.0)}" for k, angle in extreme)
             yield self.drafting.word("cyclogram pressure", angles=angles)
-
-    def _signs(self) -> tuple[int, int]:
-        """Tell whether the working stroke is the slower one."""
-        begin, end = (self.found.positions[self.found.number(role)].turned for role in ("begin", "end"))
-        return (1, -1) if (end - begin) % TURN >= math.pi else (-1, 1)
 
     def window(self) -> Iterator[str]:
         """Tell when the tool is off the work: the phase of rise that it leaves, and what is left of the turn."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from functools import partial
 from typing import Final
 
@@ -64,33 +63,23 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a cyclogram whose two roads are compared."""
     drafting = drafting_of(study.scene)
-    figures = _plan(study, drafting), *_charts(study, drafting)
+    bones = characteristic_plan.bones_of(study)
+    room = characteristic_plan.measure(bones, drafting)
+    draw = partial(characteristic_plan.draw, study, bones, room, drafting=drafting)
+    plan = Exhibit(Panel(room, FOREMOST), draw)
+    charts = [exhibit(kind, chart_of(study), drafting) for kind in (bar_chart, circular_chart)]
+    written = characteristic(comparison, drafting)
+    stations = Caption(Panel(written.block(written.name)), partial(written.write, drafting=drafting))
     said = CyclogramNotes(study.cyclogram, study.cams, drafting).all
     title = drafting.word("cyclogram sheet title")
     facts = partial(figures_facts, characteristic=characteristic_plan.shown_of(study.cyclogram))
-    return lay_out(study.scene, [Draft(CYCLOGRAM, title, (*figures, _table(comparison, drafting)), (), said, facts)])
+    return lay_out(study.scene, [Draft(CYCLOGRAM, title, (plan, *charts, stations), (), said, facts)])
 
 
 def chart_of(study: CyclogramStudy) -> Chart:
     """Give what the charts show; the turn begins at the first extreme."""
     turned = tuple(position.turned for position in study.cyclogram.positions)
     return Chart(rows_of(study.cyclogram, study.cams), study.cyclogram.sense, turned, turned[0])
-
-
-def _plan(study: CyclogramStudy, drafting: Drafting) -> Exhibit:
-    bones = characteristic_plan.bones_of(study)
-    room = characteristic_plan.measure(bones, drafting)
-    return Exhibit(Panel(room, FOREMOST), partial(characteristic_plan.draw, study, bones, room, drafting=drafting))
-
-
-def _charts(study: CyclogramStudy, drafting: Drafting) -> Iterator[Exhibit]:
-    chart = chart_of(study)
-    yield from (exhibit(kind, chart, drafting) for kind in (bar_chart, circular_chart))
-
-
-def _table(comparison: CyclogramComparison, drafting: Drafting) -> Caption:
-    table = characteristic(comparison, drafting)
-    return Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
 
 
 FORM: Final = {"characteristic": FRAME, "bars": GRAPH, "circle": PLAN}

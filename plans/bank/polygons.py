@@ -165,7 +165,10 @@ def _couple(board: Board, asked: Asked, weights: tuple[Mark | None, Mark | None]
     if not there or not asked.offset or not asked.shafts or _on_crank(asked, *weights):
         return None
     first = there[0] if weights[0] is not None else _mirrored(board, there[0])
-    return _antiphase(board, asked, first, sum(abs(_value(mark)) for mark in there))
+    ratio = asked.offset / (asked.shafts or 1.0)
+    share = sum(abs(_value(mark)) for mark in there) / abs(_value(first)) * ratio
+    why = because("couple_masses", offset=f"{asked.offset:.10g}", shafts=f"{asked.shafts:.10g}")
+    return board.turn(couple_letters(asked.order), first, 1j * share, why)
 
 
 def _on_crank(asked: Asked, ahead: Mark | None, back: Mark | None) -> bool:
@@ -177,13 +180,6 @@ def _mirrored(board: Board, mark: Mark) -> Mark:
     """Mirror a mass about the reference guide: it is to the guide as the guide is to the mass."""
     guide = board.given(f"x,{mark.name}", complex(abs(_value(mark))), because("reference_guide"))
     return board.similar(f"{mark.name}*", guide, mark, guide, why=because("mirrored_about_guide"))
-
-
-def _antiphase(board: Board, asked: Asked, first: Mark, total: float) -> Mark:
-    ratio = asked.offset / (asked.shafts or 1.0)
-    share = total / abs(_value(first)) * ratio
-    why = because("couple_masses", offset=f"{asked.offset:.10g}", shafts=f"{asked.shafts:.10g}")
-    return board.turn(couple_letters(asked.order), first, 1j * share, why)
 
 
 def _value(mark: Mark | None) -> complex:

@@ -85,18 +85,14 @@ class _ComparedBank(NamedTuple):
         """How far a force of the bank can be out."""
         return self._single * len(self.ours.task.members)
 
-    @property
-    def _lever(self) -> float:
-        """How far a moment of the bank can be out."""
-        return self._single * math.fsum(abs(float(member.place)) for member in self.ours.task.members)
-
     def harmonics(self) -> Iterator[Quantity]:
         """Compare every vector of every order."""
         largest, arm = _largest(self.ours.single), max(abs(float(member.place)) for member in self.ours.task.members)
+        lever = self._single * math.fsum(abs(float(member.place)) for member in self.ours.task.members)
         rows = (
             (SINGLE, "N", self.ours.single, self.theirs.single, self._single, largest),
             (FORCE, "N", self.ours.forces, self.theirs.forces, self._bank, largest),
-            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, self._lever, arm * largest),
+            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, lever, arm * largest),
         )
         for kind, unit, ours, theirs, bound, most in rows:
             for order, harmonic in ours.items():
@@ -140,9 +136,8 @@ class _ComparedBank(NamedTuple):
             if compensator.couple is not None and other.couple is not None:
                 allowed *= 2 * offset / (compensator.asked.shafts or math.inf)
                 couple, theirs = (_vector(each.couple or 0.0, each.couple_angle) for each in (compensator, other))
-                yield Quantity.of(
-                    (COMPENSATORS, couple_letters(order), "kg*m"), (couple, theirs), allowed, compensator.couple
-                )
+                named = COMPENSATORS, couple_letters(order), "kg*m"
+                yield Quantity.of(named, (couple, theirs), allowed, compensator.couple)
 
     def whole(self) -> Iterator[Quantity]:
         """Compare the whole force and moment over the turn, before and after the compensators."""
@@ -214,9 +209,8 @@ def _pairs(order: int, harmonic: Harmonic, other: Harmonic) -> Iterator[tuple[in
 
 
 def _weights(compensator: Compensator) -> tuple[complex, complex]:
-    return _vector(compensator.with_crank, compensator.with_angle), _vector(
-        compensator.against, compensator.against_angle
-    )
+    against = _vector(compensator.against, compensator.against_angle)
+    return _vector(compensator.with_crank, compensator.with_angle), against
 
 
 def _vector(size: float, angle: float | None) -> complex:
@@ -233,10 +227,8 @@ def numbers(study: Study, by: str) -> Numbers:
         data["harmonics"] = {
             str(order): {name: _harmonic(row[order]) for name, row in rows.items()} for order in found.forces
         }
-        data["largest"] = {
-            "force": _peak(found.force, found.force_slack),
-            "moment": _peak(found.moment, found.moment_slack),
-        }
+        force, moment = _peak(found.force, found.force_slack), _peak(found.moment, found.moment_slack)
+        data["largest"] = {"force": force, "moment": moment}
     if COMPENSATORS in study.plans and found.compensators:
         data["compensators"] = [_compensator(compensator) for compensator in found.compensators]
         data["left"] = {"force": _peak(found.left, found.left_slack)}

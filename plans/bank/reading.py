@@ -241,23 +241,22 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     if form.unit is not None and form.unit.rod < CLOSE * form.unit.crank:
         yield scene.fault(("bank", "unit", "rod"), "near_rod", ratio=f"{form.unit.rod / form.unit.crank:.3g}")
     yield from _stacked(scene, form)
-    yield from _speed_notes(scene, form)
+    drive = scene.of(LinkageForm).drive.speed if scene.has(("drive",)) and form.unit is None else None
+    found, wanted = (f"{speed:.5g}" if speed else "" for speed in (form.speed, drive))
+    if found and wanted and found != wanted:
+        yield scene.fault(("bank", "speed"), "bank_speed", found=found, drive=wanted)
 
 
 def _lengths(form: BankTable) -> Iterator[tuple[Path, Decimal]]:
     """Give the lengths m that a scene states; a zero is one in any unit."""
     stated: dict[Path, Decimal | None] = {}
     if form.unit is not None:
-        stated |= _of_unit(form.unit)
+        stated |= {("bank", "unit", "crank"): form.unit.crank, ("bank", "unit", "rod"): form.unit.rod}
     stated |= {("bank", "members", number, "place"): member.place for number, member in enumerate(form.members)}
     for number, compensator in enumerate(form.compensators):
         path: Path = ("bank", "compensators", number)
         stated |= {(*path, "offset"): compensator.offset, (*path, "shafts"): compensator.shafts}
     return ((path, abs(size)) for path, size in stated.items() if size)
-
-
-def _of_unit(unit: UnitTable) -> dict[Path, Decimal | None]:
-    return {("bank", "unit", "crank"): unit.crank, ("bank", "unit", "rod"): unit.rod}
 
 
 def _stacked(scene: Scene, form: BankTable) -> Iterator[Fault]:
@@ -267,14 +266,6 @@ def _stacked(scene: Scene, form: BankTable) -> Iterator[Fault]:
         if stand in stands[:number]:
             yield scene.fault(("bank", "members", number), "stacked", other=stands.index(stand) + 1)
             return
-
-
-def _speed_notes(scene: Scene, form: BankTable) -> Iterator[Fault]:
-    """Find a speed other than that of the drive: forces and balancing of the linkage are told at that one."""
-    drive = scene.of(LinkageForm).drive.speed if scene.has(("drive",)) and form.unit is None else None
-    found, wanted = (f"{speed:.5g}" if speed else "" for speed in (form.speed, drive))
-    if found and wanted and found != wanted:
-        yield scene.fault(("bank", "speed"), "bank_speed", found=found, drive=wanted)
 
 
 LINKAGE, BALANCE = "mechanism", "balance"  # the tables of what a bank may be of
@@ -290,30 +281,22 @@ class BankSurvey(NamedTuple):
 def task_of(scene: Scene) -> BankTask:
     """Make the task; without a speed of its own it is the drive's, in the drive's sense."""
     form = scene.of(BankForm).bank
+    speed = form.speed
+    if speed is None:  # of a bank that is at fault it is no matter
+        speed = scene.of(LinkageForm).drive.omega if scene.has((LINKAGE,)) else Decimal(0)
+    members = enumerate(form.members, 1)
     return BankTask(
         _unit(form.unit) if form.unit else None,
-        tuple(_members(form)),
-        float(_speed(scene, form)),
+        tuple(Member(str(k), Fraction(one.crank), Fraction(one.place), Fraction(one.axis)) for k, one in members),
+        float(speed),
         tuple(sorted(form.orders)),
         tuple(map(_asked, form.compensators)),
         math.radians(float(form.axis)) if form.unit else 0.0,
     )
 
 
-def _speed(scene: Scene, form: BankTable) -> Decimal:
-    """Give the speed; of a bank that is at fault it is no matter."""
-    if form.speed is not None:
-        return form.speed
-    return scene.of(LinkageForm).drive.omega if scene.has((LINKAGE,)) else Decimal(0)
-
-
 def _unit(unit: UnitTable) -> Unit:
     return Unit(float(unit.crank), float(unit.rod), float(unit.rotating), float(unit.reciprocating))
-
-
-def _members(form: BankTable) -> Iterator[Member]:
-    for number, member in enumerate(form.members, 1):
-        yield Member(str(number), Fraction(member.crank), Fraction(member.place), Fraction(member.axis))
 
 
 def _asked(compensator: CompensatorTable) -> Asked:

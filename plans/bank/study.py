@@ -59,11 +59,8 @@ class Linkage:
         return Shaking(np.array(np.broadcast_to(force.point, count)), slack)
 
     def _drawing(self, start: Fraction, count: int) -> Drawing:
-        turn = even(start, count, +1).paced(self._steady)
+        turn = even(start, count, +1).paced(lambda _: Rates(self.speed, 0.0))
         return drawing(self.points, Drafts(self.study, turn))
-
-    def _steady(self, phi: Floats) -> Rates:
-        return Rates(self.speed, 0.0)
 
 
 def linkage_of(study: Study, speed: float) -> Linkage:

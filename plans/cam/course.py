@@ -163,16 +163,12 @@ class FollowerCourse:
 
     def _shocks(self) -> Iterator[Shock]:
         joints, after, before = self._sides
-        largest = np.maximum(self._usual, np.maximum(np.abs(after), np.abs(before)).max(axis=1, initial=0.0))
+        sizes = [(abs(phase.change) / phase.angle, abs(phase.change) / phase.angle**2) for phase in self.cam.moving()]
+        usual = np.asarray(np.array([(0.0, 0.0), *sizes]).max(axis=0))
+        largest = np.maximum(usual, np.maximum(np.abs(after), np.abs(before)).max(axis=1, initial=0.0))
         for turned, jumps in zip(joints.tolist(), (after - before).T.tolist(), strict=True):
             real = [order for order in (1, 2) if abs(jumps[order - 1]) > ROUNDED * largest[order - 1]]
             yield from (Shock(turned, order, jumps[order - 1]) for order in real[:1])
-
-    @property
-    def _usual(self) -> Floats:
-        """The size of S' and S'': the lift of a phase over its angle, and over the square of it, the largest."""
-        sizes = [(abs(phase.change) / phase.angle, abs(phase.change) / phase.angle**2) for phase in self.cam.moving()]
-        return np.asarray(np.array([(0.0, 0.0), *sizes]).max(axis=0))
 
     @property
     def _sides(self) -> tuple[Floats, Floats, Floats]:
@@ -244,13 +240,10 @@ class WorkshopTurns(NamedTuple):
 
 def stations(cam: Cam) -> WorkshopTurns:
     """Give the turns of a cam that a workshop is told."""
-    return WorkshopTurns(cam, settled(_stations(cam), FollowerCourse(cam)))
-
-
-def _stations(cam: Cam) -> Floats:
-    if not cam.translates:
-        return np.linspace(0.0, cam.turn, STATIONS, endpoint=False)
-    least = MM * cam.turn / STATIONS
-    power = 10.0 ** math.floor(math.log10(least))
-    step = next(part * power for part in MANTISSAS if part * power >= least * (1 - QUOTIENT)) / MM
-    return np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
+    turned = np.linspace(0.0, cam.turn, STATIONS, endpoint=False)
+    if cam.translates:
+        least = MM * cam.turn / STATIONS
+        power = 10.0 ** math.floor(math.log10(least))
+        step = next(part * power for part in MANTISSAS if part * power >= least * (1 - QUOTIENT)) / MM
+        turned = np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
+    return WorkshopTurns(cam, settled(turned, FollowerCourse(cam)))

@@ -23,7 +23,7 @@ from plans.model.cam_motion import HARD, SOFT, FollowerTravel
 from plans.model.motion import Floats
 from plans.words.calculus import REASONS
 
-SLOPE, TRAVEL, BEND = "S'", "S", "S''"
+SLOPE, TRAVEL = "S'", "S"
 # How the mean ordinate of a strip is read: at its middle, as the book does; from three ordinates, at both ends and the
 # middle, of which that counts four times; or as it truly is.
 MIDDLE, THREE, TRUE = "middle", "three", "true"
@@ -171,11 +171,6 @@ def _straight(strips: TurnStrips) -> npt.NDArray[np.bool_]:
 def _true_bends(strips: TurnStrips) -> Floats:
     """Give the mean of S'' over each strip, in which it has no impulse: what S' gains by its width."""
     return np.asarray((strips.before.slope[1:] - strips.after.slope[:-1]) / np.diff(strips.edges))
-
-
-def by_table(cam: Cam) -> bool:
-    """Whether S itself is given, so that it is to be differentiated."""
-    return any(phase.law is not None and phase.law.name == TABLE for phase in cam.moving())
 
 
 def _names(edges: Floats, cam: Cam) -> Iterator[str]:

@@ -8,9 +8,7 @@ import numpy as np
 
 from plans.cam.course import FollowerCourse
 from plans.cam.profile.profile import profile
-from plans.model.cam import Hub
-from plans.model.cam_motion import CamFound, Contour, Points
-from plans.model.motion import Floats
+from plans.model.cam_motion import CamFound, Contour
 
 CLOSE = 1440  # turns of the profile that are looked at: a quarter of a degree from one to the next
 
@@ -31,14 +29,10 @@ def rim(found: CamFound) -> Contour:
 def wall(found: CamFound) -> float:
     """Give the least that bore and keyway leave to the working profile, m; below 0 where they break through."""
     assert found.cam.hub is not None
-    at = rim(found)
-    return float(_beyond(at.profile / keyed(found, at), found.cam.hub).min())
-
-
-def _beyond(spots: Points, hub: Hub) -> Floats:
-    """Give how far places are outside bore and keyway, m, where the keyway's axis lies along x."""
+    at, hub = rim(found), found.cam.hub
+    spots = at.profile / keyed(found, at)  # the keyway's axis lies along x
     bore, half, end = hub.bore / 2, hub.width / 2, hub.bore / 2 + hub.depth
     along, across = spots.real - end, np.maximum(np.abs(spots.imag) - half, 0.0)
     key = np.where(across > 0, np.hypot(np.maximum(along, 0.0), across), along)
     beside = (spots.real > 0) & (half > 0)
-    return np.asarray(np.where(beside, np.minimum(np.abs(spots) - bore, key), np.abs(spots) - bore))
+    return float(np.where(beside, np.minimum(np.abs(spots) - bore, key), np.abs(spots) - bore).min())

@@ -34,7 +34,12 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     found = _explained(drawing, position, bare)
     if found is None:
-        return _none(cams, drawing)
+        drawn = dict.fromkeys(mark.name for board in _boards(drawing, 0) for mark in board)
+        named = (*drawn, *WAYS, *POLES, *PRESSURE[:1])
+        examples = tuple(example for example in EXAMPLES if _explained(drawing, 0, example) is not None)
+        other = [*cams.drawings][1:2]
+        listed = message("mark.of_cam", example=f"{other[0]}{OF}P") if other else None
+        return NoMark(named, listed, examples)
     steps = in_position(behind(*found.marks), position, count)
     title = _title(drawing.cam, float(drawing.turned[position]), mark=name, position=position)
     return Explanation(title, steps, {**UNITS, **found.units}, found.notes)
@@ -55,33 +60,18 @@ def _title(cam: Cam, turned: float, **parts: object) -> Message:
     return message("explain.title", angle=f"{math.degrees(turned):.4f}", **parts)
 
 
-def _none(cams: CamStudy, drawing: CamDrawing) -> NoMark:
-    """Say which marks there are: some of a cam, and how those of another cam are asked for."""
-    named = (*dict.fromkeys(_names(drawing)), *WAYS, *POLES, *PRESSURE[:1])
-    examples = tuple(example for example in EXAMPLES if _explained(drawing, 0, example) is not None)
-    other = [*cams.drawings][1:2]
-    listed = message("mark.of_cam", example=f"{other[0]}{OF}P") if other else None
-    return NoMark(named, listed, examples)
-
-
 def _explained(drawing: CamDrawing, position: int, name: str) -> Explained | None:
     """Find what explains a name: a quantity of the law, an angle, a radius, a pole, or a mark of that name."""
     if name in WAYS:
         return _way(drawing, position, name)
     if name in PRESSURE:
         return _pressure(drawing, position)
-    known = [mark for board in _boards(drawing, position) for mark in board if mark.name in _called(name)]
-    mark = min(
-        known, key=lambda mark: mark.role == GIVEN, default=None
-    )  # what one board is given another may construct
+    called = tuple(f"{curve}:P" for curve in POLES.get(name, ())) or (name,)  # a pole bears the name of its curve
+    known = [mark for board in _boards(drawing, position) for mark in board if mark.name in called]
+    mark = min(known, key=lambda mark: mark.role == GIVEN, default=None)  # one board is given what another constructs
     if mark is not None:
         return Explained((mark,))
     return _radius(drawing.sizing) if name == "R_0" else None
-
-
-def _called(name: str) -> tuple[str, ...]:
-    """Give what the boards call a mark: a pole bears the name of its curve."""
-    return tuple(f"{curve}:P" for curve in POLES.get(name, ())) or (name,)
 
 
 def _way(drawing: CamDrawing, position: int, name: str) -> Explained:
@@ -118,7 +108,3 @@ def _boards(drawing: CamDrawing, position: int) -> Iterator[Board]:
     """Give the profile drawn at one position alone, then the sizes, then the diagrams of the law."""
     profile = drawing.profile(drawing.turned[position : position + 1])
     yield from (profile.drawing.board, drawing.sizing.board, drawing.diagrams.board)
-
-
-def _names(drawing: CamDrawing) -> Iterator[str]:
-    return (mark.name for board in _boards(drawing, 0) for mark in board)

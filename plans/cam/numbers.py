@@ -39,7 +39,7 @@ def _cam(result: CamFound, plans: Collection[str]) -> dict[str, Any]:
         travel = contour.travel
         data |= {"S": plain(travel.s), "S'": plain(travel.slope), "S''": plain(travel.bend)}
         data["peaks"] = {name: _extreme(found) for name, found in result.peaks.items()}
-        data["shocks"] = [_shock(shock) for shock in result.shocks]
+        data["shocks"] = [{"phi": shock.turned, "order": shock.order, "jump": shock.jump} for shock in result.shocks]
     if SIZES in plans:
         data["sizes"] = _sizes(result.sizes, result)
         data["pressure"] = {kind: _extreme(found) for kind, found in result.pressure.items()}
@@ -81,10 +81,6 @@ def _forces(pressing: Pressing, rolls: bool) -> dict[str, Any]:
     """Give what presses the follower on the cam; what a roller would wear, stuck on its pin, is not told."""
     data = {"least": _extreme(pressing.least), "most": _extreme(pressing.most), "preload": pressing.preload}
     return data if rolls else data | {"wear": _extreme(pressing.wear)}
-
-
-def _shock(shock: Shock) -> dict[str, Any]:
-    return {"phi": shock.turned, "order": shock.order, "jump": shock.jump}
 
 
 def _extreme(extreme: Extreme | None) -> dict[str, float] | None:
@@ -269,25 +265,19 @@ def _motion(found: CamFound) -> Iterator[Result]:
 def _shock_rows(found: CamFound) -> Iterator[Result]:
     """Give the shocks, each by its jump: of the velocity a hard one, of the acceleration a soft one."""
     for number, shock in enumerate(found.shocks):
-        letter = f"Δ{_jumps(found.cam, shock)}_{{{number + 1}}}"
-        yield Result(letter, _unit(found.cam, shock), shock.jump * (found.cam.speed or 1.0) ** shock.order)
+        jumps, unit = _jump(found.cam, shock)
+        letter = f"Δ{jumps}_{{{number + 1}}}"
+        yield Result(letter, unit, shock.jump * (found.cam.speed or 1.0) ** shock.order)
         yield _where(found.cam, letter, shock.turned)
 
 
-def _jumps(cam: Cam, shock: Shock) -> str:
-    """Name what jumps."""
-    if cam.speed is None:
-        return ("ψ" if cam.rocks else "S") + "'" * shock.order
-    return ("ωε" if cam.rocks else "va")[shock.order - 1]
-
-
-def _unit(cam: Cam, shock: Shock) -> str:
+def _jump(cam: Cam, shock: Shock) -> tuple[str, str]:
+    """Name what jumps, and its unit; without a speed it is a derivative by the cam's turn."""
     if cam.speed is None:
         bare = dimensions(cam)[shock.order]
-        return "" if bare == RATIO else bare
-    return _units(cam)[shock.order - 1]
+        return ("ψ" if cam.rocks else "S") + "'" * shock.order, "" if bare == RATIO else bare
+    return ("ωε" if cam.rocks else "va")[shock.order - 1], _units(cam)[shock.order - 1]
 
 
 def _units(cam: Cam) -> tuple[str, str]:
-    """Give the units of velocity and acceleration."""
     return ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")

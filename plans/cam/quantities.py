@@ -123,16 +123,6 @@ def _table_rows(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Quantity]
         yield Quantity.of((SIZES, f"{result.letter}{of}", result.unit), (result.value, exact.value), np.inf)
 
 
-def of_cam(comparison: Comparison, name: str) -> list[Quantity]:
-    """List what was compared of one cam beside its law: sizes, profile, extremes, forces."""
-    lone = len(comparison.analysis.cams) == 1
-    return [
-        quantity
-        for quantity in comparison.findings
-        if quantity.plan != LAWS and (lone or quantity.name.endswith(f" {name}"))
-    ]
-
-
 @dataclass(frozen=True)
 class ComparedCam:
     """One cam by both roads; beside others its quantities bear its name."""
@@ -249,25 +239,20 @@ class ComparedCam:
         if ours.outer is not None and theirs.outer is not None:
             yield self._row(PROFILE, "Q'", "m", ours.outer, theirs.outer, slack.profile)
         yield self._row(PROFILE, "α", "rad", ours.pressure, theirs.pressure, slack.angle)
-        yield self._row(PROFILE, "1/ρ", "1/m", *self._bends, slack.curvature)
+        edge = 0.0 if self.ours.cam.flat else np.nan  # under a flat face ρ itself is compared
+        bends = _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
+        yield self._row(PROFILE, "1/ρ", "1/m", *bends, slack.curvature)
         if self.ours.cam.flat:
             yield self._row(PROFILE, "ρ", "m", ours.radius, theirs.radius, slack.radius)
         yield self._row(PROFILE, "v_sl/ω", "m", ours.sliding, theirs.sliding, slack.lever)
-
-    @property
-    def _bends(self) -> tuple[Floats, Floats]:
-        """1/ρ by both roads; of an edge under a flat face 0, for there ρ itself is compared."""
-        edge = 0.0 if self.ours.cam.flat else np.nan
-        return _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
 
     def extremes(self) -> Iterator[Quantity]:
         """Compare the largest pressure angles and the sharpest places."""
         ours, theirs = self.ours, self.theirs
         for kind, extreme in ours.pressure.items():
             angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
-            yield self._quantity(
-                PROFILE, f"α_{kind}", "rad", abs(extreme.value), abs(theirs.pressure[kind].value), angle
-            )
+            pair = abs(extreme.value), abs(theirs.pressure[kind].value)
+            yield self._quantity(PROFILE, f"α_{kind}", "rad", *pair, angle)
         for name, found, true in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
             yield self._quantity(PROFILE, name, "1/m", _bent(found), _bent(true), self.bent(found))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):

@@ -19,7 +19,7 @@ from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
 from plans.model.cam import Cam
-from plans.model.cam_motion import CamError, CamFound, CamSizes, Contour, large_roller, pivot_passed, thin_wall
+from plans.model.cam_motion import CamError, CamFound, Contour, large_roller, pivot_passed, thin_wall
 from plans.model.cyclogram import Window
 from plans.model.motion import Floats
 from plans.scene.faults import Path, dotted
@@ -72,7 +72,10 @@ class CamDrawing:
             bears = [found.sizes.base, *(extreme.value for extreme in (found.sharpest,) if extreme)]
             raise large_roller(self.cam, found.roller, found.sizes.base, min(bears))
         if self.cam.flat and self.cam.rocks and not found.flaws:
-            self._clear(found.sizes)
+            turned = np.linspace(0.0, self.cam.turn, CLOSE + 1)
+            farthest = float(np.abs(profile(self.course, found.sizes, 0.0, turned).contour.profile).max())
+            if farthest >= found.sizes.centre:
+                raise pivot_passed(self.cam, farthest, found.sizes.centre)
         if self.cam.hub is not None and (left := wall(found)) < self.cam.hub.wall:
             raise thin_wall(self.cam, left, self.cam.hub.wall)
 
@@ -85,13 +88,6 @@ class CamDrawing:
             if self.place is None:
                 raise
             raise CamError(placed(self.place(error.key), error.message), *error.key) from error
-
-    def _clear(self, sizes: CamSizes) -> None:
-        """Refuse a rocker whose pivot the profile under its face passes."""
-        turned = np.linspace(0.0, self.cam.turn, CLOSE + 1)
-        farthest = float(np.abs(profile(self.course, sizes, 0.0, turned).contour.profile).max())
-        if farthest >= sizes.centre:
-            raise pivot_passed(self.cam, farthest, sizes.centre)
 
     @cached_property
     def curve(self) -> Contour:

@@ -6,7 +6,7 @@ solved for; between two points they go straight. Of springs in place of the poin
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
@@ -114,7 +114,9 @@ def shares(pushes: Iterable[AccelerationPiece], slope: float = 0.0) -> LawShares
         pieces.append(piece)
         level, slope = piece.at(push.length, 0), piece.at(push.length, 1)
         start += push.length
-    return LawShares(tuple(_scaled(pieces, 1 / level)))
+    by = 1 / level
+    scaled = (piece._replace(powers=tuple(by * c for c in piece.powers), size=by * piece.size) for piece in pieces)
+    return LawShares(tuple(scaled))
 
 
 def _integrated(push: AccelerationPiece, start: float, slope: float, level: float) -> LawPiece:
@@ -124,10 +126,6 @@ def _integrated(push: AccelerationPiece, start: float, slope: float, level: floa
     constants = (slope - integrated.at(0.0, 1), level - integrated.at(0.0, 0))
     powers = np.polynomial.polynomial.polyint(push.powers or (0.0,), 2, list(constants))
     return integrated._replace(powers=tuple(powers.tolist()))
-
-
-def _scaled(pieces: Sequence[LawPiece], by: float) -> Iterable[LawPiece]:
-    return (piece._replace(powers=tuple(by * c for c in piece.powers), size=by * piece.size) for piece in pieces)
 
 
 def bends(law: LawShares) -> Iterator[float]:

@@ -184,8 +184,11 @@ class Verdicts:
 
     def _there(self, slack: Slack, load: FollowerLoad) -> tuple[float, float]:
         """Give it on one side: the force is what is overcome along the way over its arm."""
-        cam, contour = self.ours.cam, slack.contour
-        way = self._overcome(slack, load)
+        cam, contour, speed = self.ours.cam, slack.contour, self.ours.cam.speed or 0.0
+        travel = contour.travel
+        # What the cam overcomes along the follower's way, whatever its terms' signs.
+        terms = (load.mass * speed**2 * travel.bend[0], load.stiffness * travel.s[0], load.preload, load.force)
+        way = float(sum(map(abs, terms)))
         if not cam.flat:
             size = (cam.follower.length or 0.0) if cam.rocks else 1.0
             arm, moved = size * math.cos(contour.pressure[0]), size * float(slack.angle[0])
@@ -199,14 +202,7 @@ class Verdicts:
             return math.inf, math.inf
         force = way / abs(arm)
         off = self._resistance(slack, load) / abs(arm) + force * moved / abs(arm)
-        slid, speed = float(contour.sliding[0]), cam.speed or 0.0
-        return off, speed * (off * slid + force * slack.lever)
-
-    def _overcome(self, slack: Slack, load: FollowerLoad) -> float:
-        """Give the size of what the cam overcomes along the follower's way, whatever its terms' signs."""
-        travel, speed = slack.contour.travel, self.ours.cam.speed or 0.0
-        terms = (load.mass * speed**2 * travel.bend[0], load.stiffness * travel.s[0], load.preload, load.force)
-        return float(sum(map(abs, terms)))
+        return off, speed * (off * float(contour.sliding[0]) + force * slack.lever)
 
     def _resistance(self, slack: Slack, load: FollowerLoad) -> float:
         """Give how far rounding can move it: by S'' and S, and by the sum of its terms."""

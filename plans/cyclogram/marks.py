@@ -27,9 +27,8 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     found = study.of(CyclogramStudy)
     positions, asked = found.cyclogram.positions, NAME.fullmatch(name)
     if asked is None:
-        examples = tuple(
-            f"phi_{k}" for k, stage in enumerate(positions) if stage.role not in (BEGIN, END) and stage.notched
-        )
+        inner = (k for k, stage in enumerate(positions) if stage.role not in (BEGIN, END) and stage.notched)
+        examples = tuple(f"phi_{k}" for k in inner)
         return NoMark(examples, message("mark.characteristic", last=len(positions) - 1), examples[:1])
     number = int(asked["number"])
     if number >= len(positions):

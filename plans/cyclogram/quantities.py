@@ -65,7 +65,7 @@ def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Quan
 
 def _position(number: int, stage: Position, other: Position | None, rounding: float) -> Iterator[Quantity]:
     """Compare the turn of the main shaft in a position, and the pressure angle where that is extreme."""
-    turned = np.nan if other is None else stage.turned + _apart(stage.turned, other.turned)
+    turned = np.nan if other is None else stage.turned + ((other.turned - stage.turned + TURN / 2) % TURN - TURN / 2)
     yield _finding(f"φ_{number}", "rad", stage.turned, turned, _allowed(stage, rounding), TURN)
     if stage.angle is not None:
         theirs = np.nan if other is None or other.angle is None else other.angle
@@ -75,10 +75,6 @@ def _position(number: int, stage: Position, other: Position | None, rounding: fl
 def _allowed(stage: Position, rounding: float) -> float:
     """Allow what rounding can have moved: the notches, and of the analysis the root, as sharply as the place tells."""
     return min(stage.slack + rounding * TURN * max(stage.condition, 1.0), MOST_ALLOWED * TURN)
-
-
-def _apart(first: float, other: float) -> float:
-    return (other - first + TURN / 2) % TURN - TURN / 2
 
 
 def _finding(name: str, unit: str, ours: float, other: float, allowed: float, largest: float) -> Quantity:

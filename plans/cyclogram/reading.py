@@ -133,16 +133,11 @@ def survey_of(meaning: Meaning) -> LinkageSurvey:
     linkage = meaning.of(LinkageSurvey)
     survey, form = replace(linkage, faults=[]), meaning.scene.of(CyclogramForm).cyclogram
     if form.point is not None and survey.know(POINT, (form.point,)):
-        _check_point(survey, form.point)
+        if survey.owners((form.point,))[:1] == [FRAME]:
+            survey.report(POINT, "fixed_output", name=form.point)
+        elif survey.mechanism is not None and output_at(survey.mechanism, form.point) is None:
+            survey.report(POINT, "floating_tool", name=form.point)
     return survey
-
-
-def _check_point(survey: LinkageSurvey, name: str) -> None:
-    """See that the tool is not fixed, and that its link slides on the frame or swings about it."""
-    if survey.owners((name,))[:1] == [FRAME]:
-        survey.report(POINT, "fixed_output", name=name)
-    elif survey.mechanism is not None and output_at(survey.mechanism, name) is None:
-        survey.report(POINT, "floating_tool", name=name)
 
 
 def asked_of(scene: Scene) -> tuple[str, ...]:

@@ -189,22 +189,16 @@ class Stations:
         """The characteristic positions in the order of the turn."""
         extremes, sense = self.reached.extremes, self.trial.sense
         begin = sense * extremes.phi[0]
-        found = [*self._ends(), *self._stops(), *self._watches()]
+        ends = map(Position, (c.BEGIN, c.END), extremes.phi, (0.0, 1.0), extremes.reach)
+        found = [*ends, *self._stops(), *self._watches()]
         ordered = sorted(found, key=lambda position: (sense * position.turned - begin) % c.TURN)
         placed = tuple(position._replace(turned=c.within(sense * position.turned)) for position in ordered)
-        return Cyclogram(
-            c.CONSTRUCTION, self.output, int(sense), extremes.stroke, extremes.sliding, extremes.overlap, placed
-        )
-
-    def _ends(self) -> Iterator[Position]:
-        extremes = self.reached.extremes
-        ends = zip((c.BEGIN, c.END), extremes.phi, (0.0, 1.0), extremes.reach, strict=True)
-        yield from (Position(role, phi, share, reach) for role, phi, share, reach in ends)
+        stroke = extremes.stroke, extremes.sliding, extremes.overlap
+        return Cyclogram(c.CONSTRUCTION, self.output, int(sense), *stroke, placed)
 
     def _stops(self) -> Iterator[Position]:
-        phi, slack = (
-            (self.tried, np.full(len(self.asked), TRIED * c.TURN)) if self.plan is None else self._read(self.plan)
-        )
+        trial = self.tried, np.full(len(self.asked), TRIED * c.TURN)
+        phi, slack = trial if self.plan is None else self._read(self.plan)
         begin, end = self.reached.extremes.reach
         for k, (stop, rate) in enumerate(zip(self.asked, self.trial.rate(phi).tolist(), strict=True)):
             place, condition = begin + stop.share * (end - begin), 1 / (c.TURN * abs(rate))

@@ -18,7 +18,6 @@ from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.cam import Cam
 from plans.model.cyclogram import BEGIN, END, TURN, Along, Cyclogram, CyclogramTask, Window
 from plans.model.mechanism import Output, StructureError
-from plans.model.motion import Floats
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
@@ -83,7 +82,9 @@ class CyclogramStudy:
     @cached_property
     def pictured(self) -> LinkageStudy:
         """The linkage in its characteristic positions, to be drawn as those of a scene are."""
-        linkage, found, phi = self.linkage, self.cyclogram, self._angles
+        turned = np.array([position.turned for position in self.cyclogram.positions])
+        phi = np.asarray(self.cyclogram.sense * (turned[0] + (turned - turned[0]) % TURN))  # each goes on from the last
+        linkage, found = self.linkage, self.cyclogram
         other = LinkageStudy(linkage.scene, linkage.plans)
         drive = linkage.form.drive.changed(positions=len(found.positions))
         other.form = linkage.form.changed(drive=drive)
@@ -94,12 +95,6 @@ class CyclogramStudy:
         kept = {name: getattr(linkage, name) for name in ("mechanism", "groups", "assembly", "sweep")}
         vars(other).update(replaced | kept)
         return other
-
-    @property
-    def _angles(self) -> Floats:
-        """The crank angles of the positions, rad, each going on from the one before."""
-        turned = np.array([position.turned for position in self.cyclogram.positions])
-        return np.asarray(self.cyclogram.sense * (turned[0] + (turned - turned[0]) % TURN))
 
     @property
     def window(self) -> Window:

@@ -12,7 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.analytic.cam.pressure import extreme, pressure
+from plans.analytic.cam.contour import ContourValues
+from plans.analytic.cam.extremes import WholeTurn
 from plans.analytic.cam.sizes import sizes
 from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import sizing
@@ -64,6 +65,13 @@ def same(one: CamSizes, other: CamSizes, slack: float = EXACT) -> bool:
     return all(abs(a - b) <= slack for a, b in zip(one, other, strict=True))
 
 
+def extreme(cam: Cam, own: CamSizes, kind: str, sign: int) -> float:
+    """Give the greatest (sign +1) or the least pressure angle on a kind of phase, rad."""
+    found = WholeTurn(cam, own, (kind,)).most(lambda curve: sign * curve.pressure)
+    assert found is not None
+    return sign * found.value
+
+
 def turned_at(sizing: Sizing, kind: str) -> float:
     """Give where the ruler of a phase touches, in degrees of that phase."""
     (found,) = (one.touch for one in sizing.tangents if one.touch.stretch.phase.kind == kind)
@@ -74,8 +82,8 @@ def turned_at(sizing: Sizing, kind: str) -> float:
 def test_without_limits_those_of_the_book_are_kept(cam: Cam, most: int) -> None:
     """5.9.3: 30 degrees of a follower that translates, 45 of one that rocks."""
     for own in (construction(cam).sizes, sizes(cam)):
-        assert abs(extreme(cam, own, RISE, 1).value - math.radians(most)) < 1e-12
-        assert abs(extreme(cam, own, RETURN, -1).value + math.radians(most)) < 1e-12
+        assert abs(extreme(cam, own, RISE, 1) - math.radians(most)) < 1e-12
+        assert abs(extreme(cam, own, RETURN, -1) + math.radians(most)) < 1e-12
 
 
 @over("sense, offset", product(BOTH, (0.009, -0.004)))
@@ -83,7 +91,7 @@ def test_with_a_given_offset_one_limit_is_reached_and_the_other_kept(sense: int,
     cam = translating(sense, given=GivenSizes(offset=offset))
     own = construction(cam).sizes
     assert own.offset == offset and held(cam, own)
-    rise, back = extreme(cam, own, RISE, 1).value, -extreme(cam, own, RETURN, -1).value
+    rise, back = extreme(cam, own, RISE, 1), -extreme(cam, own, RETURN, -1)
     assert abs(max(rise / math.radians(30), back / math.radians(40)) - 1) < 1e-12
 
 
@@ -97,8 +105,8 @@ def test_rocker_by_the_chord() -> None:
     given_ = GivenSizes(base=abs(centre - start), centre=abs(centre))
     cam = rocking(given=given_)
     own = sizes(cam)
-    assert printed(math.degrees(extreme(cam, own, RISE, 1).value), "50.9042332136")
-    assert f"{math.degrees(extreme(cam, own, RETURN, -1).value):.4f}" == "-41.1389"
+    assert printed(math.degrees(extreme(cam, own, RISE, 1)), "50.9042332136")
+    assert f"{math.degrees(extreme(cam, own, RETURN, -1)):.4f}" == "-41.1389"
 
 
 @over("sense", BOTH)
@@ -139,7 +147,7 @@ LAWS = ("constant velocity", "constant acceleration", "cosine", "trapezoid", "mo
 # What sizes must do, whoever found them.
 def held(cam: Cam, own: CamSizes) -> bool:
     """Tell whether a dense scan of the pressure angle keeps to the limits."""
-    angles = pressure(cam, own, np.linspace(0, 2 * math.pi, 2001))
+    angles = ContourValues(cam, own, np.linspace(0, 2 * math.pi, 2001)).pressure
     return bool(
         angles.max() <= cam.limits.rise + 1e-12 and angles.min() >= -(cam.limits.back or cam.limits.rise) - 1e-12
     )

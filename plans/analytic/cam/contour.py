@@ -117,16 +117,13 @@ class ContourValues:
     def parts(self) -> tuple[Floats, Floats]:
         """OD across the way of the tip, and along it: their ratio is the tangent of the pressure angle."""
         if not self.cam.rocks:
-            return (self.travel.slope, np.ones_like(self.turned)) if self.cam.translates else self._upright
+            upright = self.travel.slope - self.sizes.offset, self.height
+            return (self.travel.slope, np.ones_like(self.turned)) if self.cam.translates else upright
         rate, sense = self.rates[0], self.cam.follower.sense
         if self.cam.translates:
             return -sense * (np.sin(self.theta) - self.length * rate), sense * np.cos(self.theta)
         across = self.length * (1 - rate) + self.pivot[0] * np.cos(self.delta)
         return -sense * across, -sense * self.pivot[0] * np.sin(self.delta)
-
-    @property
-    def _upright(self) -> tuple[Floats, Floats]:
-        return self.travel.slope - self.sizes.offset, self.height
 
     @cached_property
     def speed(self) -> Floats:
@@ -136,9 +133,8 @@ class ContourValues:
     @cached_property
     def way(self) -> Floats:
         """The direction in which the tip goes when S grows, rad."""
-        return (
-            self.theta + self.cam.follower.sense * np.pi / 2 if self.cam.rocks else np.full_like(self.turned, np.pi / 2)
-        )
+        turned = np.full_like(self.turned, np.pi / 2)
+        return self.theta + self.cam.follower.sense * np.pi / 2 if self.cam.rocks else turned
 
     @cached_property
     def normal(self) -> Floats:

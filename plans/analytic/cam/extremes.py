@@ -55,9 +55,8 @@ class CosineSeries(NamedTuple):
 
     def slope(self) -> CosineSeries:
         """Give its derivative, in some scale; a rounding of a term grows as many times as there are terms."""
-        return self._replace(
-            terms=np.asarray(chebyshev.chebder(self.terms), dtype=float), nothing=self.nothing * len(self.terms)
-        )
+        terms = np.asarray(chebyshev.chebder(self.terms), dtype=float)
+        return self._replace(terms=terms, nothing=self.nothing * len(self.terms))
 
     def roots(self) -> list[float]:
         """Give where it changes its sign within the piece, rad."""
@@ -151,10 +150,8 @@ class WholeTurn:
 
     def read(self, value: Value, places: Sequence[SidedTurn]) -> Floats:
         """Give a value at places."""
-        turned, before = (
-            np.array([place.turned for place in places]),
-            np.array([place.before for place in places], dtype=bool),
-        )
+        turned = np.array([place.turned for place in places])
+        before = np.array([place.before for place in places], dtype=bool)
         found = value(self.at(turned))
         found[before] = value(self.at(turned[before], before=True))
         return found
@@ -242,8 +239,10 @@ class CurveExtremes:
     def mending(self) -> float | None:
         """R0, m, that mends: keeps the angle to its limits at the offset as it is; of a flat face the radius."""
         cam, offset = self.cam, self.sizes.offset
-        if cam.flat:
-            return self._convex
+        if cam.flat:  # R0 = ρ_min - min(S + S''); none of a rocker, and where S' falls at once
+            falls = cam.rocks or any(shock.order == HARD and shock.jump < 0 for shock in shocks(cam))
+            most = None if falls else self.turn.most(lambda curve: -curve.travel.s - curve.travel.bend)
+            return most and cam.limits.curvature + most.value
         intervals = {kind: interval for kind in (RISE, RETURN) if (interval := interval_of(cam, kind))}
         if cam.rocks or cam.translates or not intervals:
             return None
@@ -254,13 +253,6 @@ class CurveExtremes:
         ]
         least = max(0.0, *(height.value for height in heights if height))
         return float((least * least + offset * offset) ** 0.5)
-
-    @property
-    def _convex(self) -> float | None:
-        """R0 = ρ_min - min(S + S'') under a flat face; None of a rocker, and where S' falls at once, m."""
-        falls = any(shock.order == HARD and shock.jump < 0 for shock in shocks(self.cam))
-        most = None if self.cam.rocks or falls else self.turn.most(lambda curve: -curve.travel.s - curve.travel.bend)
-        return most and self.cam.limits.curvature + most.value
 
     def pressing(self, forces: ContactForces) -> Pressing:
         """Give the extremes of the contact's force and wear, and the preload that holds."""

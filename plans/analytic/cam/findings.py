@@ -79,14 +79,12 @@ class Flaws:
         """Give where a hard shock makes a corner of the curve: the normal swings by the jump of the pressure angle."""
         for shock in shocks(self.cam):
             ends = np.array([shock.turned or (0.0 if self.cam.translates else self.cam.turn)])
-            if shock.order == HARD and not self._outside(shock.turned):
+            outside = self.cam.translates and shock.turned in (0.0, self.cam.turn)
+            if shock.order == HARD and not outside:
                 after = self.turn.at(np.array([shock.turned])).pressure[0]
                 before = self.turn.at(ends, before=True).pressure[0]
                 if side * (after - before) < 0:
                     yield shock.turned
-
-    def _outside(self, turned: float) -> bool:
-        return self.cam.translates and turned in (0.0, self.cam.turn)
 
     def _flat(self) -> Iterator[CamFlaw]:
         def hollow(curve: ContourValues) -> Floats:

@@ -51,11 +51,6 @@ def along_shape(law: Law, k: Floats, before: bool) -> Rates:
 GIVEN: Final[Mapping[str, Closed]] = {TABLE: along_table, SHAPE: along_shape}
 
 
-def departure(law: Law) -> float:
-    """Tell how far a table's curve is from its points at most, in shares of the lift."""
-    return 0.0 if law.through == LINES else _off(beam(law), law)
-
-
 def _interval(share: Floats, k: Floats, before: bool) -> np.ndarray[tuple[int], np.dtype[np.int_]]:
     """Give the interval of points, one beyond the other, that each share lies in."""
     interval = np.searchsorted(share, k, side="left" if before else "right") - 1
@@ -89,10 +84,6 @@ def beam(law: Law) -> Beam:
         else:
             high = middle
     return Beam(share, yielding, _slopes(share, yielding))
-
-
-def _off(bent: Beam, law: Law) -> float:
-    return float(np.max(np.abs(bent.s - np.array(law.points)[:, 1])))
 
 
 def _influence(x: Floats) -> Floats:
@@ -202,11 +193,7 @@ def _modified_sine(k: Floats) -> Rates:
     ramp = (c * (k - np.sin(4 * PI * k) / (4 * PI)), c * (1 - np.cos(4 * PI * k)), big * np.sin(4 * PI * k))
     x = PI / 3 + 4 * PI * k / 3
     sq = c * (q - 1 / (4 * PI))
-    rest = (
-        sq + c * (k - q) - 9 * big / (16 * PI**2) * (np.sin(x) - 1),
-        c - 3 * c * np.cos(x),
-        big * np.sin(x),
-    )
+    rest = (sq + c * (k - q) - 9 * big / (16 * PI**2) * (np.sin(x) - 1), c - 3 * c * np.cos(x), big * np.sin(x))
     s, slope, bend = (np.where(k < q, *parts) for parts in zip(ramp, rest, strict=True))
     return s, slope, bend
 
@@ -317,12 +304,8 @@ def _seams(cam: Cam) -> Iterator[Seam]:
     if cam.translates:
         yield Seam(cam.turn, ends[-1][1], REST)
     for phase in phases:
-        yield from _inner(phase)
-
-
-def _inner(phase: Phase) -> Iterator[Seam]:
-    for share in breaks(phase.law) if phase.law else ():
-        yield Seam(phase.start + share * phase.angle, _side(phase, share, True), _side(phase, share, False))
+        for share in breaks(phase.law) if phase.law else ():
+            yield Seam(phase.start + share * phase.angle, _side(phase, share, True), _side(phase, share, False))
 
 
 def _side(phase: Phase, share: float, before: bool) -> tuple[float, float]:

@@ -157,13 +157,9 @@ class Loops:
         whole = self.turn.cam.turn
         curve = self.turn.at(np.where(turned > whole, turned - whole, turned))
         with np.errstate(invalid="ignore"):
-            return curve.travel.s - _rest(curve, corner, self.roller)
-
-
-def _rest(curve: ContourValues, corner: complex, roller: float) -> Floats:
-    """Give S with which the follower rests on a corner of the cam, (N,), m or rad."""
-    place = np.asarray(corner - curve.turned if curve.cam.translates else corner * np.exp(1j * curve.turned))
-    return _rocked(curve, place, roller) if curve.cam.rocks else _lifted(curve, place, roller)
+            place = np.asarray(corner - curve.turned if curve.cam.translates else corner * np.exp(1j * curve.turned))
+            rest = _rocked(curve, place, self.roller) if curve.cam.rocks else _lifted(curve, place, self.roller)
+            return curve.travel.s - rest
 
 
 def _lifted(curve: ContourValues, place: Points, roller: float) -> Floats:

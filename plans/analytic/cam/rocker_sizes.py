@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.cam.pressure import LawPart, stretches
+from plans.analytic.cam.stretches import LawPart, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import CamSizes, FollowerTravel, Points, no_region, no_triangle, vanishing
 from plans.model.motion import Floats
@@ -129,7 +129,9 @@ def rocker_sizes(cam: Cam) -> CamSizes:
     given, length, f = cam.given, cam.follower.length or 0.0, cam.follower.sense
     start = f * length * cmath.exp(-0.5j * f * cam.lift)
     if given.base is not None and given.centre is not None:
-        initial = _notched(cam, length, given.base, given.centre)
+        if not abs(length - given.base) < given.centre < length + given.base:
+            raise no_triangle(cam, length, given.base, given.centre)
+        initial = math.acos((length**2 + given.centre**2 - given.base**2) / (2 * length * given.centre))
         return _sizes(cam, start, given.centre * start / length * cmath.exp(-1j * f * initial))
     place = _nearest(cam, start) if given.centre is None else _on_circle(cam, start, given.centre)
     if given.base is None and abs(place - start) < LEAST_BASE * cam.way:
@@ -137,13 +139,6 @@ def rocker_sizes(cam: Cam) -> CamSizes:
     if given.base is not None:
         place = start + given.base * (place - start) / abs(place - start)
     return _sizes(cam, start, place)
-
-
-def _notched(cam: Cam, length: float, base: float, centre: float) -> float:
-    """Give the angle at O1 of the triangle of l, L and R0."""
-    if not abs(length - base) < centre < length + base:
-        raise no_triangle(cam, length, base, centre)
-    return math.acos((length**2 + centre**2 - base**2) / (2 * length * centre))
 
 
 def _sizes(cam: Cam, start: complex, place: complex) -> CamSizes:
@@ -173,10 +168,6 @@ def _lines(families: Sequence[Family]) -> tuple[Points, Floats, list[tuple[Famil
     return np.concatenate([normals for normals, _ in lines]), np.concatenate([bounds for _, bounds in lines]), which
 
 
-def _seeds(lines: Sequence[int], which: Sequence[tuple[Family, float]], centre: complex) -> tuple[Seed, ...]:
-    return tuple(_pressed(k, which, centre) for k in lines)
-
-
 def _pressed(number: int, which: Sequence[tuple[Family, float]], centre: complex) -> Seed:
     """Give the seed of a line: where a law breaks it is a corner if the stretches on both sides are pressed there."""
     family, share = which[number]
@@ -204,14 +195,15 @@ def _nearest(cam: Cam, start: complex) -> complex:
     at, lying = found
     if not lying:
         raise vanishing(cam, limits_of(cam))
-    seeds = _apart(_seeds(lying, which, at))
+    seeds = _apart(tuple(_pressed(line, which, at) for line in lying))
     place, shares = _touched(seeds, at, cam, start)
     if len(seeds) == 2:
-        pressed = [
-            seed for seed, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0
-        ]
+        parts = zip(seeds, _pressures(seeds, shares, start - place), strict=True)
+        pressed = [seed for seed, part in parts if part >= 0]
         return place if len(pressed) == 2 else _touched(pressed, place, cam, start)[0]
-    broken = _broken(place, normals, bounds)
+    beyond = ((normals.conj() * place).real - bounds) / np.abs(normals)
+    worst = int(np.argmax(beyond))  # closing in on one touch may go over another line
+    broken = worst if beyond[worst] > EXACT * abs(place) else None
     if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
         return place
     return _touched(both, place, cam, start)[0]
@@ -233,13 +225,6 @@ def _pressures(seeds: Sequence[Seed], shares: Sequence[float], off: complex) -> 
     return np.asarray(np.linalg.solve([normals.real, normals.imag], [off.real, off.imag]))
 
 
-def _broken(place: complex, normals: Points, bounds: Floats) -> int | None:
-    """Give the line that a place lies beyond, if there is one: closing in on one touch may go over another line."""
-    beyond = ((normals.conj() * place).real - bounds) / np.abs(normals)
-    worst = int(np.argmax(beyond))
-    return worst if beyond[worst] > EXACT * abs(place) else None
-
-
 def _apart(seeds: tuple[Seed, ...]) -> tuple[Seed, ...]:
     """Leave one of two seeds that stand beside each other on one grid: between them one line of the family touches."""
     first, last = seeds[0], seeds[-1]
@@ -256,7 +241,7 @@ def _on_circle(cam: Cam, start: complex, radius: float) -> complex:
     best = min(below, key=lambda k: abs(places[k] - start))
     at = complex(places[best])
     size = cam.follower.length or 0.0
-    seeds = _seeds([numbers[best]], which, at)
+    seeds = (_pressed(numbers[best], which, at),)
     return _polished(seeds, at, cam, [lambda centre, _: (abs(centre) ** 2 - radius**2) / size])[0]
 
 
@@ -272,7 +257,9 @@ def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Con
         return _residual(seeds, scale * complex(values[0], values[1]), values[2:].tolist(), others) / scale
 
     for _ in range(STEPS):
-        step = np.linalg.solve(_jacobian(residual, unknowns), residual(unknowns))
+        near = np.eye(len(unknowns)) * STEP
+        slopes = [(residual(unknowns + off) - residual(unknowns - off)) / (2 * STEP) for off in near]
+        step = np.linalg.solve(np.array(slopes).T, residual(unknowns))
         unknowns = np.clip(unknowns - step, low, high)
         if np.abs(step[:2]).max() <= 2 * np.finfo(float).eps:
             break
@@ -287,8 +274,3 @@ def _residual(seeds: Sequence[Seed], centre: complex, free: Sequence[float], oth
     touching = [seed.family.touching(np.array([share]), centre) for seed, share in zip(seeds, shares, strict=True)]
     slopes = [touch[1] for seed, touch in zip(seeds, touching, strict=True) if not seed.corner]
     return np.array([*(touch[0] for touch in touching), *slopes, *(condition(centre, shares) for condition in others)])
-
-
-def _jacobian(residual: Callable[[Floats], Floats], at: Floats) -> Floats:
-    steps = np.eye(len(at)) * STEP
-    return np.array([(residual(at + step) - residual(at - step)) / (2 * STEP) for step in steps]).T

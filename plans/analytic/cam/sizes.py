@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.cam.pressure import LawPart, golden, peak, stretches
 from plans.analytic.cam.rocker_sizes import rocker_sizes
+from plans.analytic.cam.stretches import golden, peak, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import (
     CamSizes,
@@ -51,7 +51,10 @@ def _initial(cam: Cam, centre: float) -> float:
     angle from asin(q/R) - β on, up to π - asin(q/R) - β, where R = |A + iB| and β = arg(A + iB).
     """
     everywhere = stretches(cam, {phase.kind for phase in cam.phases})
-    _slower(cam, everywhere)
+    f = cam.follower.sense
+    fastest = peak(everywhere, lambda at: f * at.slope, lambda at: f * at.bend)
+    if fastest.value >= 1:
+        raise fast_face(cam, fastest.stretch.turned(fastest.share))
     q = (cam.limits.curvature - cam.follower.face) / centre
     if golden(everywhere, lambda at: q - _wave(cam, at)[0]).value > 0:
         raise no_region(cam, cam.limits)
@@ -67,14 +70,6 @@ def _wave(cam: Cam, at: FollowerTravel) -> tuple[Floats, Floats]:
     m = cam.follower.sense * at.slope
     level, upright = (1 - 2 * m) / (1 - m) ** 2, at.bend / (1 - m) ** 3
     return np.hypot(level, upright), at.s + np.arctan2(upright, level)
-
-
-def _slower(cam: Cam, everywhere: tuple[LawPart, ...]) -> None:
-    """Refuse a rocker that turns as fast as the cam."""
-    f = cam.follower.sense
-    fastest = peak(everywhere, lambda at: f * at.slope, lambda at: f * at.bend)
-    if fastest.value >= 1:
-        raise fast_face(cam, fastest.stretch.turned(fastest.share))
 
 
 def sizes(cam: Cam) -> CamSizes:
@@ -135,9 +130,8 @@ def sides_of(cam: Cam) -> Iterator[LimitLine]:
 def _side(cam: Cam, kind: str, angle: float, sign: int) -> LimitLine:
     """Give the line of a limit: Q is the greatest of sign*S' - S tan a, at S'' = sign*S' tan a or at a corner."""
     t = math.tan(angle)
-    found = peak(
-        stretches(cam, (kind,)), lambda at: sign * at.slope - t * at.s, lambda at: sign * at.bend - t * at.slope
-    )
+    along = stretches(cam, (kind,))
+    found = peak(along, lambda at: sign * at.slope - t * at.s, lambda at: sign * at.bend - t * at.slope)
     return LimitLine(sign, t, found.value)
 
 

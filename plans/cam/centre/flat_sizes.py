@@ -59,7 +59,11 @@ def flat_sizing(course: FollowerCourse) -> Sizing:
     travel = course.at(positions(cam))
     tip, end = _line(board, start, (travel.s, travel.bend), "")
     tangent = _fallen(board, cam, start)
-    centre = _least(board, cam, along, tangent.line)
+    base = cam.given.base
+    cut = board.meet("B", along, tangent.line, why=because("cam_cut"))
+    below = board.given("ρ", -1j * cam.limits.curvature, because("cam_least_radius"))
+    least = board.lay_off("O" if base is None else "O'", cut, below, because("cam_face_centre"))
+    centre = least if base is None else board.given("O", -1j * base, because("cam_given_centre"))
     sizes = CamSizes(-complex(centre.point).imag if cam.given.base is None else cam.given.base, cam.given.offset or 0.0)
     if sizes.base <= 0:
         raise no_radius(cam)
@@ -76,15 +80,6 @@ def _fallen(board: Board, cam: Cam, start: Mark) -> SizeTangent:
     direction = board.given("t_1", DOWN, because("cam_convex"))
     line = board.parallel("τ_1", point, direction, because("cam_ruler"))
     return SizeTangent(bound, found, point, direction, line, cam.given.base is None)
-
-
-def _least(board: Board, cam: Cam, along: Mark, line: Mark) -> Mark:
-    """Find O below the cut of the ruler with the axis by the least radius; with R0 given beside that."""
-    base = cam.given.base
-    cut = board.meet("B", along, line, why=because("cam_cut"))
-    below = board.given("ρ", -1j * cam.limits.curvature, because("cam_least_radius"))
-    least = board.lay_off("O" if base is None else "O'", cut, below, because("cam_face_centre"))
-    return least if base is None else board.given("O", -1j * base, because("cam_given_centre"))
 
 
 def _line(board: Board, start: Mark, motion: tuple[Floats, Floats], name: str) -> tuple[Mark, Mark]:
@@ -121,19 +116,14 @@ def _lowest(
 ) -> tuple[tuple[SizeTangent, ...], Mark]:
     """Find O where the line of least curvature cuts the arc of L."""
     _smooth(course)
-    _slower(course.cam)
+    moving = stretches(course.cam, {phase.kind for phase in course.cam.moving()})
+    sense = course.cam.follower.sense
+    fastest = touch(moving, lambda at: (sense * at.slope, sense * at.bend))
+    if fastest.beyond >= 1:  # its face would stand still on the cam, and then go back
+        raise fast_face(course.cam, fastest.turned)
     line, near = _convex(board, course.cam, bound, *bound.upright)
     side = 1 if (near / complex(line.direction.point)).real > 0 else -1
     return (line,), board.meet("O", line.line, arc, side=side, why=because("cam_on_arc"))
-
-
-def _slower(cam: Cam) -> None:
-    """Refuse a rocker that turns as fast as the cam: its face would stand still on it, and then go back."""
-    moving = stretches(cam, {phase.kind for phase in cam.moving()})
-    sense = cam.follower.sense
-    fastest = touch(moving, lambda at: (sense * at.slope, sense * at.bend))
-    if fastest.beyond >= 1:
-        raise fast_face(cam, fastest.turned)
 
 
 def _level(board: Board, cam: Cam, arc: tuple[Mark, Mark], up: complex, arm: complex) -> Mark:

@@ -51,7 +51,8 @@ def nearest(to: complex) -> Choice:
     """Choose the place nearest to a point: a corner of the region, or the foot of a perpendicular on its edge."""
 
     def choice(limits: Sequence[Limit], slack: float) -> CentrePlace | None:
-        return _best([*_feet(to, limits), *_corners(limits)], limits, slack, lambda at: abs(at - to))
+        feet = [CentrePlace(to - line.beyond(to) * line.normal, (line,)) for line in limits]
+        return _best([*feet, *_corners(limits)], limits, slack, lambda at: abs(at - to))
 
     return choice
 
@@ -61,11 +62,6 @@ def _best(
 ) -> CentrePlace | None:
     within = [spot for spot in places if all(line.beyond(spot.centre) <= slack for line in limits)]
     return min(within, key=lambda spot: cost(spot.centre), default=None)
-
-
-def _feet(to: complex, limits: Sequence[Limit]) -> Iterator[CentrePlace]:
-    for line in limits:
-        yield CentrePlace(to - line.beyond(to) * line.normal, (line,))
 
 
 def _corners(limits: Sequence[Limit]) -> Iterator[CentrePlace]:
@@ -98,7 +94,6 @@ def on_circle(radius: float, cost: Callable[[complex], float], start: complex, a
 
 
 def _cuts(radius: float, line: Limit) -> Iterator[CentrePlace]:
-    """Give where a line cuts the circle."""
     if abs(line.reach) <= radius:
         half = math.acos(line.reach / radius)
         for turned in (half, -half):
@@ -167,7 +162,8 @@ def tangents(
 ) -> tuple[SizeTangent, ...]:
     """Draw the limiting lines through the points that rulers touch, numbered; those that O lies on come first."""
     bounds = [line.bound for line in binding]
-    ordered = [*sorted(binding, key=_rise_first), *(line for line in limits if line.bound not in bounds)]
+    rise_first = sorted(binding, key=lambda line: -side_of(line.touch.stretch.phase.kind))
+    ordered = [*rise_first, *(line for line in limits if line.bound not in bounds)]
     found = []
     for number, edge in enumerate(ordered):
         bound, name = edge.bound, f"{number + 1}{prime}"
@@ -179,10 +175,6 @@ def tangents(
         line = board.parallel(f"τ_{name}", point, direction, because("cam_ruler"))
         found.append(SizeTangent(bound, edge.touch, point, direction, line, number < len(binding)))
     return tuple(found)
-
-
-def _rise_first(line: Limit) -> int:
-    return -side_of(line.touch.stretch.phase.kind)
 
 
 def axis(board: Board) -> tuple[Mark, Mark, Mark]:
@@ -225,10 +217,5 @@ def rocker_sizes(cam: Cam, centre: complex, first: complex, base: float | None =
     given = cam.given
     initial = cam.rising * cmath.phase(first / centre)
     least = base if base is not None else abs(first - centre)
-    return CamSizes(
-        least if given.base is None else given.base,
-        0.0,
-        abs(centre) if given.centre is None else given.centre,
-        -centre,
-        initial,
-    )
+    apart = abs(centre) if given.centre is None else given.centre
+    return CamSizes(least if given.base is None else given.base, 0.0, apart, -centre, initial)

@@ -7,6 +7,7 @@ leans as the arc does at its position; the construction by the chord stands besi
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TypeAlias
 
 import numpy as np
 
@@ -72,20 +73,21 @@ def _translating(course: FollowerCourse) -> Sizing:
 
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
     centre = _centre(board, cam, start, way, lines[: len(found.limits)])
-    sizes = _sizes(cam, complex(centre.point))
+    at = complex(centre.point)
+    offset = 0.0 - cam.sense * at.real if offset is None else offset
+    sizes = CamSizes(abs(at) if cam.given.base is None else cam.given.base, offset)
     return Sizing(cam, limits, sizes, board, start, start, tip, end, centre, bound_by(cam, lines), bounds)
 
 
-def laid_end(
-    board: Board, diagram: SlopeDiagram, track: Mark, motion: tuple[Floats | float, Floats | float], name: str = ""
-) -> tuple[Mark, Mark]:
+Motion: TypeAlias = "tuple[Floats | float, Floats | float]"  # S and S'
+
+
+def laid_end(board: Board, diagram: SlopeDiagram, track: Mark, motion: Motion, name: str = "") -> tuple[Mark, Mark]:
     """Give K and D of some positions: S laid off along the track, from A or on a rocker's circle, and S' from K."""
     return (_laid_on_arc if diagram.cam.rocks else _laid_upright)(board, diagram, track, motion, name)
 
 
-def _laid_upright(
-    board: Board, diagram: SlopeDiagram, start: Mark, motion: tuple[Floats | float, Floats | float], name: str
-) -> tuple[Mark, Mark]:
+def _laid_upright(board: Board, diagram: SlopeDiagram, start: Mark, motion: Motion, name: str) -> tuple[Mark, Mark]:
     """Lay S off from A, and S' turned with the cam from there."""
     low = f"_{name}" if name else ""
     s = board.given(f"S{low}", 1j * motion[0], because("cam_travel"))
@@ -95,9 +97,7 @@ def _laid_upright(
     return tip, board.lay_off(f"T{low}" if name else "D", tip, turned, because("cam_slope_end"))
 
 
-def _laid_on_arc(
-    board: Board, diagram: SlopeDiagram, circle: Mark, motion: tuple[Floats | float, Floats | float], name: str
-) -> tuple[Mark, Mark]:
+def _laid_on_arc(board: Board, diagram: SlopeDiagram, circle: Mark, motion: Motion, name: str) -> tuple[Mark, Mark]:
     """Divide the arc by the law, and lay KD along the rocker: towards O1 where it turns with the cam on the rise."""
     low, cam = f"_{name}" if name else "", diagram.cam
     s, slope = (np.asarray(value) for value in motion)
@@ -135,13 +135,6 @@ def _beside(board: Board, cam: Cam, start: Mark, way: Mark, offset: float, lines
         raise too_far(cam, offset, cam.given.base)
     arc = board.arc("R_0", start, cam.given.base, because("cam_base"))
     return board.meet("O", beside, arc, side=-1, why=because("cam_given_centre"))
-
-
-def _sizes(cam: Cam, centre: complex) -> CamSizes:
-    """Give the sizes of a centre; those that are given are as they were given."""
-    given = cam.given
-    offset = 0.0 - cam.sense * centre.real if given.offset is None else given.offset
-    return CamSizes(abs(centre) if given.base is None else given.base, offset)
 
 
 def _rocking(course: FollowerCourse) -> Sizing:
@@ -187,7 +180,11 @@ def _rocker_centre(
     if centre is not None:
         arc = board.arc("L", pivot, centre, because("cam_distance"))
         if base is not None:
-            return _notched(board, cam, ends, arc, base, centre)
+            length = abs(complex(ends[1].point))
+            if not abs(length - base) < centre < length + base:
+                raise no_triangle(cam, length, base, centre)
+            other = board.arc("R_0", ends[1], base, because("cam_base"))
+            return board.meet("O", arc, other, side=-cam.rising, why=because("cam_given_centre"))
         side = 1 if (near / complex(lines[0].direction.point)).real > 0 else -1
         return board.meet("O", lines[0].line, arc, side=side, why=because("cam_on_arc"))
     corner = met(board, "O" if base is None else "O*", lines, start, "cam_centre")
@@ -196,15 +193,6 @@ def _rocker_centre(
     ray = board.join("K_0O*", start, corner)
     ray = board.turn("R_0", ray, base / abs(complex(ray.point)), because("cam_base"))
     return board.lay_off("O", start, ray, because("cam_on_ray"))
-
-
-def _notched(board: Board, cam: Cam, ends: tuple[Mark, Mark], arc: Mark, base: float, centre: float) -> Mark:
-    """Find O by two notches, L from O1 and R0 from K0, on the side from which the cam lifts the rocker."""
-    length = abs(complex(ends[1].point))
-    if not abs(length - base) < centre < length + base:
-        raise no_triangle(cam, length, base, centre)
-    other = board.arc("R_0", ends[1], base, because("cam_base"))
-    return board.meet("O", arc, other, side=-cam.rising, why=because("cam_given_centre"))
 
 
 def _chord(

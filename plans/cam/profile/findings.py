@@ -72,18 +72,15 @@ class Search:
             return
         spans = self._too_sharp(side)
         yield from (self._flaw(kind, span, lambda tip: side * curvature(tip), 1 / side) for span in spans)
-        yield from self._cusp(kind, side, spans)
+        extreme = self.extremes.sharpest if side > 0 else self.extremes.hollow
+        if extreme and not spans and abs(abs(extreme.value) / self.roller - 1) <= TOUCHES:
+            yield CamFlaw(kind, extreme.turned, extreme.turned, extreme)
         for turned in self.corners(side):
             yield CamFlaw(kind, turned, turned, Extreme(0.0, turned))
 
     def _too_sharp(self, side: float) -> list[TurnSpan]:
         """Give where the curve is bent more than the roller, to one side."""
         return list(self.stretches.spans(lambda tip: side * self.roller * curvature(tip) - 1, self.extremes.bends))
-
-    def _cusp(self, kind: str, side: float, spans: Sequence[TurnSpan]) -> Iterator[CamFlaw]:
-        extreme = self.extremes.sharpest if side > 0 else self.extremes.hollow
-        if extreme and not spans and abs(abs(extreme.value) / self.roller - 1) <= TOUCHES:
-            yield CamFlaw(kind, extreme.turned, extreme.turned, extreme)
 
     def corners(self, side: float = 1.0) -> list[float]:
         """Give where hard shocks make corners of the theoretical profile: convex ones (1.0), or hollow ones (-1.0)."""
@@ -100,16 +97,12 @@ class Search:
             return
         spans = self._hollows
         yield from (self._flaw("concave", span, lambda tip: -FaceTouch(tip).radius, least=True) for span in spans)
-        yield from (CamFlaw("concave", turned, turned, Extreme(0.0, turned)) for turned in self._steps())
+        # A hard shock makes contact jump back along the face: an edge is left there.
+        falls = [shock.turned for shock in self.stretches.course.shocks if shock.order == HARD and shock.jump < 0]
+        yield from (CamFlaw("concave", turned, turned, Extreme(0.0, turned)) for turned in falls)
         least, asked = self.extremes.sharpest, self.cam.limits.curvature
         if not spans and least and asked > 0 and least.value < asked * (1 - TOUCHES):
             yield CamFlaw("sharp", least.turned, least.turned, least)
-
-    def _steps(self) -> Iterator[float]:
-        """Give where a hard shock makes contact jump back along the face: an edge is left there."""
-        for shock in self.stretches.course.shocks:
-            if shock.order == HARD and shock.jump < 0:
-                yield shock.turned
 
     @property
     def _hollows(self) -> list[TurnSpan]:
@@ -133,10 +126,11 @@ class Search:
         def beyond(tip: Tip) -> Floats:
             return np.where(on(tip, kind), side * pressure(tip) - limit * (1 + TOUCHES), -1.0)
 
-        for span in self.stretches.spans(beyond, self.extremes.turning):
-            yield self._flaw(
-                "pressure", span, lambda tip: np.where(on(tip, kind), side * pressure(tip), 0.0), least=side < 0
-            )
+        def pressed(tip: Tip) -> Floats:
+            return np.where(on(tip, kind), side * pressure(tip), 0.0)
+
+        spans = self.stretches.spans(beyond, self.extremes.turning)
+        yield from (self._flaw("pressure", span, pressed, least=side < 0) for span in spans)
 
     def _face(self) -> Iterator[CamFlaw]:
         """Find where contact goes off a face that is too short."""
@@ -145,8 +139,7 @@ class Search:
             return
         places = self.stretches.places(lambda tip: FaceTouch(tip).place_slope)
         off = self.stretches.spans(lambda tip: np.abs(FaceTouch(tip).place) - reach * (1 + TOUCHES), places)
-        for span in off:
-            yield self._flaw("short face", span, lambda tip: np.abs(FaceTouch(tip).place))
+        yield from (self._flaw("short face", span, lambda tip: np.abs(FaceTouch(tip).place)) for span in off)
 
     def _off(self) -> Iterator[CamFlaw]:
         """Find where nothing holds the follower on the cam."""

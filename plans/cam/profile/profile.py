@@ -40,19 +40,15 @@ class Start(NamedTuple):
 
 def inversion(tip: Tip) -> Inversion:
     """Turn the follower about the cam to all positions."""
-    start = _start(tip)
+    board = Board(PROFILE)
+    centre = board.given("O", 0j, because("cam_centre"))
+    back = board.given("φ", np.exp(-1j * tip.turns * tip.turned), because("cam_back"))
+    start = Start(board, centre, back, tip)
     if tip.cam.translates:
         return _shifted(start)
     if tip.cam.flat:
         return _rocking_face(start) if tip.cam.rocks else _face(start)
     return _rocker(start) if tip.cam.rocks else _guide(start)
-
-
-def _start(tip: Tip) -> Start:
-    board = Board(PROFILE)
-    centre = board.given("O", 0j, because("cam_centre"))
-    back = board.given("φ", np.exp(-1j * tip.turns * tip.turned), because("cam_back"))
-    return Start(board, centre, back, tip)
 
 
 def _made(start: Start, point: Mark, normal: Mark) -> Inversion:
@@ -286,7 +282,7 @@ def _contour(tip: Tip, drawing: Inversion, roller: float) -> Contour:
     return Contour(
         turned=tip.turned,
         travel=tip.travel,
-        tip=_in_frame(tip, drawing, pitch),
+        tip=_all(tip, drawing.board["K"].point) if "K" in drawing.board else np.asarray(pitch * np.conj(drawing.back)),
         lever=lever,
         pitch=pitch,
         profile=_all(tip, working(drawing, roller).point),
@@ -300,11 +296,6 @@ def _contour(tip: Tip, drawing: Inversion, roller: float) -> Contour:
 def _all(tip: Tip, points: Vectors) -> Points:
     """Give one value a position, also where all are alike."""
     return np.broadcast_to(np.asarray(points, dtype=complex), tip.turned.shape)
-
-
-def _in_frame(tip: Tip, drawing: Inversion, pitch: Points) -> Points:
-    """Give the tips in the frame: as they were laid off, or where a face touches, turned back."""
-    return _all(tip, drawing.board["K"].point) if "K" in drawing.board else np.asarray(pitch * np.conj(drawing.back))
 
 
 def slip(tip: Tip, lever: Points, roller: float) -> Floats:

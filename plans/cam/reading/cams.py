@@ -31,19 +31,14 @@ def turns_of(entry: CamEntry, window: Fraction | None) -> Exact | None:
     """Give the phases' angles in degrees (travels m), or nothing where they are at fault or wait for the cyclogram."""
     if entry.translates:
         return _travels(entry)
-    known, before = [_known(phase.angle, window) for phase in entry.form.phases], len(entry.faults)
+    angles, before = [phase.angle for phase in entry.form.phases], len(entry.faults)
+    known = [Fraction(a) if isinstance(a, Decimal) else window if a == CYCLOGRAM else None for a in angles]
     stated = sum(filter(None, known), Fraction(0))
     _words(entry, window, stated)
-    waits = window is None and any(phase.angle == CYCLOGRAM for phase in entry.form.phases)
-    if waits or len(entry.faults) > before:
+    if (window is None and CYCLOGRAM in angles) or len(entry.faults) > before:
         return None
     found = [WHOLE - stated if angle is None else angle for angle in known]
     return snapped(found) if _fits(entry, found) else None
-
-
-def _known(angle: Decimal | str | None, window: Fraction | None) -> Fraction | None:
-    """Give an angle that the file or the cyclogram states."""
-    return Fraction(angle) if isinstance(angle, Decimal) else window if angle == CYCLOGRAM else None
 
 
 def _travels(entry: CamEntry) -> Exact | None:
@@ -135,7 +130,6 @@ def entries_of(scene: Scene, doubts: frozenset[Path] = frozenset()) -> Iterator[
 
 
 def _one_name(scene: Scene, entries: Sequence[CamEntry]) -> Iterator[Fault]:
-    """See that no two cams have one name."""
     for number, entry in enumerate(entries):
         before = [other.number for other in entries[:number] if other.name == entry.name]
         if before:
@@ -232,14 +226,10 @@ def _setting(entry: CamEntry, window: Window | None, phases: Sequence[Phase]) ->
     if entry.form.setting != CYCLOGRAM:
         return math.radians(float(within(Fraction(entry.form.setting)) % 360))
     assert window is not None  # a cam that waits is not made
-    starts = [phase.start for phase, asked in zip(phases, _asking(entry), strict=True) if asked]
+    asking = [phase.angle == CYCLOGRAM for phase in entry.form.phases if phase.angle != 0]
+    starts = [phase.start for phase, asked in zip(phases, asking, strict=True) if asked]
     moving = [phase.start for phase in phases if phase.kind != DWELL]
     return (window.start - (starts or moving or [0.0])[0]) % math.tau
-
-
-def _asking(entry: CamEntry) -> list[bool]:
-    """Tell of each phase that is made whether it takes its angle from the cyclogram."""
-    return [phase.angle == CYCLOGRAM for phase in entry.form.phases if phase.angle != 0]
 
 
 def _hub(entry: CamEntry) -> Hub | None:

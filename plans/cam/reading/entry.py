@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
-from typing import Protocol, cast
+from typing import Any
 
 from plans.cam.reading.fields import CYCLOGRAM, Measure
 from plans.cam.reading.form import CamTable
@@ -98,18 +98,6 @@ def shown(number: Fraction | Decimal) -> str:
     return f"{float(number):.10g}"
 
 
-class DriveSpeed(Protocol):
-    """A drive, whatever technique states it."""
-
-    omega: Decimal
-
-
-class DrivenMachine(Protocol):
-    """What a scene says of a mechanism with a drive."""
-
-    drive: DriveSpeed
-
-
 def pace_of(entry: CamEntry) -> tuple[int, float | None]:
     """Give the sense of a cam, +1 counter-clockwise, and its speed, rad/s (m/s of one that translates), or none."""
     kind = units.VELOCITY if entry.translates else units.SPEED
@@ -117,14 +105,9 @@ def pace_of(entry: CamEntry) -> tuple[int, float | None]:
     if speed == 0:
         entry.fault(("speed",), "zero", kind=kind.name)
     if entry.form.speed is None and not entry.translates:
-        speed = _of_drive(entry)
+        linkage: Any = entry.scene.part("linkage")
+        speed = linkage.drive.omega if linkage is not None else None
     return -1 if speed is not None and speed < 0 else 1, abs(float(speed)) if speed else None
-
-
-def _of_drive(entry: CamEntry) -> Decimal | None:
-    """Give the speed of the drive, where the scene has one."""
-    linkage = entry.scene.part("linkage")
-    return cast("DrivenMachine", linkage).drive.omega if linkage is not None else None
 
 
 METRE, HUNDREDS = 1, 100  # m, and of the way of the follower: so large a roller is one in millimetres
@@ -166,7 +149,11 @@ def _mm(size: Decimal) -> str:
 def misplaced(entry: CamEntry) -> None:
     """Put a fault at each key that is of another kind of cam."""
     _follower(entry)
-    _phases(entry)
+    part, owner = ("lift", "translating") if entry.rocks else ("swing", "rocking")
+    for number, phase in enumerate(entry.form.phases):
+        entry.spare((part,), phase.given, owner, "phases", number)
+        if phase.kind == DWELL and entry.path("phases", number, "kind") not in entry.doubts:
+            entry.spare({"law", "lift", "swing"} - {part}, phase.given, "moving", "phases", number)
     _sizes(entry)
     _load(entry)
     _hub(entry)
@@ -186,14 +173,6 @@ def _follower(entry: CamEntry) -> None:
         entry.spare(("face",), given, "flat_rocking", "follower")
     if not entry.flat:
         entry.spare(("reach",), given, "flat", "follower")
-
-
-def _phases(entry: CamEntry) -> None:
-    part, owner = ("lift", "translating") if entry.rocks else ("swing", "rocking")
-    for number, phase in enumerate(entry.form.phases):
-        entry.spare((part,), phase.given, owner, "phases", number)
-        if phase.kind == DWELL and entry.path("phases", number, "kind") not in entry.doubts:
-            entry.spare({"law", "lift", "swing"} - {part}, phase.given, "moving", "phases", number)
 
 
 def _sizes(entry: CamEntry) -> None:

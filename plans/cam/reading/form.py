@@ -228,9 +228,7 @@ class CamTable(Table):
         meaning="Parts of the turn at which the file beside the sheet profile tells the profile's coordinates.",
     )
     follower: FollowerTable = key(
-        table(FollowerTable),
-        meaning="The follower (толкатель).",
-        missing=Missing("follower", FOLLOWER, SPARE_FOLLOWER),
+        table(FollowerTable), meaning="The follower (толкатель).", missing=Missing("follower", FOLLOWER, SPARE_FOLLOWER)
     )
     limits: LimitsTable = key(table(LimitsTable), LimitsTable(), meaning="What the main sizes must keep to.")
     sizes: SizesTable = key(table(SizesTable), SizesTable(), meaning="Main sizes that are given; the others are found.")

@@ -25,7 +25,9 @@ class PhaseWay(NamedTuple):
 
 def ways_of(entry: CamEntry) -> tuple[PhaseWay, ...] | None:
     """Give the way of each phase, or nothing where the follower leaves its way, or does not come back."""
-    before, ways, level = len(entry.faults), list[PhaseWay](), _start(entry)
+    kinds = (phase.kind for phase in entry.form.phases if phase.kind != DWELL)
+    level = entry.lift if next(kinds, RISE) == RETURN else Fraction(0)
+    before, ways = len(entry.faults), list[PhaseWay]()
     for number, phase in enumerate(entry.form.phases):
         ways.append(PhaseWay(level, _change(entry, phase, level)))
         level += ways[-1].change
@@ -43,12 +45,6 @@ def _keeps(entry: CamEntry, number: int, phase: PhaseTable, way: PhaseWay) -> No
         entry.fault(("phases", number), "beyond_way", found=entry.sized(abs(way.change))[0], left=left, unit=unit)
     elif way.change == 0 and phase.kind != DWELL and entry.lift:
         entry.fault(("phases", number, "kind"), "at_top" if phase.kind == RISE else "at_bottom")
-
-
-def _start(entry: CamEntry) -> Fraction:
-    """Give S at the start: at the top where the first that moves is a return."""
-    kinds = (phase.kind for phase in entry.form.phases if phase.kind != DWELL)
-    return entry.lift if next(kinds, RISE) == RETURN else Fraction(0)
 
 
 def _change(entry: CamEntry, phase: PhaseTable, level: Fraction) -> Fraction:
@@ -115,12 +111,8 @@ def _table(entry: CamEntry, number: int, law: LawTable, turned: Fraction, way: P
     size = way.change or Fraction(1)
     shares = [((x - points[0][0]) / turned, (y - way.level) / size) for x, y in points]
     allowed = float(Fraction(tolerance or 0) / abs(size))
-    return Law(TABLE, 0.5, _floats(_ended(shares)), law.through or CUBICS, allowed)
-
-
-def _ended(shares: Sequence[tuple[Fraction, Fraction]]) -> Plotted:
-    """Put the ends of a table where they are meant: rounded points are near them."""
-    return (Fraction(0), Fraction(0)), *shares[1:-1], (Fraction(1), Fraction(1))
+    ended = (Fraction(0), Fraction(0)), *shares[1:-1], (Fraction(1), Fraction(1))  # rounded points are near them
+    return Law(TABLE, 0.5, _floats(ended), law.through or CUBICS, allowed)
 
 
 def _plotted(entry: CamEntry, number: int, law: LawTable, across: UnitKind, up: UnitKind) -> Plotted | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
@@ -25,7 +25,13 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's cams."""
     entries = [*entries_of(scene)]
     yield from odd_lengths(scene, {path: size for entry in entries for path, size in _lengths(entry)})
-    yield from _paces(entries)
+    # One shaft has one speed: that of the first cam that turns.
+    found = ((entry, *pace_of(entry)) for entry in entries if not entry.translates)
+    paces = [(entry, sense * speed) for entry, sense, speed in found if speed]
+    for entry, pace in paces[1:]:
+        if pace != paces[0][1] and entry.form.speed is not None:
+            first = {"name": paces[0][0].name, "first": f"{paces[0][1]:.5g}"}
+            yield _note(entry, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
     for entry in entries:
         for notes in (_turns, _dwells, _way, _limits, _laws, _unused):
             yield from notes(entry)
@@ -37,16 +43,6 @@ def _lengths(entry: CamEntry) -> Iterator[tuple[Path, Decimal]]:
     stated = {("follower", name): getattr(follower, name) for name in ("lift", "length")}
     stated |= {("sizes", name): getattr(sizes, name) for name in ("base", "offset", "centre", "roller")}
     return ((entry.path(*path), abs(size)) for path, size in stated.items() if size)
-
-
-def _paces(entries: Sequence[CamEntry]) -> Iterator[Fault]:
-    """Find a cam that turns otherwise than the first that turns: one shaft has one speed."""
-    found = ((entry, *pace_of(entry)) for entry in entries if not entry.translates)
-    paces = [(entry, sense * speed) for entry, sense, speed in found if speed]
-    for entry, pace in paces[1:]:
-        if pace != paces[0][1] and entry.form.speed is not None:
-            first = {"name": paces[0][0].name, "first": f"{paces[0][1]:.5g}"}
-            yield _note(entry, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
 
 
 def _note(entry: CamEntry, path: Path, kind: str, **details: object) -> Fault:
@@ -65,7 +61,6 @@ def _turns(entry: CamEntry) -> Iterator[Fault]:
 
 
 def _dwells(entry: CamEntry) -> Iterator[Fault]:
-    """Find two dwells in a row."""
     kinds = [phase.kind for phase in entry.form.phases]
     for number in range(1, len(kinds)):
         if kinds[number - 1] == kinds[number] == DWELL:
@@ -113,20 +108,15 @@ def _laws(entry: CamEntry) -> Iterator[Fault]:
         law, path = phase.law, ("phases", number, "law")
         if not isinstance(law, LawTable) or law.name != TABLE:
             continue
-        yield from _backward(entry, (*path, "points"), phase.kind, law)
+        levels = [s.of(units.ANGLE if entry.rocks else units.LENGTH) for _, s in law.points]
+        way = 1 if phase.kind == RISE else -1
+        back = [at for at, (level, other) in enumerate(pairwise(levels), 1) if way * (other - level) < 0]
+        if back and phase.kind != DWELL:
+            yield _note(entry, (*path, "points", back[0], 1), "table_falls" if phase.kind == RISE else "table_rises")
         if len(law.points) <= FEW_POINTS:
             yield _note(entry, (*path, "points"), "sparse_table", count=len(law.points))
         if law.tolerance is not None and law.tolerance.of(units.ANGLE if entry.rocks else units.LENGTH):
             yield _note(entry, (*path, "tolerance"), "smoothed")
-
-
-def _backward(entry: CamEntry, path: Path, kind: str, law: LawTable) -> Iterator[Fault]:
-    """Tell where a table first goes back within its phase."""
-    levels = [s.of(units.ANGLE if entry.rocks else units.LENGTH) for _, s in law.points]
-    way = 1 if kind == RISE else -1
-    back = [at for at, (level, other) in enumerate(pairwise(levels), 1) if way * (other - level) < 0]
-    if back and kind != DWELL:
-        yield _note(entry, (*path, back[0], 1), "table_falls" if kind == RISE else "table_rises")
 
 
 def _unused(entry: CamEntry) -> Iterator[Fault]:

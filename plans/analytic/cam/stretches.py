@@ -1,0 +1,123 @@
+"""The stretches of a cam's law, and extremes of functions along them (участки закона)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from plans.analytic.cam.laws import LAWS, breaks
+from plans.model.cam import Cam, Law, Phase
+from plans.model.cam_motion import FollowerTravel
+from plans.model.motion import Floats
+
+GRID = 65  # places of a stretch that are looked at before a root is closed in on
+GOLDEN, SECTIONS = (5**0.5 - 1) / 2, 78  # of two parts, to the last digit
+HALVINGS = 60  # of a part of it: to the last digit
+
+
+class LawPart(NamedTuple):
+    """A stretch of a phase on which its law is smooth, from one share of the phase to another."""
+
+    phase: Phase
+    start: float
+    end: float
+
+    def at(self, share: Floats) -> FollowerTravel:
+        """Give S, S', S'' at shares of the phase; at the end of the stretch those before the break."""
+        k, phase = np.clip(share, self.start, self.end), self.phase
+        if phase.law is None:
+            return FollowerTravel(np.full_like(k, phase.level), np.zeros_like(k), np.zeros_like(k))
+        s, *rates = self._closed(phase.law, k)
+        ways = (rate * (phase.change / phase.angle**order) for order, rate in enumerate(rates, 1))
+        return FollowerTravel(phase.level + s * phase.change, *ways)
+
+    def _closed(self, law: Law, k: Floats) -> Sequence[Floats]:
+        """Give the law and its derivatives in shares of phase and lift."""
+        found, last = LAWS[law.name](law, k, False), k >= self.end
+        if not last.any():
+            return found
+        return [np.where(last, *pair) for pair in zip(LAWS[law.name](law, k, True), found, strict=True)]
+
+    def turned(self, share: float) -> float:
+        """Give the cam's turn at a share of the phase."""
+        return self.phase.start + self.phase.angle * share
+
+    @property
+    def grid(self) -> Floats:
+        """Places from end to end."""
+        return np.linspace(self.start, self.end, GRID)
+
+
+Value: TypeAlias = Callable[[FollowerTravel], Floats]
+
+
+class LawPeak(NamedTuple):
+    """A place where something is greatest."""
+
+    value: float
+    stretch: LawPart
+    share: float
+
+
+def stretches(cam: Cam, kinds: Collection[str]) -> tuple[LawPart, ...]:
+    """Give the stretches of all phases of some kinds."""
+    return tuple(
+        LawPart(phase, *ends)
+        for phase in cam.phases
+        if phase.kind in kinds
+        for ends in pairwise((0.0, *(breaks(phase.law) if phase.law else ()), 1.0))
+    )
+
+
+def peak(along: Collection[LawPart], value: Value, slope: Value) -> LawPeak:
+    """Give where a value is greatest: at a root of its slope, or at an end of a stretch."""
+    return max((peak for stretch in along for peak in _candidates(stretch, value, slope)), key=lambda peak: peak.value)
+
+
+def _candidates(stretch: LawPart, value: Value, slope: Value) -> Iterator[LawPeak]:
+    shares = np.array([stretch.start, *roots(lambda k: slope(stretch.at(k)), stretch.grid), stretch.end])
+    for share, height in zip(
+        shares.tolist(), np.broadcast_to(value(stretch.at(shares)), shares.shape).tolist(), strict=True
+    ):
+        yield LawPeak(height, stretch, share)
+
+
+def golden(along: Collection[LawPart], value: Value) -> LawPeak:
+    """Give where a value without a slope is greatest, by the golden section of the parts beside the best places.
+
+    The place of a smooth peak is known to half of the digits, its value to all of them; that of a kink to all.
+    """
+    return max((_sectioned(stretch, value) for stretch in along), key=lambda peak: peak.value)
+
+
+def _sectioned(stretch: LawPart, value: Value) -> LawPeak:
+    grid = stretch.grid
+    best = int(np.argmax(value(stretch.at(grid))))
+    low, high = float(grid[max(best - 1, 0)]), float(grid[min(best + 1, GRID - 1)])
+    for _ in range(SECTIONS):
+        ends = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
+        first, second = value(stretch.at(ends)).tolist()
+        low, high = (low, float(ends[1])) if first >= second else (float(ends[0]), high)
+    places = np.array([low, (low + high) / 2, high, stretch.start, stretch.end])
+    values = value(stretch.at(places))
+    top = int(np.argmax(values))
+    return LawPeak(float(values[top]), stretch, float(places[top]))
+
+
+def roots(of: Callable[[Floats], Floats], grid: Floats) -> Floats:
+    """Halve every part of a grid at whose ends a function has different signs.
+
+    >>> roots(lambda x: x**2 - 2, np.linspace(-2.0, 2.0, 8)).round(12).tolist()
+    [-1.414213562373, 1.414213562373]
+    """
+    signs = np.sign(of(grid))
+    turns = np.flatnonzero(signs[:-1] * signs[1:] < 0)
+    low, high, sign = grid[turns], grid[turns + 1], signs[turns]
+    for _ in range(HALVINGS if turns.size else 0):
+        middle = (low + high) / 2
+        below = np.sign(of(middle)) == sign
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return np.concatenate([(low + high) / 2, grid[signs == 0]])
