@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.balance.scheme import AFTER, BEFORE
 from drawings.forces.letters import letter_of
-from drawings.kinds.axes import Axes, Letter, Part
+from drawings.kinds.axes import Letter, Part
 from drawings.kinds.curve_graph import TURN, GraphCurve, bounded, swing
 from drawings.kinds.graph import BESIDE, LEAST, Graph, GraphForm, standing, stretches
 from drawings.kinds.graph import DOT as END
@@ -218,6 +218,7 @@ class ShareGraph(NamedTuple):
         hand, high = drafting.hand, self.high
         axes = standing(room, spot, (0.0, high), (SYMBOL, UNIT), drafting)
         graph = Graph(SHARES, axes, hand)
+        start, end = axes.on(self.taken), axes.on(self.taken, self.high)
         lines = (
             heading(spot.box, drafting.word("share graph"), drafting.scale(spot.scale, axes.up), hand),
             *axes.lines((0.0, 1.0), (0.0, high), hand, SHARES),
@@ -226,7 +227,7 @@ class ShareGraph(NamedTuple):
                 Line(axes.on(0.0, force) - TICK, axes.on(0.0, force) + TICK, hand.other)
                 for force in levels(high, axes.up)
             ),
-            _taken(self, axes, hand),
+            Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{SHARES}-{TAKEN}"),
             Group((Line(axes.on(0.0, self.bare), axes.on(1.0, self.bare), hand.other),), f"{SHARES}-{BARE}"),
             *(part for name in (FORCES, REACTIONS) for part in _curve(self, name, graph, drafting)),
         )
@@ -237,11 +238,6 @@ class ShareGraph(NamedTuple):
 def value_of(choice: Choice, name: str) -> float:
     """Give what is largest with a share, N: by the name of a curve."""
     return choice.force if name == FORCES else choice.reaction
-
-
-def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Group:
-    start, end = axes.on(shown.taken), axes.on(shown.taken, shown.high)
-    return Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{SHARES}-{TAKEN}")
 
 
 def _curve(shown: ShareGraph, name: str, graph: Graph, drafting: Drafting) -> Iterator[Stroke]:

@@ -17,7 +17,6 @@ from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING
 from plans.model.balance.linkage import DISC, SHARE, Balance, Counterweight, Shares, State
-from plans.model.kinetostatics import Reaction
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import NOTHING
@@ -317,13 +316,11 @@ class BalanceNotes(NamedTuple):
         """Give the largest reactions before and after of the crank's shaft, and of the pair where they grow most."""
         was, now = self.balance.before.reactions, after.reactions
         least, rows = NOTHING * self.balance.before.forces.largest, self.balance.before.forces.reactions
-        shaft = next((key for key, row in rows.items() if self._of_shaft(row)), None)
+        links = {FRAME, self.mechanism.drive.link}
+        shaft = next((key for key, row in rows.items() if {row.giver, row.taker} == links), None)
         ratios = {key: round(now[key] / was[key], ALIKE) for key in rows if was[key] > least}
         most = max((key for key, ratio in ratios.items() if ratio > 1), key=lambda key: ratios[key], default=None)
         yield from ((key, (was[key], now[key])) for key in dict.fromkeys((shaft, most)) if key is not None)
-
-    def _of_shaft(self, reaction: Reaction) -> bool:
-        return {reaction.giver, reaction.taker} == {FRAME, self.mechanism.drive.link}
 
     def _reaction(self, key: str) -> str:
         reaction = self.balance.before.forces.reactions[key]

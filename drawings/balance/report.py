@@ -16,7 +16,7 @@ from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.report import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
-from plans.model.balance.linkage import Counterweight, Shares, State
+from plans.model.balance.linkage import Counterweight, Shares
 from plans.model.motion import NOTHING
 from plans.study import Study
 from plans.words.words import word
@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 
 def centres(notes: BalanceNotes) -> Iterator[str]:
     """Tell mass centre, main vector and main moment at the positions of the scene, before and after."""
-    drafting, states = notes.drafting, _states(notes)
+    before, after = notes.balance.before, notes.balance.loaded
+    drafting, states = notes.drafting, {"": before} if after is None else {"": before, "'": after}
     heads = ["φ, °"]
     columns: list[Any] = [np.degrees(notes.balance.before.centre.phi)]
     for mark, state in states.items():
@@ -36,12 +37,6 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
         values = state.centre.r, state.centre.force, state.centre.moment
         columns += [np.where(np.abs(row) <= none, 0, row) for row, none in zip(values, least, strict=True)]
     yield from tabled(united(heads, drafting), columns, drafting.language)
-
-
-def _states(notes: BalanceNotes) -> Mapping[str, State]:
-    """Give the states by what is written behind their letters."""
-    before, after = notes.balance.before, notes.balance.loaded
-    return {"": before} if after is None else {"": before, "'": after}
 
 
 def counterweights(notes: BalanceNotes) -> Iterator[str]:

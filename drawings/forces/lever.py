@@ -79,14 +79,6 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
     return min(tries, key=cost)
 
 
-def _reach(pushes: Sequence[ShownVector]) -> float:
-    """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
-    lines = [(tied_spot(push.at), push.direction**2) for push in pushes]
-    shared = (sum(at == image and abs(way - line) < PARALLEL for image, way in lines) for at, line in lines)
-    most = max(shared, default=0)
-    return LONGEST + (SHORTEST + AFTER if most > BOTH else 0.0)
-
-
 def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) -> list[Arm]:
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
     subject = Subject(PLAN, SYMBOL, column)
@@ -195,7 +187,11 @@ def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
 def measure(shown: Hanging, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
     hand = drafting.hand
-    margins = around(MARGINS, hand, *(_reach(shown.forces) * hand.symbol,) * 3)
+    # Forces reach one of their length from their images, or two where many share a line there.
+    lines = [(tied_spot(push.at), push.direction**2) for push in shown.forces]
+    shared = (sum(at == image and abs(way - line) < PARALLEL for image, way in lines) for at, line in lines)
+    reach = LONGEST + (SHORTEST + AFTER if max(shared, default=0) > BOTH else 0.0)
+    margins = around(MARGINS, hand, *(reach * hand.symbol,) * 3)
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
     title = heading_width(_title(shown, drafting), hand)
     return picture(PLAN, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)

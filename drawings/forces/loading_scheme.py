@@ -320,7 +320,10 @@ def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Strok
         yield arm.letter_beside(labels, hand)
     for shift in layout.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
-    yield from _points(layout, labels, hand)
+    lines = [*_lines(layout.links), *(arrow.shaft for arrow in layout.arrows)]
+    for name, value in layout.shown.named.items():
+        spot, gap = layout.place.on(value), layout.clear(name) + 1.0
+        yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
     for arrow in layout.arrows:
         yield arrow.letter_beside(labels, hand)
     for couple in layout.couples:
@@ -329,14 +332,6 @@ def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Strok
         middle, turn = layout.gear.angle(layout.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)
     yield from link_numbers(layout.joints, layout.shown.links.links, labels, hand)
-
-
-def _points(layout: SchemeLayout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
-    """Letter each point where the widest angle between the lines at it is free."""
-    lines = [*_lines(layout.links), *(arrow.shaft for arrow in layout.arrows)]
-    for name, value in layout.shown.named.items():
-        spot, gap = layout.place.on(value), layout.clear(name) + 1.0
-        yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
 
 
 def _lines(strokes: list[Stroke]) -> Iterator[Line]:

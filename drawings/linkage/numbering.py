@@ -134,15 +134,11 @@ def _places(
     known = {station.name: station.crank for station in taken}
     for which, (column, spot) in enumerate(zip(found, ends, strict=False)):
         if column is None and travel is not None:
-            crank = _crank(bones, travel, which)
+            turn = CrankPositions(np.array(travel.extremes.phi), np.array(travel.directions))
+            crank = complex(PRIMARIES[bones.mechanism.drive.kind].ends(bones.mechanism, turn)[which])
             name = _named(bones, travel.extremes.phi[which], crank, known)
             known[name] = crank
             yield NumberedPlace(name, None, True, which == 1, crank, spot)
-
-
-def _crank(bones: Skeletons, travel: ExtremePositions, which: int) -> complex:
-    turn = CrankPositions(np.array(travel.extremes.phi), np.array(travel.directions))
-    return complex(PRIMARIES[bones.mechanism.drive.kind].ends(bones.mechanism, turn)[which])
 
 
 def _named(bones: Skeletons, phi: float, crank: complex, known: dict[str, complex]) -> str:
@@ -209,7 +205,8 @@ def _crank_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
             continue
         spot = place.on(station.crank)
         gap = CRANK_GAP + (pairs.clear(end) if _is_shown(bones, station) else 0.0)
-        out = _off_path(bones, spot, place)
+        # Direct a number away from the crank's pivot, or off the guide of a slider that drives.
+        out = aside(bones) if bones.mechanism.drive.pushed else spot - bones.pivot(place)
         gap += BARRED * hand.symbol if _in_barrier(out, bones) else 0.0
         gap += further if station.column is not None and station.column // every % 2 else 0.0
         number = labels.free(spot, text, hand.number, gap, cmath.phase(out))
@@ -252,11 +249,6 @@ def _round(bones: Skeletons, place: Place, hand: Hand) -> float:
     if bones.mechanism.drive.pushed:
         return abs(place.on(bones.drive_end(-1)) - place.on(bones.drive_end(0)))
     return 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2)
-
-
-def _off_path(bones: Skeletons, spot: complex, place: Place) -> complex:
-    """Direct a number away from the crank's pivot, or off the guide of a slider that drives."""
-    return aside(bones) if bones.mechanism.drive.pushed else spot - bones.pivot(place)
 
 
 def _in_barrier(ray: complex, bones: Skeletons) -> bool:

@@ -94,14 +94,18 @@ def clearest(
 ) -> list[Stroke]:
     """Dimension the way between two places on paper, on the side and as far off as is clearest."""
     first, last = ends
-    room = _room([place.on(value) for value in bones.points])
+    points = [place.on(value) for value in bones.points]
+    xs, ys = [point.real for point in points], [point.imag for point in points]
+    room = min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
     best: list[Stroke] = []
     cheapest = math.inf
     for distance in DISTANCES:
         if distance >= cheapest:
             break  # no place further off can be better
         for strokes in _candidates(first, last, distance, text, hand):
-            cost = tied(distance + _cost(strokes, ink, room))
+            letters, dimension, *extensions = strokes[:4]
+            struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
+            cost = tied(distance + (STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)))
             if cost < cheapest:
                 best, cheapest = strokes, cost
     return best
@@ -135,19 +139,6 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
         *(Line(pin + AWAY * out, foot + PAST * out, hand.drafted) for pin, foot in ((first, start), (last, end))),
         *heads,
     ]
-
-
-def _cost(strokes: list[Stroke], ink: Ink, room: Box) -> float:
-    """Weigh a dimension: lines through its number, lines that its own lines cross, what is beyond the border."""
-    letters, dimension, *extensions = strokes[:4]
-    struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
-    return STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)
-
-
-def _room(points: list[complex]) -> Box:
-    """Give the box of a plan's points with the border round it."""
-    xs, ys = [point.real for point in points], [point.imag for point in points]
-    return min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
 
 
 def _beyond(strokes: list[Stroke], room: Box) -> float:

@@ -187,7 +187,11 @@ def _extremes(pairs: Pairs) -> Iterable[Stroke]:
 def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss are drawn through the figure."""
     plan = bones.study.drafts().positions
-    box = _around([place.on(value) for value in bones.points], NOTCH * hand.symbol)
+    # The box around some places on paper, and a margin
+    spots = [place.on(value) for value in bones.points]
+    margin = NOTCH * hand.symbol
+    across, up = [spot.real for spot in spots], [spot.imag for spot in spots]
+    box = Field(min(across) - margin, min(up) - margin, max(across) + margin, max(up) + margin)
     arcs: list[Stroke] = []
     for mark in plan.board:
         for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
@@ -198,7 +202,9 @@ def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
                         Arc(centre, place.length(abs(at(locus.value.radius, 0))), 0, 2 * math.pi), box, hand
                     )
                 elif not math.isnan(arm.real):
-                    arcs.append(_notch(centre, place.length(abs(arm)), cmath.phase(arm), hand))
+                    radius, angle = place.length(abs(arm)), cmath.phase(arm)
+                    half = min(NOTCH * hand.symbol / radius, math.pi)
+                    arcs.append(Arc(centre, radius, angle - half, angle + half, hand.drafted))
     return arcs
 
 
@@ -212,14 +218,3 @@ def _within(circle: Arc, box: Field, hand: Hand) -> Iterator[Arc]:
         if is_inside and count > 1:
             yield Arc(circle.centre, circle.radius, start * step, (start + count - 1) * step, hand.drafted)
         start += count
-
-
-def _around(spots: list[complex], margin: float) -> Field:
-    """Give the box around some places on paper, and a margin."""
-    across, up = [spot.real for spot in spots], [spot.imag for spot in spots]
-    return Field(min(across) - margin, min(up) - margin, max(across) + margin, max(up) + margin)
-
-
-def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
-    half = min(NOTCH * hand.symbol / radius, math.pi)
-    return Arc(centre, radius, angle - half, angle + half, hand.drafted)

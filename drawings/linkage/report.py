@@ -141,20 +141,13 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     return Chapters(
         chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
         chain(
-            _equations(linkage, comparison, leaves),
+            equations(linkage, comparison.construction, drawn_scales(leaves), shown_positions(leaves)),
             see(leaves, linkage.language, "velocities", "accelerations"),
             _values(linkage, comparison),
         ),
         _conditions(linkage),
         _left_out(study, linkage, leaves),
     )
-
-
-def _equations(
-    study: LinkageStudy, comparison: MotionComparison, leaves: Mapping[str, Sequence[Leaf]]
-) -> Iterator[str]:
-    """Write the vector equations of the positions that sheets show, by the construction."""
-    return equations(study, comparison.construction, drawn_scales(leaves), shown_positions(leaves))
 
 
 def headline(study: Study) -> str:
@@ -333,16 +326,13 @@ def _conditions(study: LinkageStudy) -> Iterator[str]:
     for group, kappas in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
         if not np.isnan(kappas).all():
             worst = int(np.nanargmax(kappas))
-            yield row([group.label, *_graded(float(kappas[worst]), worst, language)])
-
-
-def _graded(kappa: float, position: int, language: str) -> tuple[str, str, str]:
-    """Give the sharpest notch of a group, the position of it, and what that means."""
-    grades = (("not_graded", NOT_GRADED), ("warning", WARNING), ("note", NOTE))
-    grade = next((word(language, f"report.{name}") for name, least in grades if kappa >= least), "")
-    sharp = fixed(math.degrees(math.asin(min(1 / kappa, 1.0))), language)
-    least = f"{sharp}°" if math.isfinite(kappa) else word(language, "report.unbounded")
-    return least, str(position), grade
+            # The sharpest notch of a group, the position of it, and what that means
+            kappa = float(kappas[worst])
+            grades = (("not_graded", NOT_GRADED), ("warning", WARNING), ("note", NOTE))
+            grade = next((word(language, f"report.{name}") for name, least in grades if kappa >= least), "")
+            sharp = fixed(math.degrees(math.asin(min(1 / kappa, 1.0))), language)
+            least = f"{sharp}°" if math.isfinite(kappa) else word(language, "report.unbounded")
+            yield row([group.label, least, str(worst), grade])
 
 
 def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:

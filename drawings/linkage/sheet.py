@@ -128,7 +128,10 @@ class _KinematicsSheet:
         """A plan, or in its place why it is not drawn."""
         name, shown = f"{subject}-{k}", self._shown_plans[subject, k]
         if not self._is_whole(subject, k):
-            why = self._why(subject, k)
+            gap = next((g for g in self.comparison.construction.gaps if g.position == k), None)
+            reason = self.drafting.word(gap.reason) if gap else ""
+            plan = self.drafting.word(f"{subject} plan")
+            why = self.drafting.word("no plan", plan=plan, position=k, reason=reason)
             absent = measure_missing(why, name, self.drafting)
             return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
         return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=self._shared(subject))
@@ -177,13 +180,6 @@ class _KinematicsSheet:
         """Say why a plan has another scale than the others of its kind."""
         plans = (exhibit.panel.item for exhibit in self._plans())
         return tuple(vector_plan.remarks([plan for plan in plans if isinstance(plan, Picture)], spots, self.drafting))
-
-    def _why(self, subject: str, k: int) -> str:
-        """Say in words why a plan is not drawn."""
-        gap = next((g for g in self.comparison.construction.gaps if g.position == k), None)
-        reason = self.drafting.word(gap.reason) if gap else ""
-        plan = self.drafting.word(f"{subject} plan")
-        return self.drafting.word("no plan", plan=plan, position=k, reason=reason)
 
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states, and that of the output's course."""

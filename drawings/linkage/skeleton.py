@@ -157,7 +157,10 @@ BEYOND = 0.25  # share of the mechanism's size that a path between numbered posi
 
 def way(study: LinkageStudy, drawn: Sequence[Poses]) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
-    nodes = np.linspace(*_whole(study), NODES + 1)
+    # The coordinates of the drive between which the way is shown: a turn, or its stroke
+    first = float(study.turn.phi[0])
+    last = first + 2 * np.pi if study.mechanism.drive.turns else float(study.turn.phi[-1])
+    nodes = np.linspace(first, last, NODES + 1)
     dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
     known = [values for known_poses in drawn for values in known_poses.points.values()]
     box = np.concatenate([*known, _round(study)])
@@ -174,12 +177,6 @@ def _round(study: LinkageStudy) -> Complexes:
     pivot = study.mechanism.links[FRAME].points[drive.pivot]
     radius = abs(complex(PRIMARIES[drive.kind].ends(study.mechanism, study.turn)[0]) - pivot)
     return np.asarray(pivot + radius * np.array([1, 1j, -1, -1j]))
-
-
-def _whole(study: LinkageStudy) -> tuple[float, float]:
-    """Give the coordinates of the drive between which the way is shown: a turn, or its stroke."""
-    first = float(study.turn.phi[0])
-    return (first, first + 2 * np.pi) if study.mechanism.drive.turns else (first, float(study.turn.phi[-1]))
 
 
 def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:

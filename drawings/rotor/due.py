@@ -60,12 +60,9 @@ class _ExpectedRotor:
     def polygons(self) -> Iterator[Expected]:
         """Give the sides of the polygons; one that rounding may hide or make is doubtful."""
         for plan in (COUPLES, UNBALANCES) if self.rotor.dynamic else (UNBALANCES,):
-            slack = self.slack * self._lever(plan)
+            slack = self.slack * (abs(self.rotor.arm(self.rotor.planes[0].place)) if plan == COUPLES else 1.0)
             for name, value in self._shown(plan).items():
                 yield Expected(Kind.VECTOR, plan, name, value, slack, may_lack=abs(value) <= slack)
-
-    def _lever(self, plan: str) -> float:
-        return abs(self.rotor.arm(self.rotor.planes[0].place)) if plan == COUPLES else 1.0
 
     def _vectors(self, plan: str) -> Mapping[str, complex]:
         """Give the vectors of a polygon that are not zero, kg*m or kg*m2."""

@@ -76,16 +76,13 @@ def compared(comparison: Comparison) -> list[Quantity]:
 
 def _line(finding: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding; what vanishes is 0 by both roads."""
-    line = value_row(finding, _name(finding, drafting), (0,), drafting.language)
+    head, _, after = finding.name.partition("'")
+    prime = "'" if finding.name.endswith("'") else after
+    name = f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"
+    line = value_row(finding, name, (0,), drafting.language)
     if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
         return line._replace(cells=("0", "0", line.cells[-1]))
     return line
-
-
-def _name(finding: Quantity, drafting: Drafting) -> str:
-    head, _, after = finding.name.partition("'")
-    prime = "'" if finding.name.endswith("'") else after
-    return f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"
 
 
 def _table(name: str, lines: list[TableRow], first: str, heads: tuple[str, ...], drafting: Drafting) -> RuledTable:
@@ -105,9 +102,11 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
     """Lay out the sheets of a rotor whose two roads are compared."""
     drafting = drafting_of(scene)
     polygons = tuple(_polygons(rotor, drafting))
+    table = results(comparison, drafting)
+    panel = Panel(table.block(table.name), together=TOGETHER)
     shows: tuple[Exhibit | Caption, ...] = (
         *(exhibit(polygon, figure, drafting, together=TOGETHER) for figure in polygons),
-        _results(comparison, drafting),
+        Caption(panel, partial(_written, table, drafting), waits=True),
         *_views(rotor, drafting),
         *captions(figure.working(drafting) for figure in polygons),
     )
@@ -137,13 +136,6 @@ def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Polygon]:
     names = frozenset(placed.mark.name for placed in drawing.corrections[:-1])
     for construction in (drawing.moments, drawing.forces) if rotor.rotor.dynamic else (drawing.forces,):
         yield rotor_polygon(construction, names, drafting)
-
-
-def _results(comparison: Comparison, drafting: Drafting) -> Caption:
-    """Tell what both roads found under the polygon that ends the construction."""
-    table = results(comparison, drafting)
-    panel = Panel(table.block(table.name), together=TOGETHER)
-    return Caption(panel, partial(_written, table, drafting), waits=True)
 
 
 def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[[Later], str]) -> Group:

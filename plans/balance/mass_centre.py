@@ -190,16 +190,12 @@ def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int
             line, why = points.line(link, image.span), because("main_vector_of", link=link)
             yield link, board.similar(f"h_{link}", image.arm, line, points.marks[link], why=why)
     for share in points.variables:
-        yield share.stem.link, _variable(share, plan, board)
-
-
-def _variable(share: Share, plan: Plan, board: Board) -> Mark:
-    """Give a share of the vector along a guide: on the plan of positions it is variable, and so are its images."""
-    stem, name = share.stem, f"u_{share.stem.link}"
-    start = plan.place(stem.parent, stem.at, f"{name}′")
-    end = plan.place(stem.link, stem.origin, f"{name}″")
-    along = board.join(f"{name}:1", start, end, because("along_guide"))
-    return board.turn(name, along, share.share, because("variable_vector", link=stem.link))
+        # A share of the vector along a guide: on the plan of positions it is variable, and so are its images.
+        stem, name = share.stem, f"u_{share.stem.link}"
+        start = plan.place(stem.parent, stem.at, f"{name}′")
+        end = plan.place(stem.link, stem.origin, f"{name}″")
+        along = board.join(f"{name}:1", start, end, because("along_guide"))
+        yield share.stem.link, board.turn(name, along, share.share, because("variable_vector", link=stem.link))
 
 
 def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str) -> VectorChain:

@@ -129,14 +129,11 @@ def _of(
     yield _finding(f"{letters}(k)", "N", [[getattr(choice, name) for choice in row] for row in curve], off)
     best: Sequence[Choice] = [getattr(road, f"least_{name}") for road in (ours, theirs)]
     yield _finding(f"min {letters}(k)", "N", [[getattr(choice, name)] for choice in best], off)
-    width = _width(largest, best[1].share, 2 * off)
+    # The share may be as far from the best one as what is largest differs by no more than rounding.
+    share = best[1].share
+    level = largest(share) + 2 * off
+    width = max(_reach(largest, share, end, level) for end in (0.0, 1.0)) + 4 * EPS
     yield _finding(f"k {letters}", "1", [[choice.share] for choice in best], width)
-
-
-def _width(largest: Callable[[float], float], share: float, off: float) -> float:
-    """Give how far a share may be from the best one for what is largest to differ by no more than rounding."""
-    level = largest(share) + off
-    return max(_reach(largest, share, end, level) for end in (0.0, 1.0)) + 4 * EPS
 
 
 def _reach(largest: Callable[[float], float], share: float, end: float, level: float) -> float:
@@ -235,14 +232,9 @@ def _analysed(study: BalanceStudy, below: MotionNumbers) -> tuple[Balance, Vecto
     turned = positions_around(study.linkage).phi - study.linkage.turn.phi[0]
     course = course_of(study, road, motion, road.around(motion.phi[0] + turned))
     found = balance(course, study.task, study.linkage.groups)
-    return found, _vectors(study, found)
-
-
-def _vectors(study: BalanceStudy, found: Balance) -> Vectors:
-    """Give the vectors of main points before and after by analysis, the counterweights as bodies of their own."""
     stems, machine = study.tree.stems, study.machine
     before = vectors(bodies(machine), stems)
-    return before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems)
+    return found, (before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems))
 
 
 def _centre(centre: MassCentre, vectors: Mapping[int, complex], datum: complex) -> dict[str, Any]:

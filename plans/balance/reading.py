@@ -28,7 +28,11 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     form = scene.of(BalanceForm).balance
     yield from odd_lengths(scene, dict(_lengths(form)))
     yield from _heavy(scene, form)
-    yield from _light(scene, form)
+    # Find densities that no solid weight has: a bare number of g/cm3.
+    for number, weight in enumerate(form.counterweights):
+        if "density" in weight.given and weight.density < LIGHTEST:
+            path = ("balance", "counterweights", number, "density")
+            yield scene.fault(path, "light_density", density=f"{weight.density.normalize():f}")
     if form.aim == NONE and form.counterweights:
         yield scene.fault(("balance", "counterweights"), "idle_counterweights")
     survey = scene.meaning.of(LinkageSurvey)
@@ -42,14 +46,6 @@ def _lengths(form: BalanceTable) -> Iterator[tuple[Path, Decimal]]:
         sizes = {"radius": weight.radius, "at": weight.at, "thickness": weight.thickness}
         path: Path = ("balance", "counterweights", number)
         yield from (((*path, name), abs(size)) for name, size in sizes.items() if size and name in weight.given)
-
-
-def _light(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
-    """Find densities that no solid weight has: a bare number of g/cm3."""
-    for number, weight in enumerate(form.counterweights):
-        if "density" in weight.given and weight.density < LIGHTEST:
-            path = ("balance", "counterweights", number, "density")
-            yield scene.fault(path, "light_density", density=f"{weight.density.normalize():f}")
 
 
 def _heavy(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
@@ -152,7 +148,11 @@ def survey_of(meaning: Meaning) -> BalanceSurvey:
         _check_carrier(survey, ("balance", "counterweights", number), weight)
     if form.aim != NONE:
         _check_aim(survey, form)
-    _check_letter(survey)
+    # See that no point has the letter of the common mass centre: both stand on one scheme.
+    link = next((number for number, points in survey.points_of.items() if COMMON in points), None)
+    if link is not None:
+        tables = ("mechanism", "frame", COMMON), ("mechanism", "points", COMMON), ("mechanism", "links", str(link))
+        survey.report(next(path for path in tables if survey.scene.has(path)), "common_centre", letter=COMMON)
     check_moving(survey, ("balance",))
     return BalanceSurvey(task_of(form), survey.faults)
 
@@ -178,14 +178,6 @@ def _check_aim(survey: LinkageSurvey, form: BalanceTable) -> None:
             survey.report(AIM, "no_carriers", example=COUNTERWEIGHT, advice=_would_do(survey, form.aim))
     elif form.aim == SHARE and crank not in links:
         survey.report(("balance", "counterweights"), "crank_carries", link=crank)
-
-
-def _check_letter(survey: LinkageSurvey) -> None:
-    """See that no point has the letter of the common mass centre: both stand on one scheme."""
-    link = next((number for number, points in survey.points_of.items() if COMMON in points), None)
-    if link is not None:
-        tables = ("mechanism", "frame", COMMON), ("mechanism", "points", COMMON), ("mechanism", "links", str(link))
-        survey.report(next(path for path in tables if survey.scene.has(path)), "common_centre", letter=COMMON)
 
 
 def _would_do(survey: LinkageSurvey, aim: str = PARTIAL) -> Message:

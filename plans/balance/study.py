@@ -39,7 +39,10 @@ def substituted(
     found = Substitution(mechanism, bodies, task)
     if task.aim == NONE:
         return found
-    _check_places(mechanism, groups, task)
+    points = begins(mechanism, groups)
+    for place in task.places:
+        if place.link not in points:
+            raise Unmade(IDLE, place.link, links=tuple(str(link) for link in sorted(points)))
     for group in reversed(groups):
         assert isinstance(group, Dyad)  # the only groups that a mechanism is broken into
         KINDS[group.kind](found, group)
@@ -85,14 +88,6 @@ def _share(found: Substitution, groups: Sequence[Assur], share: float) -> None:
         whole = found.left.get(slider, found.sums.no_mass)
         mark = found.sums.masses.turn(f"k·m_{slider}", whole.mark, share, because("share_of_mass", point=slider))
         found.put(crank, pin, found.at_point(crank, pin), SumTerm(mark, whole.size * share))
-
-
-def _check_places(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> None:
-    """Refuse a counterweight on a link that has no hinge to turn it about."""
-    points = begins(mechanism, groups)
-    for place in task.places:
-        if place.link not in points:
-            raise Unmade(IDLE, place.link, links=tuple(str(link) for link in sorted(points)))
 
 
 def loaded(machine: Machine, counterweights: Iterable[Counterweight]) -> Machine:

@@ -129,7 +129,11 @@ def strokes(
             reached = extremes(shown) if shown else None
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
                 raise NoStroke(load.name, _thing(load.stroke, output))
-            found[load.stroke] = _stroke(mechanism, shown, reached)
+            sense = -1 if mechanism.drive.omega < 0 else 1
+            point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
+            found[load.stroke] = OutputStroke(
+                *reached.phi, sense, reached.reach, shown.link, shown.point or point, way, shown.parting
+            )
         if asks(load):
             _check_length(load, found[load.stroke], _thing(load.stroke, output))
     return found
@@ -174,12 +178,6 @@ def output_at(mechanism: Mechanism, point: str) -> Output | None:
     fixed = mechanism.links[FRAME].points
     hung = [link for link in links if not fixed.keys().isdisjoint(mechanism.links[link].points)]
     return next((Output(link, point) for link in (*sliding, *hung)), None)
-
-
-def _stroke(mechanism: Mechanism, shown: Output, reached: Extremes) -> OutputStroke:
-    sense = -1 if mechanism.drive.omega < 0 else 1
-    point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
-    return OutputStroke(*reached.phi, sense, reached.reach, shown.link, shown.point or point, way, shown.parting)
 
 
 APART = 8 * 2.0**-52  # share of two places: points nearer to each other than their rounding are in one place

@@ -289,7 +289,7 @@ class Statics:
             *still,
             *(self._gap(k, self._reason(k), message("place.force_plan")) for k in np.flatnonzero(none).tolist()),
         ]
-        return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=_number)))
+        return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=lambda gap: gap.position)))
 
     def parts(self) -> Iterator[ForceDrafts]:
         """Give the force plans over all positions, in blocks where these are more than those of a sheet."""
@@ -322,7 +322,3 @@ class Statics:
     def _gap(self, position: int, reason: str, where: str | Message) -> Gap:
         """Name a position that can be assembled, but has no forces."""
         return Gap(position, float(self.study.turn.phi[position]), FORCES, reason, where, 0.0, ADVICE[reason])
-
-
-def _number(gap: Gap) -> int:
-    return gap.position

@@ -136,14 +136,10 @@ class ForceTable(PressedTable):
             wanted, advice = "a vector [Fx, Fy] in N", message("advice.vector")
             if self.value is None:
                 wanted, advice = "a direction of the force", message("advice.direction")
-            raise wrong("force_value", wanted=wanted, advice=advice, at=(self._sized,))
+            sized = next(name for name in _SIZES if name in self.given)
+            raise wrong("force_value", wanted=wanted, advice=advice, at=(sized,))
         if vector and aside:
             raise wrong("force_value", wanted=self._wanted, advice=message("advice.size"), at=("value",))
-
-    @property
-    def _sized(self) -> str:
-        """The key that gives the force its size."""
-        return next(name for name in _SIZES if name in self.given)
 
     @property
     def _wanted(self) -> str:

@@ -78,7 +78,8 @@ def letters(loads: LoadsTable) -> list[str]:
     taken = {name for name, _ in named if name is not None}
     found = []
     for given, name in named:
-        found.append(given or _distinct(name, taken))
+        # Make a name another than those taken: F_s, F_s1, F_s2.
+        found.append(given or next(other for k in range(len(taken) + 1) if (other := f"{name}{k or ''}") not in taken))
         taken.add(found[-1])
     return found
 
@@ -86,11 +87,6 @@ def letters(loads: LoadsTable) -> list[str]:
 def _places(force: ForceTable) -> str:
     """Give the letters of the point or the two points that a force acts on."""
     return "".join(map(point_of, force.between)) if force.between is not None else force.point or ""
-
-
-def _distinct(name: str, taken: set[str]) -> str:
-    """Make a name another than those taken: F_s, F_s1, F_s2."""
-    return next(other for k in range(len(taken) + 1) if (other := f"{name}{k or ''}") not in taken)
 
 
 def gravity(given: Decimal | Vector | None) -> complex:

@@ -15,7 +15,6 @@ from plans.forces.reading.form import (
     ForceForm,
     ForceTable,
     LoadsTable,
-    MassTable,
     MomentTable,
     PairTable,
 )
@@ -198,7 +197,10 @@ def _masses(scene: Scene, form: ForceForm) -> Iterator[Fault]:
         link, path = mechanism.links[number], ("masses", str(number))
         slotted = any(slide.owner == number for slide in mechanism.slides)
         room = _length(link) or (SLOT if slotted else 1.0) * longest
-        yield from _centre(scene, (*path, "centre"), mass, link, room)
+        centre = mass.place(link)
+        far = min(abs(centre - place) for place in link.points.values())
+        if far > room:
+            yield scene.fault((*path, "centre"), "far_centre", far=f"{far:.4g}", link=link.number)
         most = float(mass.mass) * _length(link) ** 2
         # A crank has its gear or flywheel in its inertia, and a block no length.
         if number != mechanism.drive.link and _length(link) and float(mass.inertia) > most:
@@ -219,13 +221,6 @@ def _radii(scene: Scene, form: ForceForm, longest: float) -> Iterator[Fault]:
         if radius is not None and float(radius) > most > 0:
             note = scene.fault(path, "large_radius", longest=f"{longest:.4g}", example="")
             yield scene.fault(path, "large_radius", longest=f"{longest:.4g}", example=note.value)
-
-
-def _centre(scene: Scene, path: Path, mass: MassTable, link: Link, size: float) -> Iterator[Fault]:
-    centre = mass.place(link)
-    far = min(abs(centre - place) for place in link.points.values())
-    if far > size:
-        yield scene.fault(path, "far_centre", far=f"{far:.4g}", link=link.number)
 
 
 def _mechanism(scene: Scene) -> Mechanism | None:
