@@ -205,9 +205,7 @@ class _BalanceSheet(Balanced):
             places[CENTRE] = self.centre(state)
             for name, place in places.items():
                 yield Expected(Kind.POINT, plan, name, place, slack, k)
-            yield from (
-                Expected(Kind.VECTOR, plan, vector.name, vector.value, slack, k, True) for vector in self.chain(state)
-            )
+            yield from (Expected(Kind.VECTOR, plan, v.name, v.value, slack, k, True) for v in self.chain(state))
 
     def polygon(self) -> Iterator[Expected]:
         """Give the static moments and their sum, but for what is nothing beside all of them."""

@@ -112,7 +112,6 @@ def hodograph(states: Mapping[str, State], shown: int, nothing: float, whole: bo
 
 
 def _ends_of(state: State, shown: int) -> Complexes:
-    """Give the main vectors at the positions that are told."""
     force = state.centre.force
     kept = np.isin(np.arange(len(force)), numbered(len(force), shown))
     return np.where(kept, force, np.nan + 0j)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +12,10 @@ from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quanti
 from drawings.balance.notes import BalanceNotes
 from drawings.forces.report import drafting_of_forces, mass_table
 from drawings.lettering.words import CENTRE, FORCE, MOMENT, counterweight
-from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.report import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
-from plans.model.balance.linkage import Counterweight, Shares
+from plans.model.balance.linkage import Counterweight
 from plans.model.motion import NOTHING
 from plans.study import Study
 from plans.words.words import word
@@ -70,14 +69,6 @@ def costs(notes: BalanceNotes) -> Iterator[str]:
         yield row([quantity.name.replace("{", "").replace("}", ""), *cells(quantity, before, after, drafting, DIGITS)])
 
 
-def share_table(found: Shares, reaction: str, drafting: Drafting) -> Iterator[str]:
-    """Tell the largest shaking force and reaction of the shaft over the share, the two least among them."""
-    newtons = drafting.word("N")
-    yield from header(["k", f"{FORCE} _max, {newtons}", f"{reaction} _max, {newtons}"])
-    for choice in sorted({*found.curve, found.least_force, found.least_reaction}):
-        yield row([drafting.number(value, DIGITS) for value in choice])
-
-
 def headline(study: Study) -> str:
     """Say what is to be put on, and what it costs."""
     notes = notes_of(study)
@@ -120,7 +111,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     aim = word(language, f"report.aim_{notes.balance.task.aim}")
     masses = () if "forces" in study.techniques else mass_table(notes.machine, language)
     return Chapters(
-        subject=[chapter(language, "balancing"), aim, *masses, *_lines(notes.main_points())],
+        subject=[chapter(language, "balancing"), aim, *masses, *map(entry, notes.main_points())],
         values=[*_counterweights(notes), *_costs(notes), *_shares(notes), *_centres(notes)],
         left_out=[word(language, "report.balance_left_out")],
     )
@@ -130,7 +121,7 @@ def _counterweights(notes: BalanceNotes) -> Iterator[str]:
     lines = [*notes.counterweights(), *notes.balanced(), *notes.left()]
     if lines:
         yield chapter(notes.drafting.language, "counterweights")
-        yield from _lines(lines)
+        yield from map(entry, lines)
     if notes.balance.counterweights:
         yield ""
         yield from counterweights(notes)
@@ -145,18 +136,17 @@ def _shares(notes: BalanceNotes) -> Iterator[str]:
     shares = notes.balance.shares
     if shares is not None:
         yield chapter(notes.drafting.language, "shares")
-        yield from _lines(notes.choice())
+        yield from map(entry, notes.choice())
         yield ""
-        yield from share_table(shares, plain(notes.shaft), notes.drafting)
+        newtons = notes.drafting.word("N")
+        yield from header(["k", f"{FORCE} _max, {newtons}", f"{plain(notes.shaft)} _max, {newtons}"])
+        for choice in sorted({*shares.curve, shares.least_force, shares.least_reaction}):
+            yield row([notes.drafting.number(value, DIGITS) for value in choice])
 
 
 def _centres(notes: BalanceNotes) -> Iterator[str]:
     yield chapter(notes.drafting.language, "mass_centre")
     yield from centres(notes)
-
-
-def _lines(notes: Iterable[str]) -> Iterator[str]:
-    return map(entry, notes)
 
 
 REPORT = Report(chapters, headline, conclusion=_concluded)

@@ -106,14 +106,8 @@ def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ..
         drawings[AFTER] = study.drawing(after=True, position=shown)
     chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
     moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
-    return ShownBalance(
-        skeletons(study.linkage, motion.construction, shown),
-        chains,
-        moments,
-        study.balance,
-        notes,
-        study.statics.form.sheet.reactions,
-    )
+    bones, reactions = skeletons(study.linkage, motion.construction, shown), study.statics.form.sheet.reactions
+    return ShownBalance(bones, chains, moments, study.balance, notes, reactions)
 
 
 def _vector(side: ChainSide) -> ShownVector:

@@ -85,9 +85,7 @@ class CutLinks:
     @property
     def feet(self) -> list[complex]:
         """The shown places of blocks that stand off their points, on guides beside these."""
-        slides = [
-            slide for slide in self.mechanism.slides if slide.owner == FRAME and offset_foot(self, slide) is not None
-        ]
+        slides = [s for s in self.mechanism.slides if s.owner == FRAME and offset_foot(self, s) is not None]
         return [complex(self.numbered.blocks(slide)[self.shown]) for slide in slides]
 
     def middle(self, link: int) -> complex:

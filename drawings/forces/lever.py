@@ -83,9 +83,7 @@ def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: 
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
     subject = Subject(PLAN, SYMBOL, column)
     every = (
-        to_scale(term.arm, place.on(0j), place.on(term.at), term.direction, place.scale, subject)
-        for term in terms
-        if term.dimensioned
+        to_scale(t.arm, place.on(0j), place.on(t.at), t.direction, place.scale, subject) for t in terms if t.dimensioned
     )
     kept = sorted((arm for arm in every if arm.length >= LEAST_ARM), key=lambda arm: tied(arm.length))
     return aside(kept, [*taken.rods, *taken.forces], taken.box)

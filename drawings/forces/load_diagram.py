@@ -233,7 +233,6 @@ def _title(course: LoadCourse, drafting: Drafting) -> str:
 
 
 def _corner(text: str, at: complex, above: bool, hand: Hand) -> Letter:
-    """Letter a point of the course above or below it."""
     return Letter(at, text, hand.number, OVER if above else UNDER, DOT + BESIDE)
 
 

@@ -115,10 +115,8 @@ class SchemeLayout:
         """The arms on their perpendiculars."""
         subject = Subject(self._plan, "h", self.shown.column)
         on, scale = self.place.on, self.place.scale
-        return [
-            to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject)
-            for arm in self.shown.dimensioned
-        ]
+        arms = self.shown.dimensioned
+        return [to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject) for arm in arms]
 
     @cached_property
     def shifts(self) -> list[Dimension]:

@@ -279,7 +279,6 @@ def _flanks(found: Kinetostatics, statics: Statics) -> Iterator[str]:
 
 
 def _sized(column: Any, nothing: Any) -> Any:
-    """Give what is but rounding as zero."""
     return np.where(np.abs(column) <= nothing, 0.0, column)
 
 

@@ -273,12 +273,8 @@ def equations_of(study: Study, mark: Mark, position: int) -> Iterator[str]:
     drafting = drafting_of(study.scene)._replace(reactions=statics.form.sheet.reactions)
     written = CutEquations(plans.plan, 0, Formula(drafting), nothing)
     for cut in plans.plan.cuts:
-        parts = (part.name for support in cut.supports for part in support.parts)
-        given = {
-            *parts,
-            *(support.force.name for support in cut.reactions),
-            *(equation.found.name for equation in cut.equations),
-        }
+        given = {part.name for support in cut.supports for part in support.parts}
+        given |= {support.force.name for support in cut.reactions} | {e.found.name for e in cut.equations}
         if mark.name in given:
             yield from (line.strip("$") for line in written.lines(cut) if line.startswith("$$"))
             return

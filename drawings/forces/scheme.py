@@ -73,7 +73,6 @@ def friction_circles_of(plan: ForcePlan, cut: CutGroup) -> Iterator[tuple[str, f
 
 
 def _hinges(plan: ForcePlan, links: set[int]) -> list[str]:
-    """Give the hinge that two links share."""
     first, other = (plan.mechanism.links[link].points for link in links)
     return [name for name in first if name in other and name in plan.mechanism.hinges]
 

@@ -64,13 +64,8 @@ def _up(part: LaidPart) -> float:
 def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first."""
     order = sorted(parts, key=lambda part: -tied(part.length))
-    return Group(
-        tuple(
-            stating(vector.states, labels.along(vector.start, vector.end, vector.text, hand.number, GAP, _up(vector)))
-            for vector in order
-        ),
-        f"{plan}-{PARTS}",
-    )
+    parts = (stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v))) for v in order)
+    return Group(tuple(parts), f"{plan}-{PARTS}")
 
 
 ARM = 3.2  # length of either vector, in sizes of a letter
@@ -125,7 +120,6 @@ def rule(shown: QuarterTurn, centre: complex, hand: Hand) -> Group:
 
 
 def _letters(shown: QuarterTurn, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
-    """Letter both vectors beyond their tips."""
     texts: list[Stroke] = []
     for direction, content in ((shown.slip, "v_r"), (shown.result, f"a^k_{{{shown.point}}}")):
         text = Text(0j, content, hand.text, "start", True)

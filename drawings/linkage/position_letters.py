@@ -133,12 +133,9 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
     above = ABOVE - text_reach(Text(0j, text, hand.letter, "middle", True))[0]  # a comma hangs below its line
     letters = Text(middle + 1j * along * above, text, hand.letter, "middle", True, math.degrees(cmath.phase(along)))
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
-    return [
-        letters,
-        Line(*line, hand.drafted),
-        *(Line(pin + AWAY * out, foot + PAST * out, hand.drafted) for pin, foot in ((first, start), (last, end))),
-        *heads,
-    ]
+    feet = ((first, start), (last, end))
+    extensions = (Line(pin + AWAY * out, foot + PAST * out, hand.drafted) for pin, foot in feet)
+    return [letters, Line(*line, hand.drafted), *extensions, *heads]
 
 
 def _beyond(strokes: list[Stroke], room: Box) -> float:

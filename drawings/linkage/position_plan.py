@@ -93,15 +93,8 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     grounded = grounds(pairs, ink)
     ink.draw(grounded)
     ink.draw([*paths, *positions, *extremes, *lines, *notches], SHARE)
-    under: list[tuple[str, Iterable[Stroke]]] = [
-        ("paths", paths),
-        (OTHERS, positions),
-        ("extremes", extremes),
-        ("guides", lines),
-        ("notches", notches),
-        (TIES, ties(pairs)),
-        (TICKS, path_ticks(pairs)),
-    ]
+    under: list[tuple[str, Iterable[Stroke]]] = [("paths", paths), (OTHERS, positions), ("extremes", extremes)]
+    under += [("guides", lines), ("notches", notches), (TIES, ties(pairs)), (TICKS, path_ticks(pairs))]
     groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
     groups += [
         Group(tuple(grounded), "grounds"),
@@ -116,7 +109,6 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
 
 
 def _sense(arrow: TurningArrow | PushArrow, pairs: Pairs) -> Stroke:
-    """Draw the arrow of a rate of the primary link as what it states."""
     return stating(Statement(Kind.DIRECTION, NAME, arrow.letter), *arrow.strokes(pairs))
 
 
@@ -176,7 +168,6 @@ def _links(bones: Skeletons, poses: Poses, k: int, place: Place, style: LineStyl
 
 
 def _extremes(pairs: Pairs) -> Iterable[Stroke]:
-    """Draw the extreme positions in dash-two-dots lines."""
     bones = pairs.bones
     if bones.extremes is not None:
         for k in range(2):

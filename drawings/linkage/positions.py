@@ -180,11 +180,8 @@ def shown_positions(bones: Skeletons, drafting: Drafting) -> Exhibit:
 
 def facts_of(study: LinkageStudy, shown: int, names: Collection[str]) -> dict[str, Any]:
     """Say in the data of a sheet of which mechanism it is, and which position its plan of positions shows."""
-    return {
-        "structure": formula(study.mechanism, study.groups),
-        "positions": len(study.turn),
-        "shown": shown if POSITIONS.plan in names else None,
-    }
+    drawn = shown if POSITIONS.plan in names else None
+    return {"structure": formula(study.mechanism, study.groups), "positions": len(study.turn), "shown": drawn}
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:

@@ -74,10 +74,8 @@ def structure(study: LinkageStudy) -> Iterator[str]:
 
 def _lengths(study: LinkageStudy, letters: Formula) -> Iterator[str]:
     given = study.form.mechanism.lengths
-    lines = (
-        inline(letters.letter(f"l_{{{name}}}"), letters.quantity(MM * float(length), "mm"))
-        for name, length in given.items()
-    )
+    sizes = {name: letters.quantity(MM * float(length), "mm") for name, length in given.items()}
+    lines = (inline(letters.letter(f"l_{{{name}}}"), size) for name, size in sizes.items())
     if given:
         yield word(study.language, "report.lengths", lengths=", ".join(lines))
 
@@ -225,11 +223,9 @@ def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     if len(found.rests) > 2:
         yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, study.language))
     else:
-        yield stated(
-            "report.ratio_faster" if extremes.faster else "report.ratio",
-            overlap=_stated("θ", extremes.overlap, study.language),
-            ratio=Slot("K", extremes.ratio, DIGITS),
-        )
+        key = "report.ratio_faster" if extremes.faster else "report.ratio"
+        overlap = _stated("θ", extremes.overlap, study.language)
+        yield stated(key, overlap=overlap, ratio=Slot("K", extremes.ratio, DIGITS))
 
 
 def _pressure(study: LinkageStudy) -> Iterator[str]:
@@ -237,10 +233,8 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
         yield word(study.language, "report.no_pressure")
     for group in study.groups if study.nodes.size else ():
         pressure = interval(study.sweep, group, study.nodes)
-        low, high = (
-            _stated(f"{end} {group.label}", angle, study.language)
-            for end, angle in (("low", pressure.low), ("high", pressure.high))
-        )
+        ends = {"low": pressure.low, "high": pressure.high}
+        low, high = (_stated(f"{end} {group.label}", angle, study.language) for end, angle in ends.items())
         yield phrase(study.language, "report.pressure", group=group.label, low=low, high=high)
 
 

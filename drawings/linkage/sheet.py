@@ -51,10 +51,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 
 def sheets(
-    study: LinkageStudy,
-    comparison: MotionComparison,
-    output: DiagramsStudy | None = None,
-    beside: tuple[int, ...] = (),
+    study: LinkageStudy, comparison: MotionComparison, output: DiagramsStudy | None = None, beside: tuple[int, ...] = ()
 ) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable.
 
@@ -147,7 +144,6 @@ class _KinematicsSheet:
             yield rows.working(self.output, self.drafting)
 
     def _is_whole(self, subject: str, k: int) -> bool:
-        """Tell whether a plan can be drawn."""
         return not self.study.lost[k] and bool(np.isfinite(self._shown_plans[subject, k].points).all())
 
     def _diagrams(self) -> list[Exhibit]:
@@ -183,10 +179,8 @@ class _KinematicsSheet:
 
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states, and that of the output's course."""
-        return (
-            *self._values(),
-            *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ()),
-        )
+        course = (output_table(self.output, self.drafting),) if self.output and self.output.shown else ()
+        return (*self._values(), *course)
 
     def _values(self) -> tuple[RuledTable, ...]:
         """The table of values, if there is anything to tell."""
@@ -203,7 +197,6 @@ class _KinematicsSheet:
         return MotionByHand(self.study, self.comparison, self.bones.masses)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
-        """Say in the data of a sheet what its figures show."""
         return {
             **facts_of(self.study, self.shown, names),
             "diagrams": rows.NAME in names,

@@ -184,11 +184,9 @@ def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:
     names = sorted({name for link in mechanism.links.values() for name in link.points})
     points = {name: np.asarray(plan.point(name).point, dtype=np.complex128) for name in names}
     turns = {number: np.exp(1j * angle(plan, number)) for number in sorted(mechanism.links)}
-    return Poses(
-        mechanism.links,
-        {name: np.array(np.broadcast_to(values, count)) for name, values in points.items()},
-        {number: np.array(np.broadcast_to(values, count)) for number, values in turns.items()},
-    )
+    places = {name: np.array(np.broadcast_to(values, count)) for name, values in points.items()}
+    turned = {number: np.array(np.broadcast_to(values, count)) for number, values in turns.items()}
+    return Poses(mechanism.links, places, turned)
 
 
 def _near(path: Complexes, places: Complexes) -> Complexes:

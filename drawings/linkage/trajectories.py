@@ -167,14 +167,12 @@ def _cut(run: Complexes, turned: npt.NDArray[np.intp]) -> Iterator[Complexes]:
 
 
 def _lies_on(stretch: Complexes, others: list[Complexes], within: float) -> bool:
-    """Tell whether all of a stretch lies on others that are drawn already."""
     starts = np.concatenate([other[:-1] for other in others])
     runs = np.concatenate([np.diff(other) for other in others])
     return all(float(_apart(spot, starts, runs).min()) <= within for spot in stretch)
 
 
 def _apart(spot: complex, starts: Complexes, runs: Complexes) -> Floats:
-    """Give a spot's distances from straight pieces."""
     with np.errstate(invalid="ignore", divide="ignore"):
         shares = np.nan_to_num(((spot - starts) * np.conj(runs)).real / np.abs(runs) ** 2)
     return np.asarray(np.abs(starts + np.clip(shares, 0, 1) * runs - spot))

@@ -123,9 +123,7 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     """
     centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
     lettered = set(plan.letters.values())
-    unnamed = dict.fromkeys(
-        mark for mark in centres.values() if mark not in lettered
-    )  # in order: a set of marks has none
+    unnamed = dict.fromkeys(m for m in centres.values() if m not in lettered)  # in order: a set of marks has none
     turning = (reading.turning for reading in plan.readings.values())
     needed = [mark for mark in behind(*plan.letters.values(), *unnamed, *turning) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
@@ -195,9 +193,7 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
     subject = Subject(kind, VECTOR[kind].symbol, shown.column)
     title = _heading(shown, spot, drafting)
     sides = (Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.sides)
-    lines = Group(
-        (*directions(shown.rays, place, hand), *(side for side in sides if abs(side.end - side.start) >= LEAST))
-    )
+    lines = Group((*directions(shown.rays, place, hand), *(s for s in sides if abs(s.end - s.start) >= LEAST)))
     styles = {arrow: _style(shown, arrow, hand) for arrow in shown.arrows if _visible(arrow, place)}
     arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
@@ -227,7 +223,6 @@ def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[L
 
 
 def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:
-    """Write a plan's title and its scale above it."""
     title = drafting.word(shown.plan.board.subject, position=shown.column)
     under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
     return heading(spot.box, title, under, drafting.hand)
@@ -270,12 +265,8 @@ def _link_lines(
         for (first, start), (last, end) in combinations(mechanism.links[link].points.items(), 2):
             size, ends = abs(end - start), with_index(first) + with_index(last)
             if size > 0:
-                letter = f"l_{{{first}{last}}}"
-                yield (
-                    f"{ends} = {factor.drawn(letter)}",
-                    factor.of_true(size),
-                    f"{factor.length(size)} {drafting.word('mm')}",
-                )
+                drawn, paper = factor.drawn(f"l_{{{first}{last}}}"), f"{factor.length(size)} {drafting.word('mm')}"
+                yield f"{ends} = {drawn}", factor.of_true(size), paper
 
 
 def plan_working(shown: VectorDiagram, name: str, drafting: Drafting) -> Workings:

@@ -151,7 +151,6 @@ class _ExpectedRotor:
     def _line(
         self, name: str, mass: Known | None, far: Known | None, angle: Known, arm: float, size: Known, flat: bool
     ) -> Iterator[Expected]:
-        """Give the cells of a row."""
         radius = None if far is None else (1000 * far[0], 1000 * far[1])
         turned = (size[0] * arm, size[1] * abs(arm))
         last = [size] if flat else [(1000 * arm, 0.0), size, turned]

@@ -122,15 +122,10 @@ def polygon(construction: Construction, names: frozenset[str], drafting: Draftin
     if len(vectors) > CROWD:
         results = [vector for vector in vectors if vector.kind == RESULT]
         end = results[0].at if results else vectors[-1].end
-        vectors = [ShownVector(sum_letters(plan), SIDE, 0j, end), *results]
+        vectors = [ShownVector(SUM + SCALES.get(plan, SCALE)[0].strip("{}"), SIDE, 0j, end), *results]
     if not construction.closed:
         start = vectors[-1].end if vectors else 0j
         vectors.append(ShownVector(construction.closing.name, RESULT, start, complex(construction.closing.point)))
     title = drafting.word("polygon of moments" if plan == COUPLES else "polygon of static moments")
     scale = SCALES.get(plan, SCALE)
     return Polygon(plan, title, scale, tuple(vectors), construction.closed, letters_of(drafting), SIZES)
-
-
-def sum_letters(plan: str) -> str:
-    """Letter all vectors of a polygon together."""
-    return SUM + SCALES.get(plan, SCALE)[0].strip("{}")

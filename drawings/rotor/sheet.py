@@ -113,9 +113,8 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
     tables = (masses(rotor.rotor, rotor.balance, drafting),)
     said = RotorNotes(rotor.rotor, rotor.balance, drafting).all
     title = drafting.word("rotor sheet title")
-    return lay_out(
-        scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=partial(by_hand, comparison.findings))]
-    )
+    later = partial(by_hand, comparison.findings)
+    return lay_out(scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=later)])
 
 
 def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:

@@ -62,7 +62,6 @@ def _still(balance: BalanceStudy, letter: str) -> Iterator[Board]:
 
 
 def _boards(drawing: Drawing) -> Iterator[Board]:
-    """Give the boards on which the mass centre is drawn."""
     yield from (chain.board for chain in (drawing.main, drawing.polygon, drawing.accelerations, drawing.shaking))
 
 

@@ -242,24 +242,15 @@ def _centre(centre: MassCentre, vectors: Mapping[int, complex], datum: complex) 
 
     The main moment of the inertia forces is about the shaft.
     """
-    return {
-        "mass": centre.mass,
-        "r": pairs(centre.r + datum),
-        "a": pairs(centre.a),
-        "force": pairs(centre.force),
-        "moment": plain(centre.moment),
-        "vectors": {str(link): _vector(h) for link, h in sorted(vectors.items())},
-    }
+    moved = {"mass": centre.mass, "r": pairs(centre.r + datum), "a": pairs(centre.a), "force": pairs(centre.force)}
+    by_link = {str(link): _vector(h) for link, h in sorted(vectors.items())}
+    return {**moved, "moment": plain(centre.moment), "vectors": by_link}
 
 
 def _weight(weight: Counterweight) -> dict[str, Any]:
     """Give a counterweight; one that is not needed has a mass of 0 and no place."""
-    data: dict[str, Any] = {
-        "on": weight.link,
-        "mass": weight.mass,
-        "moment": _vector(weight.moment),
-        "begin": weight.begin,
-    }
+    moment = _vector(weight.moment)
+    data: dict[str, Any] = {"on": weight.link, "mass": weight.mass, "moment": moment, "begin": weight.begin}
     if not weight.needed:
         return data
     sizes = {"shape": weight.place.shape, "outer": weight.outer, "inertia": weight.inertia}
@@ -268,21 +259,14 @@ def _weight(weight: Counterweight) -> dict[str, Any]:
 
 def _state(state: State) -> dict[str, Any]:
     """Give what is largest over a turn; null of a mechanism that reaches no position."""
-    return {
-        "path": _known(state.path),
-        "force": _known(state.shaking),
-        "moment": _known(state.rocking),
-        "reactions": {key: _known(largest) for key, largest in state.reactions.items()},
-        "balancing": _known(state.balancing),
-    }
+    inertia = {"path": _known(state.path), "force": _known(state.shaking), "moment": _known(state.rocking)}
+    reactions = {key: _known(largest) for key, largest in state.reactions.items()}
+    return {**inertia, "reactions": reactions, "balancing": _known(state.balancing)}
 
 
 def _shares(found: Shares) -> dict[str, Any]:
-    return {
-        "curve": [_choice(choice) for choice in found.curve],
-        "least_force": _choice(found.least_force),
-        "least_reaction": _choice(found.least_reaction),
-    }
+    least = {"least_force": _choice(found.least_force), "least_reaction": _choice(found.least_reaction)}
+    return {"curve": [_choice(choice) for choice in found.curve], **least}
 
 
 def _choice(choice: Choice) -> dict[str, float | None]:

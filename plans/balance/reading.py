@@ -68,9 +68,7 @@ def reciprocating(mechanism: Mechanism) -> bool:
     Of links that form no groups nothing is told against it: what studies the linkage says so.
     """
     groups, hosts = _groups(mechanism), (mechanism.drive.link, FRAME)
-    return groups is None or any(
-        isinstance(group, Dyad) and (group.kind, group.hosts) == ("RRP", hosts) for group in groups
-    )
+    return groups is None or any(isinstance(g, Dyad) and (g.kind, g.hosts) == ("RRP", hosts) for g in groups)
 
 
 def guided(mechanism: Mechanism) -> bool:
@@ -115,12 +113,8 @@ class BalanceSurvey(NamedTuple):
 def task_of(form: BalanceTable) -> BalanceTask:
     """Make the task."""
     sought = isinstance(form.share, str)
-    return BalanceTask(
-        form.aim,
-        tuple(map(_place, form.counterweights)),
-        None if sought else float(form.share),
-        str(form.share) if sought else FORCE,
-    )
+    share, least = (None, str(form.share)) if sought else (float(form.share), FORCE)
+    return BalanceTask(form.aim, tuple(map(_place, form.counterweights)), share, least)
 
 
 def _place(entry: CounterweightTable) -> Site:
@@ -181,7 +175,6 @@ def _check_aim(survey: LinkageSurvey, form: BalanceTable) -> None:
 
 
 def _would_do(survey: LinkageSurvey, aim: str = PARTIAL) -> Message:
-    """Name the links that would do."""
     return stated(carriers(survey.mechanism, aim) if survey.mechanism else [])
 
 

@@ -267,7 +267,7 @@ def least(forces: Forces, rate: Forces, bend: float | None = None) -> float:
 def _lowest(forces: Forces, rate: Forces, start: float, end: float) -> float:
     """Halve by the sense in which the force of the position that has the largest goes with the share."""
     # With a mass that follows, the curve may bend any way.
-    row = [start, *(share for share in np.linspace(0, 1, SHARES).tolist() if start < share < end), end]
+    row: list[float] = [start, *(share for share in np.linspace(0, 1, SHARES).tolist() if start < share < end), end]
     best = int(np.argmin([largest(forces(share)) for share in row]))
     low, high = row[max(best - 1, 0)], row[min(best + 1, len(row) - 1)]
     if _rises(forces, rate, low) or not _rises(forces, rate, high):
@@ -279,7 +279,6 @@ def _lowest(forces: Forces, rate: Forces, start: float, end: float) -> float:
 
 
 def _rises(forces: Forces, rate: Forces, share: float) -> bool:
-    """Tell whether the largest force rises with the share."""
     here = forces(share)
     at = int(np.argmax(np.nan_to_num(np.abs(here))))
     return bool((here[at].conjugate() * rate(share)[at]).real > 0)

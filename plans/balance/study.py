@@ -103,9 +103,8 @@ def _with(body: Body, weight: Counterweight) -> Body:
     """Join a counterweight to a link: the new centre divides their distance, and inertia counts about it (Steiner)."""
     mass = body.mass + weight.mass
     apart = weight.centre - body.centre
-    centre = (
-        body.mass * body.centre + weight.mass * weight.centre
-    ) / mass  # of a heavy one on a light link nothing is lost
+    # Of a heavy one on a light link nothing is lost.
+    centre = (body.mass * body.centre + weight.mass * weight.centre) / mass
     inertia = body.inertia + weight.inertia + abs(apart) ** 2 * (body.mass * weight.mass / mass)
     return Body(body.link, mass, inertia, centre)
 

@@ -140,7 +140,6 @@ def strokes(
 
 
 def _check_length(load: Force | Moment, stroke: OutputStroke, thing: Message) -> None:
-    """See that a diagram over lengths is as long as the stroke."""
     if not isinstance(load, Force) or load.diagram is None or not load.diagram.length:
         return
     if not stroke.sliding:
@@ -187,9 +186,7 @@ def loading(machine: Machine, motion: Motion, strokes: Mapping[Track, OutputStro
     """Give all loads over the positions of a motion of order 2; NaN at gaps."""
     forces = [end for force in machine.forces for end in _acting(force, motion, strokes)]
     forces += [end for spring in machine.springs for end in _ends(spring, motion)]
-    moments = tuple(
-        Twist(moment.name, moment.link, _moment(moment, motion, strokes), moment.useful) for moment in machine.moments
-    )
+    moments = tuple(Twist(m.name, m.link, _moment(m, motion, strokes), m.useful) for m in machine.moments)
     return Loading(tuple(forces), moments)
 
 

@@ -85,7 +85,6 @@ def letters(loads: LoadsTable) -> list[str]:
 
 
 def _places(force: ForceTable) -> str:
-    """Give the letters of the point or the two points that a force acts on."""
     return "".join(map(point_of, force.between)) if force.between is not None else force.point or ""
 
 
@@ -141,7 +140,6 @@ def _line(force: ForceTable, end: End, other: End | None) -> tuple[str, str] | N
 
 
 def _ends(ends: Ends, mechanism: Mechanism) -> list[End]:
-    """Find the links and the places of two ends."""
     points_of = {number: link.points for number, link in sorted(mechanism.links.items())}
     links = [holders(end, points_of)[0] for end in ends]
     names = map(point_of, ends)

@@ -283,11 +283,8 @@ def _pistons(scene: Scene, form: ForceForm) -> Iterator[Fault]:
 
 def _uneven(scene: Scene, path: Path, force: ForceTable) -> Iterator[Fault]:
     """Find pressures of one load of which one is given in another unit than the others."""
-    given = {
-        (*path, "behind"): force.behind,
-        (*path, "ambient"): force.ambient,
-        (*path, "pressure"): force.pressure or Decimal(0),
-    }
+    names = ("behind", "ambient", "pressure")
+    given: dict[Path, Decimal] = {(*path, name): getattr(force, name) or Decimal(0) for name in names}
     for name in ("pressure", "back") if force.diagram else ():
         given |= {(*path, "diagram", name, k): size for k, size in enumerate(getattr(force.diagram, name))}
     sizes = {where: abs(size) for where, size in given.items() if size}
