@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.balance.scheme import AFTER, BEFORE
-from drawings.forces.letters import letter_of
 from drawings.kinds.axes import Letter, Part
 from drawings.kinds.curve_graph import TURN, GraphCurve, bounded, swing
 from drawings.kinds.graph import BESIDE, LEAST, Graph, GraphForm, standing, stretches
@@ -285,8 +284,3 @@ def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> Phra
 def curve_letters(reaction: str) -> dict[str, str]:
     """Letter both curves."""
     return {FORCES: f"{FORCE}_{{max}}", REACTIONS: f"{reaction} _{{max}}"}
-
-
-def reaction_letter(crank: int, drafting: Drafting) -> str:
-    """Letter the reaction of the frame on the crank."""
-    return letter_of(f"R_0{crank}", drafting)

@@ -111,9 +111,7 @@ class Equations(NamedTuple):
     def contour(self) -> tuple[LinkVector, ...]:
         """The links of a mechanism of one contour whose main points it is held to; of any other none."""
         stems = self.tree.stems
-        chain = all(
-            stem.parent == before for stem, before in zip(stems, (FRAME, *(s.link for s in stems)), strict=False)
-        )
+        chain = all(stem.parent == host for stem, host in zip(stems, (FRAME, *(s.link for s in stems)), strict=False))
         if len(stems) != 3 or not chain or any(stem.slide is not None for stem in stems):
             return ()
         loops = [
@@ -288,9 +286,8 @@ class BalanceNotes(NamedTuple):
             if text == "0":
                 continue
             if self.balance.task.aim == SHARE and self._hangs(point):
-                yield self.drafting.word(
-                    "share of mass", mass=text, point=point, share=self._number(self.balance.share)
-                )
+                share = self._number(self.balance.share)
+                yield self.drafting.word("share of mass", mass=text, point=point, share=share)
             else:
                 yield self.drafting.word("left at slider", mass=text, point=point)
 

@@ -10,10 +10,10 @@ from typing import Final
 from drawings.balance import scheme
 from drawings.balance.costs import Nothing, costs, counterweights, nothing
 from drawings.balance.due import expected
-from drawings.balance.graphs import ShakingHodograph, ShareGraph, curve, hodograph, reaction_letter
+from drawings.balance.graphs import ShakingHodograph, ShareGraph, curve, hodograph
 from drawings.balance.report import notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
-from drawings.forces.letters import REACTION
+from drawings.forces.letters import REACTION, letter_of
 from drawings.forces.sheet import of_forces
 from drawings.kinds import curve_graph, polygon
 from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
@@ -204,7 +204,7 @@ class _BalancingSheet:
         """Show the choice of the share, where there is one."""
         balance, crank = self.balance, self.shown.bones.mechanism.drive.link
         if balance.shares is not None:
-            letter = reaction_letter(crank, self.drafting)
+            letter = letter_of(f"R_0{crank}", self.drafting)
             graph = ShareGraph(balance.shares, balance.share, letter, balance.before.reaction(crank))
             yield exhibit(ShareGraph, graph, self.drafting, LARGEST)
 

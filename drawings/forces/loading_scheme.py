@@ -105,9 +105,7 @@ class SchemeLayout:
     @cached_property
     def arms(self) -> list[Arm]:
         """The arms to scale, measurable, the longest last: none lies on a force."""
-        forces = (
-            ends for arrow in self.arrows for ends in ((arrow.start, arrow.tip), (arrow.lead or arrow.at, arrow.at))
-        )
+        forces = (ends for a in self.arrows for ends in ((a.start, a.tip), (a.lead or a.at, a.at)))
         return aside(sorted(self._bare, key=lambda arm: tied(arm.length)), forces, self.box)
 
     @cached_property

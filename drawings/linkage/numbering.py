@@ -13,12 +13,12 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import numbered, text_width
 from drawings.lettering.words import number
-from drawings.linkage.guides import aside, pushed
+from drawings.linkage.guides import aside
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke, Text
 from drawings.symbols import symbols
-from plans.linkage.primary import PRIMARIES, CrankPositions
+from plans.linkage.primary import PRIMARIES, CrankPositions, pushed
 from plans.linkage.travel import ExtremePositions, frame_slide
 from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import Complexes

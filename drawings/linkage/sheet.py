@@ -22,14 +22,7 @@ from drawings.linkage.due import expected
 from drawings.linkage.notes import notes
 from drawings.linkage.positions import facts_of, force_positions, of_linkage, plans, position, shown_positions
 from drawings.linkage.skeleton import Skeletons, skeletons
-from drawings.linkage.vector_plan import (
-    VectorDiagram,
-    diagram,
-    draw_missing,
-    link_working,
-    measure_missing,
-    plan_working,
-)
+from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, link_working, plan_working
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.kind import FRAME, GRAPH, PLAN, SheetKind
@@ -129,7 +122,7 @@ class _KinematicsSheet:
             reason = self.drafting.word(gap.reason) if gap else ""
             plan = self.drafting.word(f"{subject} plan")
             why = self.drafting.word("no plan", plan=plan, position=k, reason=reason)
-            absent = measure_missing(why, name, self.drafting)
+            absent = vector_plan.measure_missing(why, name, self.drafting)
             return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
         return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=self._shared(subject))
 

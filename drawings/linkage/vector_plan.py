@@ -13,21 +13,12 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, StillFigure, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import runs, with_index
-from drawings.linkage.coriolis import (
-    LaidPart,
-    QuarterTurn,
-    draw_nearby,
-    is_relative,
-    least_length,
-    letter_parts,
-    part_letter,
-    quarter_turn,
-)
+from drawings.linkage.coriolis import LaidPart, QuarterTurn, draw_nearby, is_relative, letter_parts, quarter_turn
 from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.symbols.figure import PLAN_LETTERS, Subject, around, heading, point, vector
-from drawings.symbols.symbols import pole
+from drawings.symbols.symbols import ARROW_LENGTH, pole
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, behind
 from plans.linkage.plan import Plan
@@ -137,9 +128,7 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
     rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
-    sides = tuple(
-        side for name, mass in masses.items() for side in _sides(plan, mass[0], centres[name], arrows, column)
-    )
+    sides = tuple(s for name, mass in masses.items() for s in _sides(plan, mass[0], centres[name], arrows, column))
     return VectorDiagram(plan, column, _once(arrows.values()), rays, tuple(images), rules, centres, sides)
 
 
@@ -218,8 +207,10 @@ def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[L
         names = shown.parts.get((arrow.start, arrow.end), ())
         for name in (letter for letter in names if is_relative(letter, arrow.name)):
             said = Statement(Kind.LETTER, shown.plan.board.subject, f"{arrow.name} {name}", shown.column)
-            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting), said)
-            yield from (part,) if part.length >= least_length(part.text, drafting.hand) else ()
+            letter = drafting.letter(with_index(name))
+            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), letter, said)
+            least = text_width(Text(0j, letter, drafting.hand.number, "start", True))
+            yield from (part,) if part.length >= least + ARROW_LENGTH * drafting.hand.symbol else ()
 
 
 def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:

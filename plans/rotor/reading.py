@@ -210,9 +210,7 @@ def _lengths(rotor: RotorTable) -> Iterator[tuple[Path, Decimal]]:
     given: list[tuple[Path, UnbalanceTable | PlaneTable]] = []
     given += [(("rotor", "masses", index), mass) for index, mass in enumerate(rotor.masses)]
     given += [(("rotor", "planes", index), plane) for index, plane in enumerate(rotor.planes)]
-    stated = [
-        ((*path, name), size) for path, part in given for name, size in (("radius", part.radius), ("place", part.place))
-    ]
+    stated = [((*path, name), size) for path, p in given for name, size in (("radius", p.radius), ("place", p.place))]
     stated += [(("rotor", "bearings", index), place) for index, place in enumerate(rotor.bearings)]
     return ((path, abs(size)) for path, size in stated if size)
 
