@@ -182,9 +182,8 @@ class LeverEquation(NamedTuple):
 
     def write(self, box: Field, spot: Spot | None = None) -> Group:
         """Write it with the arms in mm at the lever's scale; without a lever on its sheet, in true units."""
-        return self._passage(1.0 if spot is None else spot.scale.mu, "mm" if spot is not None else UNIT).write(
-            box, self.drafting.hand
-        )
+        mu, unit = (1.0, UNIT) if spot is None else (spot.scale.mu, "mm")
+        return self._passage(mu, unit).write(box, self.drafting.hand)
 
     def _passage(self, mu: float | None, unit: str = "mm") -> EquationBlock:
         arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}

@@ -82,9 +82,8 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
 def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) -> list[Arm]:
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
     subject = Subject(PLAN, SYMBOL, column)
-    every = (
-        to_scale(t.arm, place.on(0j), place.on(t.at), t.direction, place.scale, subject) for t in terms if t.dimensioned
-    )
+    pole, scale = place.on(0j), place.scale
+    every = (to_scale(t.arm, pole, place.on(t.at), t.direction, scale, subject) for t in terms if t.dimensioned)
     kept = sorted((arm for arm in every if arm.length >= LEAST_ARM), key=lambda arm: tied(arm.length))
     return aside(kept, [*taken.rods, *taken.forces], taken.box)
 
@@ -213,9 +212,8 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     arrows = placed_forces(shown.forces, place, taken, drafting)
     kept = placed_arms(balance(shown, drafting), place, taken, shown.column)
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
-    stand = fixed_hinge(
-        place.on(0j), hand, HINGE * hand.symbol, _downward([*taken.rods, *taken.forces], place.on(0j), hand)
-    )
+    downward = _downward([*taken.rods, *taken.forces], place.on(0j), hand)
+    stand = fixed_hinge(place.on(0j), hand, HINGE * hand.symbol, downward)
     dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
     lines = (
         heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),

@@ -53,8 +53,8 @@ def _up(part: LaidPart) -> float:
 def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first."""
     order = sorted(parts, key=lambda part: -tied(part.length))
-    parts = (stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v))) for v in order)
-    return Group(tuple(parts), f"{plan}-{PARTS}")
+    texts = (stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v))) for v in order)
+    return Group(tuple(texts), f"{plan}-{PARTS}")
 
 
 ARM = 3.2  # length of either vector, in sizes of a letter

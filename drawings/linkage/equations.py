@@ -239,9 +239,8 @@ def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, Sc
 def shown_positions(leaves: Mapping[str, Sequence[Leaf]]) -> list[int]:
     """Give the positions whose plans of velocities, or whose forces, are drawn, as many as a note puts numbers in."""
     scales = drawn_scales(leaves)
-    asked = [k for k, sheets in scales.items() if V in sheets] + [
-        leaf.metadata["position"] for sheets in leaves.values() for leaf in sheets if "position" in leaf.metadata
-    ]
+    facts = (leaf.metadata for sheets in leaves.values() for leaf in sheets)
+    asked = [k for k, sheets in scales.items() if V in sheets] + [f["position"] for f in facts if "position" in f]
     return sorted(dict.fromkeys(asked))[:MOST]
 
 

@@ -189,9 +189,8 @@ def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
             if mark.step.op == "meet" and isinstance(locus.value, Notch):
                 centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
                 if math.isnan(arm.real) and not math.isnan(centre.real):
-                    arcs += _within(
-                        Arc(centre, place.length(abs(at(locus.value.radius, 0))), 0, 2 * math.pi), box, hand
-                    )
+                    whole = place.length(abs(at(locus.value.radius, 0)))
+                    arcs += _within(Arc(centre, whole, 0, 2 * math.pi), box, hand)
                 elif not math.isnan(arm.real):
                     radius, angle = place.length(abs(arm)), cmath.phase(arm)
                     half = min(NOTCH * hand.symbol / radius, math.pi)

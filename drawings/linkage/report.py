@@ -46,7 +46,11 @@ def data(study: LinkageStudy) -> Iterator[str]:
         names = ", ".join(f"${letters.line(name)}$" for name in link.points)
         yield row([str(link.number) if link.number != FRAME else say("report.frame"), names])
     yield ""
-    yield from _lengths(study, letters)
+    given = study.form.mechanism.lengths
+    sizes = {name: letters.quantity(MM * float(length), "mm") for name, length in given.items()}
+    lines = (inline(letters.letter(f"l_{{{name}}}"), size) for name, size in sizes.items())
+    if given:
+        yield word(study.language, "report.lengths", lengths=", ".join(lines))
     yield from _places(study, letters)
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
     drive = study.mechanism.drive
@@ -70,14 +74,6 @@ def structure(study: LinkageStudy) -> Iterator[str]:
         yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=sign)
     whole = formula(mechanism, study.groups).replace("->", "→")
     yield say("report.formula", formula=whole, klass=mechanism_class(study.groups))
-
-
-def _lengths(study: LinkageStudy, letters: Formula) -> Iterator[str]:
-    given = study.form.mechanism.lengths
-    sizes = {name: letters.quantity(MM * float(length), "mm") for name, length in given.items()}
-    lines = (inline(letters.letter(f"l_{{{name}}}"), size) for name, size in sizes.items())
-    if given:
-        yield word(study.language, "report.lengths", lengths=", ".join(lines))
 
 
 def _places(study: LinkageStudy, letters: Formula) -> Iterator[str]:

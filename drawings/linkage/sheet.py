@@ -203,9 +203,8 @@ class _KinematicsSheet:
 LENGTHS: Final = {"positions": "length"}
 MOTION: Final = {"velocities-": "velocity", "accelerations-": "acceleration", "diagrams": "angle"}
 SHOWN: Final = {"positions": FRAME}
-FORM: Final = {**SHOWN, "velocities-": PLAN, "accelerations-": PLAN} | {
-    f"diagrams-{course}": GRAPH for course in ("travel", "velocity", "acceleration")
-}
+COURSES = ("diagrams-travel", "diagrams-velocity", "diagrams-acceleration")
+FORM: Final = {**SHOWN, "velocities-": PLAN, "accelerations-": PLAN, **dict.fromkeys(COURSES, GRAPH)}
 SHEETS: Final = {
     "kinematics": SheetKind(
         leaves, expected, {**LENGTHS, **MOTION}, of_linkage, figures=FORM, tables=("values", "output")

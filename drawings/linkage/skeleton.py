@@ -84,9 +84,8 @@ class Skeletons:
     @cached_property
     def reach(self) -> float:
         """Give the mechanism's size, m: how far its points come from the drive's fixed hinge."""
-        return float(
-            np.nanmax([abs(self.drive_end(0)), *map(abs, np.concatenate(list(self.numbered.points.values())))])
-        )
+        spots = np.concatenate(list(self.numbered.points.values()))
+        return float(np.nanmax([abs(self.drive_end(0)), *map(abs, spots)]))
 
     @cached_property
     def masses(self) -> dict[str, tuple[int, complex]]:

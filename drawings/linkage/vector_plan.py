@@ -243,9 +243,8 @@ def _images(shown: VectorDiagram, place: Place) -> Iterator[tuple[complex, list[
 
 def link_working(mechanism: Mechanism, links: Sequence[int], name: str, drafting: Drafting) -> Workings:
     """Write beside a figure how long some links are drawn on it."""
-    return Workings(
-        LENGTHS, name, at_scale(lambda scale: list(_link_lines(mechanism, links, scale, drafting))), drafting
-    )
+    lines = at_scale(lambda scale: list(_link_lines(mechanism, links, scale, drafting)))
+    return Workings(LENGTHS, name, lines, drafting)
 
 
 def _link_lines(

@@ -129,9 +129,8 @@ class _ExpectedRotor:
 
         for name, place in zip(BEARINGS, self.rotor.bearings, strict=False):
             far = abs(self.rotor.arm(place))
-            yield from measured(
-                Expected(Kind.LENGTH, ACROSS, f"bearing {name}", far, may_lack=not far), 1000 * far, digits=4
-            )
+            bearing = Expected(Kind.LENGTH, ACROSS, f"bearing {name}", far, may_lack=not far)
+            yield from measured(bearing, 1000 * far, digits=4)
 
     def masses(self) -> Iterator[Expected]:
         """Give the cells of the table of masses: mass, radius, angle, arm, static moment, its moment."""

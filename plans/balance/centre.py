@@ -135,9 +135,8 @@ def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> ComparedPosit
     drafts = Drafts(study, around)
     solved = motion.road.around(drafts.turn.phi)
     kappa = motion.road.conditions(solved)
-    return ComparedPositions(
-        study, drafts, replace(motion, construction=drafts.motion(2), analysis=solved, findings=(), kappa=kappa)
-    )
+    both = replace(motion, construction=drafts.motion(2), analysis=solved, findings=(), kappa=kappa)
+    return ComparedPositions(study, drafts, both)
 
 
 PLACE, ACCELERATION = 0, 2  # orders of motion

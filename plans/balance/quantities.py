@@ -201,9 +201,8 @@ def numbers(study: Study, by: str) -> Numbers:
     """Balance the mechanism of a scene by a road, over its motion by the same."""
     below = study.numbers("linkage", by)
     assert isinstance(below, MotionNumbers)
-    found, (before, after) = (
-        _analysed(study.of(BalanceStudy), below) if by == ANALYSIS else _constructed(study.of(BalanceStudy))
-    )
+    balanced = study.of(BalanceStudy)
+    found, (before, after) = _analysed(balanced, below) if by == ANALYSIS else _constructed(balanced)
     data: dict[str, Any] = {"aim": found.task.aim}
     if CENTRE in study.plans:
         data["mass_centre"] = _centre(found.before.centre, before, below.datum)

@@ -233,6 +233,5 @@ class BalanceStudy:
     def balance(self) -> Balance:
         """What balances the mechanism."""
         gaps = self.linkage.motion(2).gaps
-        return Balance(
-            CONSTRUCTION, self.task, self.counterweights, self.left, self.before, self.after, self.shares, gaps
-        )
+        states = self.before, self.after
+        return Balance(CONSTRUCTION, self.task, self.counterweights, self.left, *states, self.shares, gaps)

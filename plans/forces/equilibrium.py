@@ -48,9 +48,8 @@ def acting(
     found = [_body(mechanism, machine, motion, body, bounds[str(body.link)]) for body in machine.bodies.values()]
     for load in loading.forces:
         if load.link != FRAME:
-            found.append(
-                LinkForce(load.link, motion.points[load.point].r, load.force, zero, EPS * abs(load.force), zero)
-            )
+            r, off = motion.points[load.point].r, EPS * abs(load.force)
+            found.append(LinkForce(load.link, r, load.force, zero, off, zero))
     for twist in loading.moments:
         found.append(LinkForce(twist.link, 0j * zero, 0j * zero, twist.moment, zero, EPS * abs(twist.moment)))
     for key, reaction in forces.reactions.items():

@@ -131,9 +131,8 @@ def strokes(
                 raise NoStroke(load.name, _thing(load.stroke, output))
             sense = -1 if mechanism.drive.omega < 0 else 1
             point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
-            found[load.stroke] = OutputStroke(
-                *reached.phi, sense, reached.reach, shown.link, shown.point or point, way, shown.parting
-            )
+            point = shown.point or point
+            found[load.stroke] = OutputStroke(*reached.phi, sense, reached.reach, shown.link, point, way, shown.parting)
         if asks(load):
             _check_length(load, found[load.stroke], _thing(load.stroke, output))
     return found

@@ -9,15 +9,7 @@ from itertools import combinations
 
 from geometry.errors import DraftError
 from plans.forces.reading.fields import Ends, EndTable, holders, point_of
-from plans.forces.reading.form import (
-    FORCES,
-    MIDDLE,
-    ForceForm,
-    ForceTable,
-    LoadsTable,
-    MomentTable,
-    PairTable,
-)
+from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, ForceTable, LoadsTable, MomentTable, PairTable
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.linkage import check_numbers, mechanism_of
 from plans.linkage.reading.survey import LinkageSurvey
