@@ -94,15 +94,10 @@ def _weight(weight: Counterweight, notes: BalanceNotes) -> str:
 
 def notes_of(study: Study) -> BalanceNotes:
     """Give the notes on what the construction finds."""
-    return notes_by(study.of(BalanceStudy))
-
-
-def notes_by(study: BalanceStudy) -> BalanceNotes:
-    """Give the notes on a balance by construction."""
-    after = None if study.balance.after is None else study.points(after=True).vectors
-    vectors = study.points().vectors, after
-    drafting = drafting_of_forces(study.statics)
-    return BalanceNotes(study.linkage.mechanism, study.tree, study.machine, study.balance, vectors, drafting)
+    made = study.of(BalanceStudy)
+    vectors = made.points().vectors, None if made.balance.after is None else made.points(after=True).vectors
+    drafting = drafting_of_forces(made.statics)
+    return BalanceNotes(made.linkage.mechanism, made.tree, made.machine, made.balance, vectors, drafting)
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:

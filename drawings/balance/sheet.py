@@ -95,7 +95,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         gap = motion.construction.gaps[0]
         where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
         raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
-    return sheets(study.scene, balanced(study.of(BalanceStudy), motion, notes_of(study).all))
+    shown = balanced(study.of(BalanceStudy), motion, notes_of(study).all)
+    return lay_out(study.scene, [_BalancingSheet(study.scene, shown).draft])
 
 
 def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> ShownBalance:
@@ -112,11 +113,6 @@ def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ..
 
 def _vector(side: ChainSide) -> ShownVector:
     return ShownVector(side.vector.name, MAIN, at(side.start.point, 0), at(side.vector.point, 0))
-
-
-def sheets(scene: Scene, shown: ShownBalance) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a mechanism whose balancing is found."""
-    return lay_out(scene, [_BalancingSheet(scene, shown).draft])
 
 
 @dataclass(frozen=True)

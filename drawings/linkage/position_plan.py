@@ -30,7 +30,6 @@ from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
-from plans.linkage.assembly import Barrier
 from plans.model.motion import CHANGE_POINT, POSITIONS
 
 NAME = POSITIONS.plan
@@ -132,13 +131,9 @@ def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
             tip = pivot + (radius + HATCH * hand.symbol) * ray * cmath.rect(1.0, SLANT)
             strokes.append(Line(pivot + radius * ray, tip, hand.drafted))
     crossed = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
-    crossed += [cmath.rect(1.0, barrier.start) for barrier in _changes(bones)]
+    changes = (barrier.start for barrier in bones.study.met if barrier.kind == CHANGE_POINT)
+    crossed += [cmath.rect(1.0, start) for start in changes if bones.sweeps(start)]
     return strokes + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
-
-
-def _changes(bones: Skeletons) -> list[Barrier]:
-    """Give the change points on the drawn part of the crank's circle."""
-    return [barrier for barrier in bones.study.met if barrier.kind == CHANGE_POINT and bones.sweeps(barrier.start)]
 
 
 def _positions(pairs: Pairs) -> Iterable[Stroke]:

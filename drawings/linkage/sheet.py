@@ -53,11 +53,6 @@ def sheets(
     return lay_out(study.scene, [_KinematicsSheet(study, comparison, output, beside).draft])
 
 
-def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
-    """Lay out the first kinematics sheet."""
-    return sheets(study, comparison)[0]
-
-
 def _loaded(study: Study) -> tuple[int, ...]:
     """Give the positions whose forces the set draws: their inertia forces are taken from the plans of these."""
     if "forces" not in study.scene.sheets:

@@ -22,10 +22,9 @@ from drawings.rotor.report import RotorNotes
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
-from plans.model.rotor import Correction, Rotor, RotorBalance, Unbalance
+from plans.model.rotor import Correction, Rotor, RotorBalance
 from plans.quantity import EQUILIBRIUM, Comparison, Quantity, by_hand
 from plans.rotor.study import RotorStudy
-from plans.scene.scene import Scene
 from plans.study import Study
 
 MASSES, RESULTS = "masses", "results"  # the names of the tables
@@ -37,7 +36,10 @@ NOTHING = "—"
 
 def masses(rotor: Rotor, balance: RotorBalance, drafting: Drafting) -> RuledTable:
     """Tell the masses of a rotor, then its counterweights."""
-    rows = [_mass(rotor, mass) for mass in rotor.masses]
+    rows = [
+        (mass.name, (mass.mass, mass.radius, float(mass.angle), rotor.arm(mass.place), mass.moment))
+        for mass in rotor.masses
+    ]
     rows += [_correction(rotor, weight, drafting) for weight in balance.corrections]
     flat = not any(arm for _, (_, _, _, arm, _) in rows)
     lines = [_row(name, values, flat, drafting) for name, values in rows]
@@ -46,10 +48,6 @@ def masses(rotor: Rotor, balance: RotorBalance, drafting: Drafting) -> RuledTabl
 
 # Mass kg, radius m, angle in degrees, arm m, static moment kg*m.
 Values: TypeAlias = tuple[float | None, float | None, float | None, float, float]
-
-
-def _mass(rotor: Rotor, mass: Unbalance) -> tuple[str, Values]:
-    return mass.name, (mass.mass, mass.radius, float(mass.angle), rotor.arm(mass.place), mass.moment)
 
 
 def _correction(rotor: Rotor, weight: Correction, drafting: Drafting) -> tuple[str, Values]:
@@ -95,12 +93,7 @@ TOGETHER = "polygons"  # what stands in one column
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's rotor."""
-    return sheets(study.scene, study.of(RotorStudy), study.comparison("rotor"))
-
-
-def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a rotor whose two roads are compared."""
-    drafting = drafting_of(scene)
+    rotor, comparison, drafting = study.of(RotorStudy), study.comparison("rotor"), drafting_of(study.scene)
     polygons = tuple(_polygons(rotor, drafting))
     table = results(comparison, drafting)
     panel = Panel(table.block(table.name), together=TOGETHER)
@@ -114,7 +107,7 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
     said = RotorNotes(rotor.rotor, rotor.balance, drafting).all
     title = drafting.word("rotor sheet title")
     later = partial(by_hand, comparison.findings)
-    return lay_out(scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=later)])
+    return lay_out(study.scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=later)])
 
 
 def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:

@@ -38,7 +38,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         return _none(balance)
     wanted = motion.position_of(linkage, position)
     drawing = balance.drawing(letter.endswith(AFTER), wanted)
-    # Where no vector of a main point leads to it, the mass centre rests in the end of none.
+    # What the mass centre rests in where no vector of a main point leads to it.
     ends = {"S": drawing.main.end, "a_S": drawing.accelerations.end}
     mark = _on(_boards(drawing), letter.removesuffix(AFTER)) or ends.get(letter.removesuffix(AFTER))
     if mark is None:
