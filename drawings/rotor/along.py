@@ -43,7 +43,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Let
     title = heading(spot.box, drafting.word("view along"), under, hand)
     half = place.length(shown.reach) + AXIS * hand.symbol
     centre, style = place.on(0j), fit(hand.axis, 2 * half)
-    arrow = rotation(centre, shown.turning, TURN, hand).draw(hand)
+    arrow = rotation(place.on(0j), shown.turning, TURN, hand).draw(hand)
     lines: list[Stroke] = [Line(centre - along * half, centre + along * half, style) for along in (1, 1j)]
     lines += [stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow)] if shown.turning else []
     lines += [_spoke(mass, place, hand) for mass in shown.distinct]

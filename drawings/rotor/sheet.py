@@ -36,7 +36,7 @@ NOTHING = "—"
 
 def masses(rotor: Rotor, balance: RotorBalance, drafting: Drafting) -> RuledTable:
     """Tell the masses of a rotor, then its counterweights."""
-    rows = [
+    rows: list[tuple[str, Values]] = [
         (mass.name, (mass.mass, mass.radius, float(mass.angle), rotor.arm(mass.place), mass.moment))
         for mass in rotor.masses
     ]
