@@ -52,10 +52,7 @@ def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, draft
         f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
         f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
-    lines = [
-        TableRow(counterweight(weight.link, drafting.language), _weight(weight, mechanism, drafting))
-        for weight in weights
-    ]
+    lines = [TableRow(counterweight(w.link, drafting.language), _weight(w, mechanism, drafting)) for w in weights]
     return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
 
 

@@ -118,9 +118,7 @@ class Balanced:
     def points(self) -> dict[str, complex]:
         """The places of the points of all links, the fixed ones among them, and of mass centres that no point names."""
         fixed, moving = self.mechanism.links[FRAME].points, self.comparison.motion.analysis.points
-        found = dict(fixed) | {
-            name: complex(point.r[self.shown]) for name, point in moving.items() if name not in fixed
-        }
+        found = dict(fixed) | {n: complex(point.r[self.shown]) for n, point in moving.items() if n not in fixed}
         for link, body in self.study.machine.bodies.items():
             if f"S{link}" not in found and self._is_apart(link, body.centre):
                 found[f"S{link}"] = self.at(link, body.centre)
@@ -205,9 +203,7 @@ class _BalanceSheet(Balanced):
             places[CENTRE] = self.centre(state)
             for name, place in places.items():
                 yield Expected(Kind.POINT, plan, name, place, slack, k)
-            yield from (
-                Expected(Kind.VECTOR, plan, vector.name, vector.value, slack, k, True) for vector in self.chain(state)
-            )
+            yield from (Expected(Kind.VECTOR, plan, v.name, v.value, slack, k, True) for v in self.chain(state))
 
     def polygon(self) -> Iterator[Expected]:
         """Give the static moments and their sum, but for what is nothing beside all of them."""
@@ -304,9 +300,8 @@ class _BalanceSheet(Balanced):
         shaft = self.mechanism.drive.pivot
         yield word("moment about", letter=MOMENT, point=shaft, unit=word("N*m")), _rounded(state.rocking, none.moment)
         for key, reaction in state.forces.reactions.items():
-            letter = self.drafting.letter(
-                with_index(f"{self.drafting.reactions}_{indices(reaction.giver, reaction.taker)}")
-            )
+            index = indices(reaction.giver, reaction.taker)
+            letter = self.drafting.letter(with_index(f"{self.drafting.reactions}_{index}"))
             yield f"{letter}, {word('N')}", _rounded(state.reactions[key], none.force)
         balancing = self.drafting.letter(with_index(BALANCING))
         yield f"{balancing}, {word('N*m')}", _rounded(state.balancing, none.moment)

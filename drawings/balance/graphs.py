@@ -9,8 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.balance.scheme import AFTER, BEFORE
-from drawings.forces.letters import letter_of
-from drawings.kinds.axes import Axes, Letter, Part
+from drawings.kinds.axes import Letter, Part
 from drawings.kinds.curve_graph import TURN, GraphCurve, bounded, swing
 from drawings.kinds.graph import BESIDE, LEAST, Graph, GraphForm, standing, stretches
 from drawings.kinds.graph import DOT as END
@@ -112,7 +111,6 @@ def hodograph(states: Mapping[str, State], shown: int, nothing: float, whole: bo
 
 
 def _ends_of(state: State, shown: int) -> Complexes:
-    """Give the main vectors at the positions that are told."""
     force = state.centre.force
     kept = np.isin(np.arange(len(force)), numbered(len(force), shown))
     return np.where(kept, force, np.nan + 0j)
@@ -218,6 +216,7 @@ class ShareGraph(NamedTuple):
         hand, high = drafting.hand, self.high
         axes = standing(room, spot, (0.0, high), (SYMBOL, UNIT), drafting)
         graph = Graph(SHARES, axes, hand)
+        start, end = axes.on(self.taken), axes.on(self.taken, self.high)
         lines = (
             heading(spot.box, drafting.word("share graph"), drafting.scale(spot.scale, axes.up), hand),
             *axes.lines((0.0, 1.0), (0.0, high), hand, SHARES),
@@ -226,7 +225,7 @@ class ShareGraph(NamedTuple):
                 Line(axes.on(0.0, force) - TICK, axes.on(0.0, force) + TICK, hand.other)
                 for force in levels(high, axes.up)
             ),
-            _taken(self, axes, hand),
+            Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{SHARES}-{TAKEN}"),
             Group((Line(axes.on(0.0, self.bare), axes.on(1.0, self.bare), hand.other),), f"{SHARES}-{BARE}"),
             *(part for name in (FORCES, REACTIONS) for part in _curve(self, name, graph, drafting)),
         )
@@ -237,11 +236,6 @@ class ShareGraph(NamedTuple):
 def value_of(choice: Choice, name: str) -> float:
     """Give what is largest with a share, N: by the name of a curve."""
     return choice.force if name == FORCES else choice.reaction
-
-
-def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Group:
-    start, end = axes.on(shown.taken), axes.on(shown.taken, shown.high)
-    return Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{SHARES}-{TAKEN}")
 
 
 def _curve(shown: ShareGraph, name: str, graph: Graph, drafting: Drafting) -> Iterator[Stroke]:
@@ -290,8 +284,3 @@ def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> Phra
 def curve_letters(reaction: str) -> dict[str, str]:
     """Letter both curves."""
     return {FORCES: f"{FORCE}_{{max}}", REACTIONS: f"{reaction} _{{max}}"}
-
-
-def reaction_letter(crank: int, drafting: Drafting) -> str:
-    """Letter the reaction of the frame on the crank."""
-    return letter_of(f"R_0{crank}", drafting)

@@ -17,7 +17,6 @@ from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING
 from plans.model.balance.linkage import DISC, SHARE, Balance, Counterweight, Shares, State
-from plans.model.kinetostatics import Reaction
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import NOTHING
@@ -112,9 +111,7 @@ class Equations(NamedTuple):
     def contour(self) -> tuple[LinkVector, ...]:
         """The links of a mechanism of one contour whose main points it is held to; of any other none."""
         stems = self.tree.stems
-        chain = all(
-            stem.parent == before for stem, before in zip(stems, (FRAME, *(s.link for s in stems)), strict=False)
-        )
+        chain = all(stem.parent == host for stem, host in zip(stems, (FRAME, *(s.link for s in stems)), strict=False))
         if len(stems) != 3 or not chain or any(stem.slide is not None for stem in stems):
             return ()
         loops = [
@@ -289,9 +286,8 @@ class BalanceNotes(NamedTuple):
             if text == "0":
                 continue
             if self.balance.task.aim == SHARE and self._hangs(point):
-                yield self.drafting.word(
-                    "share of mass", mass=text, point=point, share=self._number(self.balance.share)
-                )
+                share = self._number(self.balance.share)
+                yield self.drafting.word("share of mass", mass=text, point=point, share=share)
             else:
                 yield self.drafting.word("left at slider", mass=text, point=point)
 
@@ -317,13 +313,11 @@ class BalanceNotes(NamedTuple):
         """Give the largest reactions before and after of the crank's shaft, and of the pair where they grow most."""
         was, now = self.balance.before.reactions, after.reactions
         least, rows = NOTHING * self.balance.before.forces.largest, self.balance.before.forces.reactions
-        shaft = next((key for key, row in rows.items() if self._of_shaft(row)), None)
+        links = {FRAME, self.mechanism.drive.link}
+        shaft = next((key for key, row in rows.items() if {row.giver, row.taker} == links), None)
         ratios = {key: round(now[key] / was[key], ALIKE) for key in rows if was[key] > least}
         most = max((key for key, ratio in ratios.items() if ratio > 1), key=lambda key: ratios[key], default=None)
         yield from ((key, (was[key], now[key])) for key in dict.fromkeys((shaft, most)) if key is not None)
-
-    def _of_shaft(self, reaction: Reaction) -> bool:
-        return {reaction.giver, reaction.taker} == {FRAME, self.mechanism.drive.link}
 
     def _reaction(self, key: str) -> str:
         reaction = self.balance.before.forces.reactions[key]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +12,10 @@ from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quanti
 from drawings.balance.notes import BalanceNotes
 from drawings.forces.report import drafting_of_forces, mass_table
 from drawings.lettering.words import CENTRE, FORCE, MOMENT, counterweight
-from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.report import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
-from plans.model.balance.linkage import Counterweight, Shares, State
+from plans.model.balance.linkage import Counterweight
 from plans.model.motion import NOTHING
 from plans.study import Study
 from plans.words.words import word
@@ -27,7 +26,8 @@ if TYPE_CHECKING:
 
 def centres(notes: BalanceNotes) -> Iterator[str]:
     """Tell mass centre, main vector and main moment at the positions of the scene, before and after."""
-    drafting, states = notes.drafting, _states(notes)
+    before, after = notes.balance.before, notes.balance.loaded
+    drafting, states = notes.drafting, {"": before} if after is None else {"": before, "'": after}
     heads = ["φ, °"]
     columns: list[Any] = [np.degrees(notes.balance.before.centre.phi)]
     for mark, state in states.items():
@@ -36,12 +36,6 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
         values = state.centre.r, state.centre.force, state.centre.moment
         columns += [np.where(np.abs(row) <= none, 0, row) for row, none in zip(values, least, strict=True)]
     yield from tabled(united(heads, drafting), columns, drafting.language)
-
-
-def _states(notes: BalanceNotes) -> Mapping[str, State]:
-    """Give the states by what is written behind their letters."""
-    before, after = notes.balance.before, notes.balance.loaded
-    return {"": before} if after is None else {"": before, "'": after}
 
 
 def counterweights(notes: BalanceNotes) -> Iterator[str]:
@@ -75,14 +69,6 @@ def costs(notes: BalanceNotes) -> Iterator[str]:
         yield row([quantity.name.replace("{", "").replace("}", ""), *cells(quantity, before, after, drafting, DIGITS)])
 
 
-def share_table(found: Shares, reaction: str, drafting: Drafting) -> Iterator[str]:
-    """Tell the largest shaking force and reaction of the shaft over the share, the two least among them."""
-    newtons = drafting.word("N")
-    yield from header(["k", f"{FORCE} _max, {newtons}", f"{reaction} _max, {newtons}"])
-    for choice in sorted({*found.curve, found.least_force, found.least_reaction}):
-        yield row([drafting.number(value, DIGITS) for value in choice])
-
-
 def headline(study: Study) -> str:
     """Say what is to be put on, and what it costs."""
     notes = notes_of(study)
@@ -108,15 +94,10 @@ def _weight(weight: Counterweight, notes: BalanceNotes) -> str:
 
 def notes_of(study: Study) -> BalanceNotes:
     """Give the notes on what the construction finds."""
-    return notes_by(study.of(BalanceStudy))
-
-
-def notes_by(study: BalanceStudy) -> BalanceNotes:
-    """Give the notes on a balance by construction."""
-    after = None if study.balance.after is None else study.points(after=True).vectors
-    vectors = study.points().vectors, after
-    drafting = drafting_of_forces(study.statics)
-    return BalanceNotes(study.linkage.mechanism, study.tree, study.machine, study.balance, vectors, drafting)
+    made = study.of(BalanceStudy)
+    vectors = made.points().vectors, None if made.balance.after is None else made.points(after=True).vectors
+    drafting = drafting_of_forces(made.statics)
+    return BalanceNotes(made.linkage.mechanism, made.tree, made.machine, made.balance, vectors, drafting)
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -125,7 +106,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     aim = word(language, f"report.aim_{notes.balance.task.aim}")
     masses = () if "forces" in study.techniques else mass_table(notes.machine, language)
     return Chapters(
-        subject=[chapter(language, "balancing"), aim, *masses, *_lines(notes.main_points())],
+        subject=[chapter(language, "balancing"), aim, *masses, *map(entry, notes.main_points())],
         values=[*_counterweights(notes), *_costs(notes), *_shares(notes), *_centres(notes)],
         left_out=[word(language, "report.balance_left_out")],
     )
@@ -135,7 +116,7 @@ def _counterweights(notes: BalanceNotes) -> Iterator[str]:
     lines = [*notes.counterweights(), *notes.balanced(), *notes.left()]
     if lines:
         yield chapter(notes.drafting.language, "counterweights")
-        yield from _lines(lines)
+        yield from map(entry, lines)
     if notes.balance.counterweights:
         yield ""
         yield from counterweights(notes)
@@ -150,18 +131,17 @@ def _shares(notes: BalanceNotes) -> Iterator[str]:
     shares = notes.balance.shares
     if shares is not None:
         yield chapter(notes.drafting.language, "shares")
-        yield from _lines(notes.choice())
+        yield from map(entry, notes.choice())
         yield ""
-        yield from share_table(shares, plain(notes.shaft), notes.drafting)
+        newtons = notes.drafting.word("N")
+        yield from header(["k", f"{FORCE} _max, {newtons}", f"{plain(notes.shaft)} _max, {newtons}"])
+        for choice in sorted({*shares.curve, shares.least_force, shares.least_reaction}):
+            yield row([notes.drafting.number(value, DIGITS) for value in choice])
 
 
 def _centres(notes: BalanceNotes) -> Iterator[str]:
     yield chapter(notes.drafting.language, "mass_centre")
     yield from centres(notes)
-
-
-def _lines(notes: Iterable[str]) -> Iterator[str]:
-    return map(entry, notes)
 
 
 REPORT = Report(chapters, headline, conclusion=_concluded)

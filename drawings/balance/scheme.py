@@ -199,8 +199,9 @@ class SchemeFigure:
         blocks = [block for _, block in self.pairs.blocks]
         ink.draw([*body, *blocks, *stands])
         under = [*self._axes(), *ties(self.pairs), *self._holders()]
+        title = title_of(self.shown, self.drafting)
         return (
-            self._heading(),
+            heading(self.box.box, title, self.drafting.scale(self.box.scale), self._hand),
             *self._paths(),
             *fit_dashes(trim(under, self.pairs.masks)),
             *(self._outline(weight) for weight in self.shown.weights),
@@ -307,10 +308,6 @@ class SchemeFigure:
             rim = self.place.on(weight.centre)
             letter = counterweight(weight.weight.link, self.drafting.language)
             yield labels.beside(rim, letter, self._hand.letter, 2.2, cmath.phase(weight.direction))
-
-    def _heading(self) -> Group:
-        title = title_of(self.shown, self.drafting)
-        return heading(self.box.box, title, self.drafting.scale(self.box.scale), self._hand)
 
 
 def title_of(shown: BalanceScheme, drafting: Drafting) -> str:

@@ -10,10 +10,10 @@ from typing import Final
 from drawings.balance import scheme
 from drawings.balance.costs import Nothing, costs, counterweights, nothing
 from drawings.balance.due import expected
-from drawings.balance.graphs import ShakingHodograph, ShareGraph, curve, hodograph, reaction_letter
+from drawings.balance.graphs import ShakingHodograph, ShareGraph, curve, hodograph
 from drawings.balance.report import notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
-from drawings.forces.letters import REACTION
+from drawings.forces.letters import REACTION, letter_of
 from drawings.forces.sheet import of_forces
 from drawings.kinds import curve_graph, polygon
 from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
@@ -95,7 +95,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         gap = motion.construction.gaps[0]
         where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
         raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
-    return sheets(study.scene, balanced(study.of(BalanceStudy), motion, notes_of(study).all))
+    shown = balanced(study.of(BalanceStudy), motion, notes_of(study).all)
+    return lay_out(study.scene, [_BalancingSheet(study.scene, shown).draft])
 
 
 def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> ShownBalance:
@@ -106,23 +107,12 @@ def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ..
         drawings[AFTER] = study.drawing(after=True, position=shown)
     chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
     moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
-    return ShownBalance(
-        skeletons(study.linkage, motion.construction, shown),
-        chains,
-        moments,
-        study.balance,
-        notes,
-        study.statics.form.sheet.reactions,
-    )
+    bones, reactions = skeletons(study.linkage, motion.construction, shown), study.statics.form.sheet.reactions
+    return ShownBalance(bones, chains, moments, study.balance, notes, reactions)
 
 
 def _vector(side: ChainSide) -> ShownVector:
     return ShownVector(side.vector.name, MAIN, at(side.start.point, 0), at(side.vector.point, 0))
-
-
-def sheets(scene: Scene, shown: ShownBalance) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a mechanism whose balancing is found."""
-    return lay_out(scene, [_BalancingSheet(scene, shown).draft])
 
 
 @dataclass(frozen=True)
@@ -210,7 +200,7 @@ class _BalancingSheet:
         """Show the choice of the share, where there is one."""
         balance, crank = self.balance, self.shown.bones.mechanism.drive.link
         if balance.shares is not None:
-            letter = reaction_letter(crank, self.drafting)
+            letter = letter_of(f"R_0{crank}", self.drafting)
             graph = ShareGraph(balance.shares, balance.share, letter, balance.before.reaction(crank))
             yield exhibit(ShareGraph, graph, self.drafting, LARGEST)
 

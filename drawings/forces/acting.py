@@ -85,9 +85,7 @@ class CutLinks:
     @property
     def feet(self) -> list[complex]:
         """The shown places of blocks that stand off their points, on guides beside these."""
-        slides = [
-            slide for slide in self.mechanism.slides if slide.owner == FRAME and offset_foot(self, slide) is not None
-        ]
+        slides = [s for s in self.mechanism.slides if s.owner == FRAME and offset_foot(self, s) is not None]
         return [complex(self.numbered.blocks(slide)[self.shown]) for slide in slides]
 
     def middle(self, link: int) -> complex:
@@ -99,10 +97,13 @@ class CutLinks:
 def cut_links(plan: ForcePlan, cut: CutGroup, column: int) -> CutLinks:
     """Take the links of a cut out of the mechanism in one position."""
     whole = plan.mechanism
-    all_poses = poses(whole, plan.positions, _count(plan, column))
+    # The number of positions of the plan: as many as the shown one asks for, where nothing moves
+    sizes = [np.size(mark.point) for mark in plan.positions.letters.values()]
+    all_poses = poses(whole, plan.positions, max([*sizes, column + 1]))
     cut_off = {link: whole.links[link] for link in cut.links}
     places = {name: complex(all_poses.points[name][column]) for link in cut_off.values() for name in link.points}
-    pins = _inner(cut_off)
+    first, *others = cut_off.values()
+    pins = {name for other in others for name in other.points if name in first.points}
     still = {name: places[name] for name in places if name in whole.links[FRAME].points} if cut.group is None else {}
     away = {name: place for name, place in places.items() if name in whole.hinges and name not in (*pins, *still)}
     slides = [_held(slide, all_poses, column) if slide.owner not in cut_off else slide for slide in whole.slides
@@ -113,18 +114,6 @@ def cut_links(plan: ForcePlan, cut: CutGroup, column: int) -> CutLinks:
     travels = {slide: _travel(all_poses, slide) for slide in whole.slides if slide.owner in cut_off}
     reduced = replace(whole, links=links, slides=tuple(slides))
     return CutLinks(reduced, list(cut.links), kept, column, _masses(plan, cut), travels)
-
-
-def _count(plan: ForcePlan, column: int) -> int:
-    """Give the number of positions of the plan: as many as the shown one asks for, where nothing moves."""
-    sizes = [np.size(mark.point) for mark in plan.positions.letters.values()]
-    return max([*sizes, column + 1])
-
-
-def _inner(links: Mapping[int, Link]) -> set[str]:
-    """Give the points that two links of the cut share."""
-    first, *others = links.values()
-    return {name for other in others for name in other.points if name in first.points}
 
 
 def _held(slide: Slide, all_poses: Poses, column: int) -> Slide:
@@ -230,7 +219,10 @@ def _guide(
     """Give the reaction of a guide where it acts; one that acts far off, at the slider's point with its moment."""
     assert support.slide is not None
     value, point = at(support.force.point, column), at(support.at.point, column)
-    place, along = _line(support.slide, links)
+    # The guide's line is that of the cut's own link.
+    link = support.slide.slider if support.slide.slider in links.links else support.slide.owner
+    way, pose = support.slide.way(link), links.numbered
+    place, along = links.of(link, way.through), complex(pose.turns[link][links.shown] * way.direction)
     foot = place + along * ((point - place) * along.conjugate()).real
     turning = 0.0 if support.moment is None else at(support.moment.point, column).real
     across = (along.conjugate() * value).imag
@@ -243,13 +235,6 @@ def _guide(
         return force, [ShownMoment(name, foot, 1 if turning > 0 else -1)], []
     end = foot + along * arm
     return force._replace(at=end), [], [GuideShift(support.force.name.replace("R", "x", 1), foot, end, value)]
-
-
-def _line(slide: Slide, links: CutLinks) -> tuple[complex, complex]:
-    """Give a place on a slide's line, and its unit direction, both as the cut's own link has them."""
-    link = slide.slider if slide.slider in links.links else slide.owner
-    way, pose = slide.way(link), links.numbered
-    return links.of(link, way.through), complex(pose.turns[link][links.shown] * way.direction)
 
 
 def _driving(plan: ForcePlan, column: int) -> Iterator[ShownVector]:

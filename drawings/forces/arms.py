@@ -115,7 +115,6 @@ def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
 
 
 def _one_line(arm: Leverage, other: Leverage) -> bool:
-    """Tell whether two forces have one line of action and one point of moments."""
     near = NOTHING * abs(arm.at - arm.pivot)
     return arm.about == other.about and abs(arm.foot - other.foot) <= near and arm.dimensioned
 
@@ -204,7 +203,6 @@ def terms(
 
 
 def _together(forces: Sequence[ShownVector]) -> dict[str, list[ShownVector]]:
-    """Take both forces of a couple together."""
     named: dict[str, list[ShownVector]] = {}
     for force in forces:
         named.setdefault(force.name, []).append(force)

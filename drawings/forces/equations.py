@@ -83,10 +83,8 @@ class SheetEquations:
         """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
         for part in (part for support in self.cut.supports for part in support.parts if part.name.startswith("R^u")):
             terms = [self.letter(load.name) for load in self.cut.loads if load.link == self.cut.links[0]]
-            yield plain(
-                f"{self.letter(part.name)} = −({' + '.join(terms)})_u,",
-                self.statement(part.name, self._size(part), "N"),
-            )
+            left = f"{self.letter(part.name)} = −({' + '.join(terms)})_u,"
+            yield plain(left, self.statement(part.name, self._size(part), "N"))
 
     def _moments(self, equation: MomentEquation) -> Iterator[WrittenEquation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
@@ -139,7 +137,6 @@ class SheetEquations:
             yield forces(terms)
 
     def _visible(self, name: str) -> bool:
-        """Tell whether a force acts in this position."""
         side = next(side for side in self.cut.sides if side.name == name)
         return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
 
@@ -185,9 +182,8 @@ class LeverEquation(NamedTuple):
 
     def write(self, box: Field, spot: Spot | None = None) -> Group:
         """Write it with the arms in mm at the lever's scale; without a lever on its sheet, in true units."""
-        return self._passage(1.0 if spot is None else spot.scale.mu, "mm" if spot is not None else UNIT).write(
-            box, self.drafting.hand
-        )
+        mu, unit = (1.0, UNIT) if spot is None else (spot.scale.mu, "mm")
+        return self._passage(mu, unit).write(box, self.drafting.hand)
 
     def _passage(self, mu: float | None, unit: str = "mm") -> EquationBlock:
         arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}

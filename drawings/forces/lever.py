@@ -79,22 +79,11 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
     return min(tries, key=cost)
 
 
-def _reach(pushes: Sequence[ShownVector]) -> float:
-    """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
-    lines = [(tied_spot(push.at), push.direction**2) for push in pushes]
-    shared = (sum(at == image and abs(way - line) < PARALLEL for image, way in lines) for at, line in lines)
-    most = max(shared, default=0)
-    return LONGEST + (SHORTEST + AFTER if most > BOTH else 0.0)
-
-
 def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) -> list[Arm]:
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
     subject = Subject(PLAN, SYMBOL, column)
-    every = (
-        to_scale(term.arm, place.on(0j), place.on(term.at), term.direction, place.scale, subject)
-        for term in terms
-        if term.dimensioned
-    )
+    pole, scale = place.on(0j), place.scale
+    every = (to_scale(t.arm, pole, place.on(t.at), t.direction, scale, subject) for t in terms if t.dimensioned)
     kept = sorted((arm for arm in every if arm.length >= LEAST_ARM), key=lambda arm: tied(arm.length))
     return aside(kept, [*taken.rods, *taken.forces], taken.box)
 
@@ -195,7 +184,11 @@ def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
 def measure(shown: Hanging, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
     hand = drafting.hand
-    margins = around(MARGINS, hand, *(_reach(shown.forces) * hand.symbol,) * 3)
+    # Forces reach one of their length from their images, or two where many share a line there.
+    lines = [(tied_spot(push.at), push.direction**2) for push in shown.forces]
+    shared = (sum(at == image and abs(way - line) < PARALLEL for image, way in lines) for at, line in lines)
+    reach = LONGEST + (SHORTEST + AFTER if max(shared, default=0) > BOTH else 0.0)
+    margins = around(MARGINS, hand, *(reach * hand.symbol,) * 3)
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
     title = heading_width(_title(shown, drafting), hand)
     return picture(PLAN, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)
@@ -219,9 +212,8 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     arrows = placed_forces(shown.forces, place, taken, drafting)
     kept = placed_arms(balance(shown, drafting), place, taken, shown.column)
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
-    stand = fixed_hinge(
-        place.on(0j), hand, HINGE * hand.symbol, _downward([*taken.rods, *taken.forces], place.on(0j), hand)
-    )
+    downward = _downward([*taken.rods, *taken.forces], place.on(0j), hand)
+    stand = fixed_hinge(place.on(0j), hand, HINGE * hand.symbol, downward)
     dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
     lines = (
         heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),

@@ -228,16 +228,11 @@ def _way(course: LoadCourse) -> tuple[str, str, str]:
 
 def _title(course: LoadCourse, drafting: Drafting) -> str:
     key = "indicator card of" if course.card else "load diagram of"
-    return drafting.word(key, name=lettered(drafting.language, _marked_up(course.name)))
-
-
-def _marked_up(name: str) -> str:
-    head, _, index = name.partition("_")
-    return f"{head}_{{{index}}}" if index else head
+    head, _, index = course.name.partition("_")
+    return drafting.word(key, name=lettered(drafting.language, f"{head}_{{{index}}}" if index else head))
 
 
 def _corner(text: str, at: complex, above: bool, hand: Hand) -> Letter:
-    """Letter a point of the course above or below it."""
     return Letter(at, text, hand.number, OVER if above else UNDER, DOT + BESIDE)
 
 

@@ -105,9 +105,7 @@ class SchemeLayout:
     @cached_property
     def arms(self) -> list[Arm]:
         """The arms to scale, measurable, the longest last: none lies on a force."""
-        forces = (
-            ends for arrow in self.arrows for ends in ((arrow.start, arrow.tip), (arrow.lead or arrow.at, arrow.at))
-        )
+        forces = (ends for a in self.arrows for ends in ((a.start, a.tip), (a.lead or a.at, a.at)))
         return aside(sorted(self._bare, key=lambda arm: tied(arm.length)), forces, self.box)
 
     @cached_property
@@ -115,10 +113,8 @@ class SchemeLayout:
         """The arms on their perpendiculars."""
         subject = Subject(self._plan, "h", self.shown.column)
         on, scale = self.place.on, self.place.scale
-        return [
-            to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject)
-            for arm in self.shown.dimensioned
-        ]
+        arms = self.shown.dimensioned
+        return [to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject) for arm in arms]
 
     @cached_property
     def shifts(self) -> list[Dimension]:
@@ -320,7 +316,10 @@ def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Strok
         yield arm.letter_beside(labels, hand)
     for shift in layout.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
-    yield from _points(layout, labels, hand)
+    lines = [*_lines(layout.links), *(arrow.shaft for arrow in layout.arrows)]
+    for name, value in layout.shown.named.items():
+        spot, gap = layout.place.on(value), layout.clear(name) + 1.0
+        yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
     for arrow in layout.arrows:
         yield arrow.letter_beside(labels, hand)
     for couple in layout.couples:
@@ -329,14 +328,6 @@ def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Strok
         middle, turn = layout.gear.angle(layout.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)
     yield from link_numbers(layout.joints, layout.shown.links.links, labels, hand)
-
-
-def _points(layout: SchemeLayout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
-    """Letter each point where the widest angle between the lines at it is free."""
-    lines = [*_lines(layout.links), *(arrow.shaft for arrow in layout.arrows)]
-    for name, value in layout.shown.named.items():
-        spot, gap = layout.place.on(value), layout.clear(name) + 1.0
-        yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
 
 
 def _lines(strokes: list[Stroke]) -> Iterator[Line]:

@@ -25,12 +25,8 @@ INDEX = ("friction index", "useful index")  # of powers
 def notes(statics: Statics, comparison: ForceComparison, position: int, language: str) -> list[str]:
     """Write what the sheet says in words: what is given, what the lever carries, what friction takes."""
     rates = Rates(*statics.study.rates.at(position))
-    given = [
-        driving(statics.study, rates, language),
-        *lengths(statics.study, language),
-        *_masses(statics, language),
-        *_loads(statics, language),
-    ]
+    given = [driving(statics.study, rates, language), *lengths(statics.study, language)]
+    given += [*_masses(statics, language), *_loads(statics, language)]
     return [
         *given,
         word(language, "known lines"),
@@ -54,7 +50,6 @@ def _choice(statics: Statics, comparison: ForceComparison, position: int, langua
 
 
 def _plan(name: str, language: str) -> str:
-    """Name a plan of a position."""
     _, _, group = name.partition("-")
     title = word(language, "force plan", group=group) if group else term(language, "plan", name)
     return f"{title[:1].lower()}{title[1:]}"
@@ -67,17 +62,13 @@ def _loads(statics: Statics, language: str) -> Iterator[str]:
     for spring in machine.springs:
         stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
         free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
-        lines.append(
-            word(language, "spring given", name=force_letter(spring.name, language), stiffness=stiffness, free=free)
-        )
+        name = force_letter(spring.name, language)
+        lines.append(word(language, "spring given", name=name, stiffness=stiffness, free=free))
     how = machine.transmission
     if how.kind == GEAR:
         radius = f"{number(1000 * how.radius, language)}{NBSP}{word(language, 'mm')}"
-        angles = {
-            "at": number(float(np.degrees(how.at)), language),
-            "pressure": number(float(np.degrees(how.pressure)), language),
-        }
-        lines.append(word(language, "gear given", radius=radius, **angles))
+        at, pressure = (number(float(np.degrees(angle)), language) for angle in (how.at, how.pressure))
+        lines.append(word(language, "gear given", radius=radius, at=at, pressure=pressure))
     yield from lines
 
 

@@ -116,18 +116,14 @@ def polygon(plan: ForcePlan, cut: CutGroup, column: int) -> ForcePolygon:
     for support in cut.reactions:
         mark = support.force
         if mark.step.op == "join":
-            named.setdefault(mark.name, _vector(mark.name, WHOLE, *_ends(mark), column))
+            start, end = mark.step.inputs
+            named.setdefault(mark.name, _vector(mark.name, WHOLE, start, end, column))
     greatest = max((abs(vector.value) for vector in named.values()), default=0.0)
     least = math.inf if greatest <= NOTHING * largest(plan, column) else ZERO * greatest
     kept = tuple(vector for vector in named.values() if not abs(vector.value) <= least)  # what is unknown is kept
     closing = {corner for side in cut.sides if side.kind == CLOSING for corner in (side.start, side.end)}
     rays = tuple(ray for corner in cut.sides for ray in _rays(corner.start, column) if corner.start in closing)
     return ForcePolygon(cut.label, cut.group is not None, column, kept, rays)
-
-
-def _ends(mark: Mark) -> tuple[Mark, Mark]:
-    start, end = mark.step.inputs
-    return start, end
 
 
 def _vector(name: str, kind: str, start: Mark, end: Mark, column: int) -> ShownVector:

@@ -171,9 +171,8 @@ def mass_table(machine: Machine, language: str) -> Iterator[str]:
     """List the masses of the links, each with its centre in the link's own frame."""
     for link, body in sorted(machine.bodies.items()):
         numbers = {"mass": body.mass, "inertia": body.inertia, "x": body.centre.real, "y": body.centre.imag}
-        yield word(
-            language, "report.body", link=link, **{name: number(size, language) for name, size in numbers.items()}
-        )
+        texts = {name: number(size, language) for name, size in numbers.items()}
+        yield word(language, "report.body", link=link, **texts)
 
 
 def _bodies(statics: Statics, language: str) -> Iterator[str]:
@@ -279,7 +278,6 @@ def _flanks(found: Kinetostatics, statics: Statics) -> Iterator[str]:
 
 
 def _sized(column: Any, nothing: Any) -> Any:
-    """Give what is but rounding as zero."""
     return np.where(np.abs(column) <= nothing, 0.0, column)
 
 

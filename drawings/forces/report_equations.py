@@ -58,7 +58,11 @@ class CutEquations:
         arms = leverages(self.plan, cut, self.column)
         for equation in cut.equations:
             yield from self._moments(equation, arms, cut)
-        yield from self._slotted(cut)
+        # Write the part along a slot, which holds nothing along it.
+        for part in (part for support in cut.supports for part in support.parts if part.name.startswith("R^u")):
+            size = self._sized(abs(self.value(part)))
+            known = rf"-{self.formula.letter('Σ')} {self.formula.letter('F_u')}"
+            yield f"- {inline(self.letter(part.name), known, self.formula.quantity(size, 'N'))}"
         yield from self._forces(cut)
         yield from self._reactions(cut)
 
@@ -138,13 +142,6 @@ class CutEquations:
             value = self._turned(self.value(equation.found).real)
             return self.formula.quantity(value, "N*m")
         return self.formula.quantity(self._sized(abs(self.value(equation.found))), "N")
-
-    def _slotted(self, cut: CutGroup) -> Iterator[str]:
-        """Write the part along a slot, which holds nothing along it."""
-        for part in (part for support in cut.supports for part in support.parts if part.name.startswith("R^u")):
-            size = self._sized(abs(self.value(part)))
-            known = rf"-{self.formula.letter('Σ')} {self.formula.letter('F_u')}"
-            yield f"- {inline(self.letter(part.name), known, self.formula.quantity(size, 'N'))}"
 
     def _forces(self, cut: CutGroup) -> Iterator[str]:
         """Write that the forces of a cut balance, with what is known of each."""
@@ -276,12 +273,8 @@ def equations_of(study: Study, mark: Mark, position: int) -> Iterator[str]:
     drafting = drafting_of(study.scene)._replace(reactions=statics.form.sheet.reactions)
     written = CutEquations(plans.plan, 0, Formula(drafting), nothing)
     for cut in plans.plan.cuts:
-        parts = (part.name for support in cut.supports for part in support.parts)
-        given = {
-            *parts,
-            *(support.force.name for support in cut.reactions),
-            *(equation.found.name for equation in cut.equations),
-        }
+        given = {part.name for support in cut.supports for part in support.parts}
+        given |= {support.force.name for support in cut.reactions} | {e.found.name for e in cut.equations}
         if mark.name in given:
             yield from (line.strip("$") for line in written.lines(cut) if line.startswith("$$"))
             return

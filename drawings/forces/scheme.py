@@ -47,16 +47,12 @@ def shown_springs(plan: ForcePlan, cut: CutGroup, links: CutLinks, column: int) 
     """Give the springs that act on a cut, each once."""
     places = {load.name: at(load.at.point, column) for load in cut.loads}
     for spring in plan.machine.springs:
-        for name, far in _ends(spring):
+        # The force at each moving end of a spring, with the other end
+        moving = [k for k in (0, 1) if spring.links[k] != FRAME]
+        for name, far in ((spring.name + ("′" if k != moving[0] else ""), 1 - k) for k in moving):
             if name in places:
                 yield _shown(plan, spring, name, places[name], far, links)
                 break
-
-
-def _ends(spring: Spring) -> Iterator[tuple[str, int]]:
-    """Give the force at each moving end of a spring, with the other end."""
-    moving = [k for k in (0, 1) if spring.links[k] != FRAME]
-    return ((spring.name + ("′" if k != moving[0] else ""), 1 - k) for k in moving)
 
 
 def _shown(plan: ForcePlan, spring: Spring, name: str, start: complex, far: int, links: CutLinks) -> ShownSpring:
@@ -77,7 +73,6 @@ def friction_circles_of(plan: ForcePlan, cut: CutGroup) -> Iterator[tuple[str, f
 
 
 def _hinges(plan: ForcePlan, links: set[int]) -> list[str]:
-    """Give the hinge that two links share."""
     first, other = (plan.mechanism.links[link].points for link in links)
     return [name for name in first if name in other and name in plan.mechanism.hinges]
 

@@ -120,10 +120,8 @@ class _ForceSheet:
         columns = (figure for cut in self.plan.cuts for figure in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        shows, later = (
-            (*columns, *loose, *captions(self._workings())),
-            partial(forces_by_hand, self.statics, self.position),
-        )
+        shows = (*columns, *loose, *captions(self._workings()))
+        later = partial(forces_by_hand, self.statics, self.position)
         return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=later)
 
     @property
@@ -257,7 +255,6 @@ class _ForceSheet:
         return np.abs(stations - stations[0]), np.abs(along - stations[0])
 
     def _hodographs(self) -> Iterator[Exhibit]:
-        """The reactions whose hodographs the scene asks for."""
         for key in self.statics.form.sheet.hodographs:
             dense, reaction = self.turned.reactions[key], self.forces.reactions[key]
             letter = letter_of(f"R_{indices(reaction.giver, reaction.taker)}", self.drafting)
@@ -271,27 +268,12 @@ class _ForceSheet:
         return value_table.table(lines, (self.position,), drafting)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
-        """Say in the data of a sheet whose forces its figures show."""
-        return {
-            "structure": formula(self.study.mechanism, self.study.groups),
-            "position": self.position,
-            "groups": [name.removeprefix(POLYGON) for name in names if name.startswith(POLYGON)],
-        }
+        groups = [name.removeprefix(POLYGON) for name in names if name.startswith(POLYGON)]
+        structure = formula(self.study.mechanism, self.study.groups)
+        return {"structure": structure, "position": self.position, "groups": groups}
 
 
-SCALES: Final = {
-    "scheme-": "scheme",
-    "forces-": "force",
-    "lever": "lever",
-    "balancing": "moment",
-    "load_diagram-": "way",
-}
-FORM: Final = {
-    "scheme-": PLAN,
-    "forces-": PLAN,
-    "lever": PLAN,
-    "hodograph-": PLAN,
-    "balancing": GRAPH,
-    "load_diagram-": GRAPH,
-}
+BY_FORCE = {"scheme-": "scheme", "forces-": "force", "lever": "lever"}
+SCALES: Final = {**BY_FORCE, "balancing": "moment", "load_diagram-": "way"}
+FORM: Final = dict.fromkeys((*BY_FORCE, "hodograph-"), PLAN) | dict.fromkeys(("balancing", "load_diagram-"), GRAPH)
 SHEETS: Final = {"forces": SheetKind(leaves, expected, SCALES, of_forces, of_arm, figures=FORM, tables=("values",))}

@@ -9,13 +9,12 @@ from typing import NamedTuple
 
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.lettering.lettering import bounds, text_width
-from drawings.lettering.words import with_index
-from drawings.page.page import Drafting, Field
+from drawings.lettering.lettering import bounds
+from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Group, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
-from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
+from drawings.symbols.symbols import arrowhead
 from geometry.board import Mark, at
 from geometry.meet import cross
 from plans.linkage.plan import POLES
@@ -38,11 +37,6 @@ class LaidPart(NamedTuple):
         return abs(self.end - self.start)
 
 
-def part_letter(name: str, drafting: Drafting) -> str:
-    """Write the letter of a part as courses of the sheet's language do: a^n_BA with its index lowered."""
-    return drafting.letter(with_index(name))
-
-
 def is_relative(name: str, vector: str) -> bool:
     """Tell whether a part is no whole velocity or acceleration of a point, whose end bears the point's letter.
 
@@ -52,11 +46,6 @@ def is_relative(name: str, vector: str) -> bool:
     return "^" in name or vector.split(" ", maxsplit=1)[0] not in POLES.values()
 
 
-def least_length(text: str, hand: Hand) -> float:
-    """Give how long a vector is at least that bears a letter beside it, mm."""
-    return text_width(Text(0j, text, hand.number, "start", True)) + ARROW_LENGTH * hand.symbol
-
-
 def _up(part: LaidPart) -> float:
     return cmath.phase(part.end - part.start) + math.pi / 2
 
@@ -64,13 +53,8 @@ def _up(part: LaidPart) -> float:
 def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first."""
     order = sorted(parts, key=lambda part: -tied(part.length))
-    return Group(
-        tuple(
-            stating(vector.states, labels.along(vector.start, vector.end, vector.text, hand.number, GAP, _up(vector)))
-            for vector in order
-        ),
-        f"{plan}-{PARTS}",
-    )
+    texts = (stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v))) for v in order)
+    return Group(tuple(texts), f"{plan}-{PARTS}")
 
 
 ARM = 3.2  # length of either vector, in sizes of a letter
@@ -125,7 +109,6 @@ def rule(shown: QuarterTurn, centre: complex, hand: Hand) -> Group:
 
 
 def _letters(shown: QuarterTurn, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
-    """Letter both vectors beyond their tips."""
     texts: list[Stroke] = []
     for direction, content in ((shown.slip, "v_r"), (shown.result, f"a^k_{{{shown.point}}}")):
         text = Text(0j, content, hand.text, "start", True)

@@ -126,9 +126,7 @@ class _ExpectedMotion:
 
     def _slack(self, name: str) -> float:
         """How far rounding can have moved a stroke or the crank's angle there."""
-        return next(
-            (float(finding.allowed[0]) for finding in self.comparison.of("extremes") if finding.name == name), 0.0
-        )
+        return next((float(f.allowed[0]) for f in self.comparison.of("extremes") if f.name == name), 0.0)
 
     def _stroke(self, name: str, found: Extremes) -> Iterator[Expected]:
         slack = self._slack("H")
@@ -183,7 +181,8 @@ class _ExpectedMotion:
         findings = value_table.listed(self.comparison, self._vectors.parts, hand.given)
         for same in alike(findings, self.study.mechanism, self.masses):
             row, first = value_table.label(same, self.drafting.language), same[0]
-            lost = not is_something(first)
+            most = np.nanmax(np.abs(first.analysis), initial=0.0)
+            lost = bool(most <= 2 * np.nanmax(first.allowed, initial=0.0))  # no more than rounding anywhere
             for k in positions:
                 value = first.analysis[k]
                 size = float(abs(value) if np.iscomplexobj(value) else value), float(first.allowed[k])
@@ -200,9 +199,3 @@ def named(findings: Sequence[Quantity], language: str) -> dict[str, Quantity]:
 def _letter(finding: Quantity, language: str) -> str:
     symbol, _, index = finding.name.partition("_")
     return Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain
-
-
-def is_something(finding: Quantity) -> bool:
-    """Tell whether a finding is more than rounding in some position, by the analysis."""
-    most = np.nanmax(np.abs(finding.analysis), initial=0.0)
-    return bool(most > 2 * np.nanmax(finding.allowed, initial=0.0))

@@ -99,9 +99,7 @@ class VectorPlans:
             if number != FRAME:
                 name, first = next(iter(link.points.items()))
                 turned = np.exp(-1j * self.comparison.analysis.links[number].angle[k])
-                spots |= {
-                    written.under(pin, number): first + (true.r(pin) - true.r(name)) * turned for pin in self._pins
-                }
+                spots |= {written.under(p, number): first + (true.r(p) - true.r(name)) * turned for p in self._pins}
                 spots[written.of_link("n", number)] = self.study.drafts().positions.images[number].at
             still = number == FRAME
             found.append({image: 0j if still else true.centre(number, at, order) for image, at in spots.items()})

@@ -95,7 +95,9 @@ class VectorEquations:
         if not any(leg.turns and leg.fixed for leg in legs):
             yield from self._whole(V, sum(first.velocity), first.point, first.images[2])
         yield from self._whole(A, sum(first.acceleration), first.point, first.images[2])
-        yield from self._similar(dyad)
+        for point in dict.fromkeys(self.sums.others(dyad)):
+            if point in self.sums.motion.points:
+                yield from self.of_point(point)
 
     def _terms(self, leg: VectorSum, plan: str, known: int) -> list[str]:
         vector = self.formula.vector
@@ -164,12 +166,6 @@ class VectorEquations:
         sense = "at rest" if not size else "counter-clockwise" if rate > 0 else "clockwise"
         line = inline(formula.letter(f"{symbol}_{leg.link}"), f"{letter} / {self._arm(leg)}", ratio, amount)
         return f"{line}, {word(self.language, f'way.{sense}')}" if size else line
-
-    def _similar(self, dyad: Dyad) -> Iterator[str]:
-        """Tell the points of a group's links that similarity gives."""
-        for point in dict.fromkeys(self.sums.others(dyad)):
-            if point in self.sums.motion.points:
-                yield from self.of_point(point)
 
     def _whole(self, plan: str, value: complex, point: str, image: str) -> Iterator[str]:
         yield from self._read(plan, value, self._of(plan, point), POLES[plan], image)
@@ -243,9 +239,8 @@ def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, Sc
 def shown_positions(leaves: Mapping[str, Sequence[Leaf]]) -> list[int]:
     """Give the positions whose plans of velocities, or whose forces, are drawn, as many as a note puts numbers in."""
     scales = drawn_scales(leaves)
-    asked = [k for k, sheets in scales.items() if V in sheets] + [
-        leaf.metadata["position"] for sheets in leaves.values() for leaf in sheets if "position" in leaf.metadata
-    ]
+    facts = (leaf.metadata for sheets in leaves.values() for leaf in sheets)
+    asked = [k for k, sheets in scales.items() if V in sheets] + [f["position"] for f in facts if "position" in f]
     return sorted(dict.fromkeys(asked))[:MOST]
 
 

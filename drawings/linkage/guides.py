@@ -15,7 +15,8 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Line, Stroke
 from drawings.symbols.symbols import BLOCK, TurnArrow, arrowhead, ground, tick
 from drawings.symbols.trimming import trim
-from plans.model.mechanism import FRAME, Mechanism, Slide
+from plans.linkage.primary import pushed
+from plans.model.mechanism import FRAME, Slide
 
 SWEEP = math.radians(65)
 RAYS = 12  # across an arrow's own field
@@ -195,13 +196,6 @@ class PushArrow(NamedTuple):
         """Draw it."""
         head = arrowhead(self.start, self.end, pairs.hand.symbol)
         return Line(self.start, self.end, pairs.hand.other), *(() if head is None else (head,))
-
-
-def pushed(mechanism: Mechanism) -> Slide:
-    """Give the slide that is pushed along."""
-    slide = mechanism.drive.guide
-    assert slide is not None  # asked only where one is
-    return slide
 
 
 def aside(bones: Skeletons) -> complex:

@@ -13,12 +13,12 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import numbered, text_width
 from drawings.lettering.words import number
-from drawings.linkage.guides import aside, pushed
+from drawings.linkage.guides import aside
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke, Text
 from drawings.symbols import symbols
-from plans.linkage.primary import PRIMARIES, CrankPositions
+from plans.linkage.primary import PRIMARIES, CrankPositions, pushed
 from plans.linkage.travel import ExtremePositions, frame_slide
 from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import Complexes
@@ -88,11 +88,7 @@ def crank_places(bones: Skeletons) -> tuple[NumberedPlace, ...]:
     nowhere = np.full(len(bones.numbered), np.nan + 0j)
     places = list(_places(bones, bones.study.travel, nowhere, (nowhere[0], nowhere[0]), ()))
     for track in sliders(bones):
-        places += [
-            station
-            for station in track.places
-            if station.column is None and station.name not in {known.name for known in places}
-        ]
+        places += [s for s in track.places if s.column is None and s.name not in {known.name for known in places}]
     extreme = {station.name for track in sliders(bones) for station in track.places if station.extreme}
     return tuple(station._replace(extreme=station.extreme or station.name in extreme) for station in places)
 
@@ -134,15 +130,11 @@ def _places(
     known = {station.name: station.crank for station in taken}
     for which, (column, spot) in enumerate(zip(found, ends, strict=False)):
         if column is None and travel is not None:
-            crank = _crank(bones, travel, which)
+            turn = CrankPositions(np.array(travel.extremes.phi), np.array(travel.directions))
+            crank = complex(PRIMARIES[bones.mechanism.drive.kind].ends(bones.mechanism, turn)[which])
             name = _named(bones, travel.extremes.phi[which], crank, known)
             known[name] = crank
             yield NumberedPlace(name, None, True, which == 1, crank, spot)
-
-
-def _crank(bones: Skeletons, travel: ExtremePositions, which: int) -> complex:
-    turn = CrankPositions(np.array(travel.extremes.phi), np.array(travel.directions))
-    return complex(PRIMARIES[bones.mechanism.drive.kind].ends(bones.mechanism, turn)[which])
 
 
 def _named(bones: Skeletons, phi: float, crank: complex, known: dict[str, complex]) -> str:
@@ -155,7 +147,6 @@ def _named(bones: Skeletons, phi: float, crank: complex, known: dict[str, comple
 
 
 def _returning(bones: Skeletons, travel: ExtremePositions | None, k: int) -> bool:
-    """Tell whether a position is passed on the return stroke."""
     if travel is None or len(travel.rests) > 2:
         return False
     (start, end), sense, turn = travel.extremes.phi, bones.study.sense, 2 * np.pi
@@ -209,7 +200,8 @@ def _crank_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
             continue
         spot = place.on(station.crank)
         gap = CRANK_GAP + (pairs.clear(end) if _is_shown(bones, station) else 0.0)
-        out = _off_path(bones, spot, place)
+        # Direct a number away from the crank's pivot, or off the guide of a slider that drives.
+        out = aside(bones) if bones.mechanism.drive.pushed else spot - bones.pivot(place)
         gap += BARRED * hand.symbol if _in_barrier(out, bones) else 0.0
         gap += further if station.column is not None and station.column // every % 2 else 0.0
         number = labels.free(spot, text, hand.number, gap, cmath.phase(out))
@@ -229,11 +221,7 @@ def _listed(
     bones: Skeletons, places: Sequence[NumberedPlace], wide: float, place: Place, hand: Hand
 ) -> tuple[int, ...]:
     """Give the positions that have room for their numbers outside the crank circle: of a long list not all have."""
-    first = [
-        station.column
-        for station in places
-        if station.column is not None and (station.extreme or _is_shown(bones, station))
-    ]
+    first = [s.column for s in places if s.column is not None and (s.extreme or _is_shown(bones, s))]
     ends = [place.on(bones.drive_end(k)) for k in range(len(bones.numbered))]
     around = _round(bones, place, hand)
     return (
@@ -252,11 +240,6 @@ def _round(bones: Skeletons, place: Place, hand: Hand) -> float:
     if bones.mechanism.drive.pushed:
         return abs(place.on(bones.drive_end(-1)) - place.on(bones.drive_end(0)))
     return 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2)
-
-
-def _off_path(bones: Skeletons, spot: complex, place: Place) -> complex:
-    """Direct a number away from the crank's pivot, or off the guide of a slider that drives."""
-    return aside(bones) if bones.mechanism.drive.pushed else spot - bones.pivot(place)
 
 
 def _in_barrier(ray: complex, bones: Skeletons) -> bool:
@@ -286,11 +269,7 @@ def legible(bones: Skeletons, track: NumberedTrack, place: Place, hand: Hand) ->
     first += [station for station in known if _is_shown(bones, station) and station not in first]
     chosen: list[NumberedPlace] = []
     for step in STEPS:
-        rest = [
-            station
-            for station in known
-            if station not in first and station.column is not None and station.column % step == 0
-        ]
+        rest = [s for s in known if s not in first and s.column is not None and s.column % step == 0]
         chosen = _uncrowded(first, rest, place, hand)
         if len(chosen) - len(first) >= (1 - MOST) * len(rest):
             break
@@ -307,10 +286,8 @@ def _uncrowded(first: list[NumberedPlace], rest: list[NumberedPlace], place: Pla
 
 
 def _crowds(station: NumberedPlace, other: NumberedPlace, place: Place, hand: Hand) -> bool:
-    wide, apart = (
-        APART * (width(station.name, hand) + width(other.name, hand)) / 2,
-        place.on(station.spot) - place.on(other.spot),
-    )
+    wide = APART * (width(station.name, hand) + width(other.name, hand)) / 2
+    apart = place.on(station.spot) - place.on(other.spot)
     return abs(apart.real) < wide and abs(apart.imag) < 1.3 * APART * hand.number
 
 
@@ -324,9 +301,7 @@ def _outward(bones: Skeletons, track: NumberedTrack, station: NumberedPlace, pla
         up = way * (1j if way.real >= 0 else -1j)
         return cmath.phase(-up if station.back else up), 0.0
     links, spot = bones.mechanism.links, place.on(station.spot)
-    pivots = [
-        links[FRAME].points[name] for name in links[bones.study.output.link].points if name in links[FRAME].points
-    ]
+    pivots = [links[FRAME].points[n] for n in links[bones.study.output.link].points if n in links[FRAME].points]
     if pivots:
         return cmath.phase(spot - place.on(pivots[0])), RING if station.back else 0.0
     known = [complex(value) for value in bones.way.points[track.point] if not math.isnan(value.real)]

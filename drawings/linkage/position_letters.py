@@ -94,14 +94,18 @@ def clearest(
 ) -> list[Stroke]:
     """Dimension the way between two places on paper, on the side and as far off as is clearest."""
     first, last = ends
-    room = _room([place.on(value) for value in bones.points])
+    points = [place.on(value) for value in bones.points]
+    xs, ys = [point.real for point in points], [point.imag for point in points]
+    room = min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
     best: list[Stroke] = []
     cheapest = math.inf
     for distance in DISTANCES:
         if distance >= cheapest:
             break  # no place further off can be better
         for strokes in _candidates(first, last, distance, text, hand):
-            cost = tied(distance + _cost(strokes, ink, room))
+            letters, dimension, *extensions = strokes[:4]
+            struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
+            cost = tied(distance + (STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)))
             if cost < cheapest:
                 best, cheapest = strokes, cost
     return best
@@ -129,25 +133,9 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
     above = ABOVE - text_reach(Text(0j, text, hand.letter, "middle", True))[0]  # a comma hangs below its line
     letters = Text(middle + 1j * along * above, text, hand.letter, "middle", True, math.degrees(cmath.phase(along)))
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
-    return [
-        letters,
-        Line(*line, hand.drafted),
-        *(Line(pin + AWAY * out, foot + PAST * out, hand.drafted) for pin, foot in ((first, start), (last, end))),
-        *heads,
-    ]
-
-
-def _cost(strokes: list[Stroke], ink: Ink, room: Box) -> float:
-    """Weigh a dimension: lines through its number, lines that its own lines cross, what is beyond the border."""
-    letters, dimension, *extensions = strokes[:4]
-    struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
-    return STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)
-
-
-def _room(points: list[complex]) -> Box:
-    """Give the box of a plan's points with the border round it."""
-    xs, ys = [point.real for point in points], [point.imag for point in points]
-    return min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
+    feet = ((first, start), (last, end))
+    extensions = (Line(pin + AWAY * out, foot + PAST * out, hand.drafted) for pin, foot in feet)
+    return [letters, Line(*line, hand.drafted), *extensions, *heads]
 
 
 def _beyond(strokes: list[Stroke], room: Box) -> float:

@@ -30,7 +30,6 @@ from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
-from plans.linkage.assembly import Barrier
 from plans.model.motion import CHANGE_POINT, POSITIONS
 
 NAME = POSITIONS.plan
@@ -93,15 +92,8 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     grounded = grounds(pairs, ink)
     ink.draw(grounded)
     ink.draw([*paths, *positions, *extremes, *lines, *notches], SHARE)
-    under: list[tuple[str, Iterable[Stroke]]] = [
-        ("paths", paths),
-        (OTHERS, positions),
-        ("extremes", extremes),
-        ("guides", lines),
-        ("notches", notches),
-        (TIES, ties(pairs)),
-        (TICKS, path_ticks(pairs)),
-    ]
+    under: list[tuple[str, Iterable[Stroke]]] = [("paths", paths), (OTHERS, positions), ("extremes", extremes)]
+    under += [("guides", lines), ("notches", notches), (TIES, ties(pairs)), (TICKS, path_ticks(pairs))]
     groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
     groups += [
         Group(tuple(grounded), "grounds"),
@@ -116,7 +108,6 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
 
 
 def _sense(arrow: TurningArrow | PushArrow, pairs: Pairs) -> Stroke:
-    """Draw the arrow of a rate of the primary link as what it states."""
     return stating(Statement(Kind.DIRECTION, NAME, arrow.letter), *arrow.strokes(pairs))
 
 
@@ -140,13 +131,9 @@ def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
             tip = pivot + (radius + HATCH * hand.symbol) * ray * cmath.rect(1.0, SLANT)
             strokes.append(Line(pivot + radius * ray, tip, hand.drafted))
     crossed = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
-    crossed += [cmath.rect(1.0, barrier.start) for barrier in _changes(bones)]
+    changes = (barrier.start for barrier in bones.study.met if barrier.kind == CHANGE_POINT)
+    crossed += [cmath.rect(1.0, start) for start in changes if bones.sweeps(start)]
     return strokes + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
-
-
-def _changes(bones: Skeletons) -> list[Barrier]:
-    """Give the change points on the drawn part of the crank's circle."""
-    return [barrier for barrier in bones.study.met if barrier.kind == CHANGE_POINT and bones.sweeps(barrier.start)]
 
 
 def _positions(pairs: Pairs) -> Iterable[Stroke]:
@@ -176,7 +163,6 @@ def _links(bones: Skeletons, poses: Poses, k: int, place: Place, style: LineStyl
 
 
 def _extremes(pairs: Pairs) -> Iterable[Stroke]:
-    """Draw the extreme positions in dash-two-dots lines."""
     bones = pairs.bones
     if bones.extremes is not None:
         for k in range(2):
@@ -187,18 +173,23 @@ def _extremes(pairs: Pairs) -> Iterable[Stroke]:
 def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss are drawn through the figure."""
     plan = bones.study.drafts().positions
-    box = _around([place.on(value) for value in bones.points], NOTCH * hand.symbol)
+    # The box around some places on paper, and a margin
+    spots = [place.on(value) for value in bones.points]
+    margin = NOTCH * hand.symbol
+    across, up = [spot.real for spot in spots], [spot.imag for spot in spots]
+    box = Field(min(across) - margin, min(up) - margin, max(across) + margin, max(up) + margin)
     arcs: list[Stroke] = []
     for mark in plan.board:
         for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
             if mark.step.op == "meet" and isinstance(locus.value, Notch):
                 centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
                 if math.isnan(arm.real) and not math.isnan(centre.real):
-                    arcs += _within(
-                        Arc(centre, place.length(abs(at(locus.value.radius, 0))), 0, 2 * math.pi), box, hand
-                    )
+                    whole = place.length(abs(at(locus.value.radius, 0)))
+                    arcs += _within(Arc(centre, whole, 0, 2 * math.pi), box, hand)
                 elif not math.isnan(arm.real):
-                    arcs.append(_notch(centre, place.length(abs(arm)), cmath.phase(arm), hand))
+                    radius, angle = place.length(abs(arm)), cmath.phase(arm)
+                    half = min(NOTCH * hand.symbol / radius, math.pi)
+                    arcs.append(Arc(centre, radius, angle - half, angle + half, hand.drafted))
     return arcs
 
 
@@ -212,14 +203,3 @@ def _within(circle: Arc, box: Field, hand: Hand) -> Iterator[Arc]:
         if is_inside and count > 1:
             yield Arc(circle.centre, circle.radius, start * step, (start + count - 1) * step, hand.drafted)
         start += count
-
-
-def _around(spots: list[complex], margin: float) -> Field:
-    """Give the box around some places on paper, and a margin."""
-    across, up = [spot.real for spot in spots], [spot.imag for spot in spots]
-    return Field(min(across) - margin, min(up) - margin, max(across) + margin, max(up) + margin)
-
-
-def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
-    half = min(NOTCH * hand.symbol / radius, math.pi)
-    return Arc(centre, radius, angle - half, angle + half, hand.drafted)

@@ -144,7 +144,11 @@ def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> A
     spread = ends - ends.mean(axis=0)
     across = (np.abs(spread) ** 2).mean(axis=0), (spread**2).mean(axis=0)
     area = np.sqrt(np.maximum(across[0] ** 2 - np.abs(across[1]) ** 2, 0.0))  # of the ends' ellipse, times a constant
-    return np.sqrt(area) * np.abs(_output_speed(study, comparison))
+    # The output's velocity over the positions, of its pin or of its turning
+    out, motion = study.output, comparison.construction
+    slide = frame_slide(study.mechanism, out.link)
+    speed = motion.links[out.link].omega if slide is None else motion.points[out.point or slide.point].v
+    return np.sqrt(area) * np.abs(speed)
 
 
 def _working(study: LinkageStudy) -> Any:
@@ -164,13 +168,6 @@ def _best(sizes: Any, preferred: Any, allowed: Any) -> int:
     return int(np.argmax(np.where(chosen & known, np.round(shares, PLACES), -1.0)))
 
 
-def _output_speed(study: LinkageStudy, comparison: MotionComparison) -> Any:
-    """Give the output's velocity over the positions, of its pin or of its turning."""
-    out, motion = study.output, comparison.construction
-    slide = frame_slide(study.mechanism, out.link)
-    return motion.links[out.link].omega if slide is None else motion.points[out.point or slide.point].v
-
-
 FOREMOST = 1.5  # the plan of positions states the scale of its sheet, and is doubled though all others are halved
 SHARE = 1 / 3  # of its sheet
 
@@ -183,17 +180,16 @@ def shown_positions(bones: Skeletons, drafting: Drafting) -> Exhibit:
 
 def facts_of(study: LinkageStudy, shown: int, names: Collection[str]) -> dict[str, Any]:
     """Say in the data of a sheet of which mechanism it is, and which position its plan of positions shows."""
-    return {
-        "structure": formula(study.mechanism, study.groups),
-        "positions": len(study.turn),
-        "shown": shown if POSITIONS.plan in names else None,
-    }
+    drawn = shown if POSITIONS.plan in names else None
+    return {"structure": formula(study.mechanism, study.groups), "positions": len(study.turn), "shown": drawn}
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheet of the plan of positions."""
     linkage, drafting = study.of(LinkageStudy), drafting_of(study.scene)
-    comparison, shown = study.of(MotionComparison), _shown(linkage)
+    # The position in full lines: the scene's own, or the first that can be assembled
+    asked = position_asked(linkage)
+    comparison, shown = study.of(MotionComparison), int(np.argmax(~linkage.lost)) if asked is None else asked
     bones = skeletons(linkage, comparison.construction, shown)
     figure = shown_positions(bones, drafting)
 
@@ -202,9 +198,3 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
     words = tuple(notes(linkage, comparison, drafting.language))
     return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), (figure,), (), words, facts)])
-
-
-def _shown(study: LinkageStudy) -> int:
-    """Give the position in full lines: the scene's own, or the first that can be assembled."""
-    asked = position_asked(study)
-    return int(np.argmax(~study.lost)) if asked is None else asked

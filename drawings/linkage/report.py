@@ -46,7 +46,11 @@ def data(study: LinkageStudy) -> Iterator[str]:
         names = ", ".join(f"${letters.line(name)}$" for name in link.points)
         yield row([str(link.number) if link.number != FRAME else say("report.frame"), names])
     yield ""
-    yield from _lengths(study, letters)
+    given = study.form.mechanism.lengths
+    sizes = {name: letters.quantity(MM * float(length), "mm") for name, length in given.items()}
+    lines = (inline(letters.letter(f"l_{{{name}}}"), size) for name, size in sizes.items())
+    if given:
+        yield word(study.language, "report.lengths", lengths=", ".join(lines))
     yield from _places(study, letters)
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
     drive = study.mechanism.drive
@@ -70,16 +74,6 @@ def structure(study: LinkageStudy) -> Iterator[str]:
         yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=sign)
     whole = formula(mechanism, study.groups).replace("->", "→")
     yield say("report.formula", formula=whole, klass=mechanism_class(study.groups))
-
-
-def _lengths(study: LinkageStudy, letters: Formula) -> Iterator[str]:
-    given = study.form.mechanism.lengths
-    lines = (
-        inline(letters.letter(f"l_{{{name}}}"), letters.quantity(MM * float(length), "mm"))
-        for name, length in given.items()
-    )
-    if given:
-        yield word(study.language, "report.lengths", lengths=", ".join(lines))
 
 
 def _places(study: LinkageStudy, letters: Formula) -> Iterator[str]:
@@ -141,20 +135,13 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     return Chapters(
         chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
         chain(
-            _equations(linkage, comparison, leaves),
+            equations(linkage, comparison.construction, drawn_scales(leaves), shown_positions(leaves)),
             see(leaves, linkage.language, "velocities", "accelerations"),
             _values(linkage, comparison),
         ),
         _conditions(linkage),
         _left_out(study, linkage, leaves),
     )
-
-
-def _equations(
-    study: LinkageStudy, comparison: MotionComparison, leaves: Mapping[str, Sequence[Leaf]]
-) -> Iterator[str]:
-    """Write the vector equations of the positions that sheets show, by the construction."""
-    return equations(study, comparison.construction, drawn_scales(leaves), shown_positions(leaves))
 
 
 def headline(study: Study) -> str:
@@ -232,11 +219,9 @@ def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     if len(found.rests) > 2:
         yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, study.language))
     else:
-        yield stated(
-            "report.ratio_faster" if extremes.faster else "report.ratio",
-            overlap=_stated("θ", extremes.overlap, study.language),
-            ratio=Slot("K", extremes.ratio, DIGITS),
-        )
+        key = "report.ratio_faster" if extremes.faster else "report.ratio"
+        overlap = _stated("θ", extremes.overlap, study.language)
+        yield stated(key, overlap=overlap, ratio=Slot("K", extremes.ratio, DIGITS))
 
 
 def _pressure(study: LinkageStudy) -> Iterator[str]:
@@ -244,10 +229,8 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
         yield word(study.language, "report.no_pressure")
     for group in study.groups if study.nodes.size else ():
         pressure = interval(study.sweep, group, study.nodes)
-        low, high = (
-            _stated(f"{end} {group.label}", angle, study.language)
-            for end, angle in (("low", pressure.low), ("high", pressure.high))
-        )
+        ends = {"low": pressure.low, "high": pressure.high}
+        low, high = (_stated(f"{end} {group.label}", angle, study.language) for end, angle in ends.items())
         yield phrase(study.language, "report.pressure", group=group.label, low=low, high=high)
 
 
@@ -333,16 +316,13 @@ def _conditions(study: LinkageStudy) -> Iterator[str]:
     for group, kappas in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
         if not np.isnan(kappas).all():
             worst = int(np.nanargmax(kappas))
-            yield row([group.label, *_graded(float(kappas[worst]), worst, language)])
-
-
-def _graded(kappa: float, position: int, language: str) -> tuple[str, str, str]:
-    """Give the sharpest notch of a group, the position of it, and what that means."""
-    grades = (("not_graded", NOT_GRADED), ("warning", WARNING), ("note", NOTE))
-    grade = next((word(language, f"report.{name}") for name, least in grades if kappa >= least), "")
-    sharp = fixed(math.degrees(math.asin(min(1 / kappa, 1.0))), language)
-    least = f"{sharp}°" if math.isfinite(kappa) else word(language, "report.unbounded")
-    return least, str(position), grade
+            # The sharpest notch of a group, the position of it, and what that means
+            kappa = float(kappas[worst])
+            grades = (("not_graded", NOT_GRADED), ("warning", WARNING), ("note", NOTE))
+            grade = next((word(language, f"report.{name}") for name, least in grades if kappa >= least), "")
+            sharp = fixed(math.degrees(math.asin(min(1 / kappa, 1.0))), language)
+            least = f"{sharp}°" if math.isfinite(kappa) else word(language, "report.unbounded")
+            yield row([group.label, least, str(worst), grade])
 
 
 def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:

@@ -22,14 +22,7 @@ from drawings.linkage.due import expected
 from drawings.linkage.notes import notes
 from drawings.linkage.positions import facts_of, force_positions, of_linkage, plans, position, shown_positions
 from drawings.linkage.skeleton import Skeletons, skeletons
-from drawings.linkage.vector_plan import (
-    VectorDiagram,
-    diagram,
-    draw_missing,
-    link_working,
-    measure_missing,
-    plan_working,
-)
+from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, link_working, plan_working
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.kind import FRAME, GRAPH, PLAN, SheetKind
@@ -51,21 +44,13 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 
 def sheets(
-    study: LinkageStudy,
-    comparison: MotionComparison,
-    output: DiagramsStudy | None = None,
-    beside: tuple[int, ...] = (),
+    study: LinkageStudy, comparison: MotionComparison, output: DiagramsStudy | None = None, beside: tuple[int, ...] = ()
 ) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable.
 
     Of the positions `beside` the same set has force sheets.
     """
     return lay_out(study.scene, [_KinematicsSheet(study, comparison, output, beside).draft])
-
-
-def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
-    """Lay out the first kinematics sheet."""
-    return sheets(study, comparison)[0]
 
 
 def _loaded(study: Study) -> tuple[int, ...]:
@@ -128,8 +113,11 @@ class _KinematicsSheet:
         """A plan, or in its place why it is not drawn."""
         name, shown = f"{subject}-{k}", self._shown_plans[subject, k]
         if not self._is_whole(subject, k):
-            why = self._why(subject, k)
-            absent = measure_missing(why, name, self.drafting)
+            gap = next((g for g in self.comparison.construction.gaps if g.position == k), None)
+            reason = self.drafting.word(gap.reason) if gap else ""
+            plan = self.drafting.word(f"{subject} plan")
+            why = self.drafting.word("no plan", plan=plan, position=k, reason=reason)
+            absent = vector_plan.measure_missing(why, name, self.drafting)
             return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
         return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=self._shared(subject))
 
@@ -144,7 +132,6 @@ class _KinematicsSheet:
             yield rows.working(self.output, self.drafting)
 
     def _is_whole(self, subject: str, k: int) -> bool:
-        """Tell whether a plan can be drawn."""
         return not self.study.lost[k] and bool(np.isfinite(self._shown_plans[subject, k].points).all())
 
     def _diagrams(self) -> list[Exhibit]:
@@ -178,19 +165,10 @@ class _KinematicsSheet:
         plans = (exhibit.panel.item for exhibit in self._plans())
         return tuple(vector_plan.remarks([plan for plan in plans if isinstance(plan, Picture)], spots, self.drafting))
 
-    def _why(self, subject: str, k: int) -> str:
-        """Say in words why a plan is not drawn."""
-        gap = next((g for g in self.comparison.construction.gaps if g.position == k), None)
-        reason = self.drafting.word(gap.reason) if gap else ""
-        plan = self.drafting.word(f"{subject} plan")
-        return self.drafting.word("no plan", plan=plan, position=k, reason=reason)
-
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states, and that of the output's course."""
-        return (
-            *self._values(),
-            *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ()),
-        )
+        course = (output_table(self.output, self.drafting),) if self.output and self.output.shown else ()
+        return (*self._values(), *course)
 
     def _values(self) -> tuple[RuledTable, ...]:
         """The table of values, if there is anything to tell."""
@@ -207,7 +185,6 @@ class _KinematicsSheet:
         return MotionByHand(self.study, self.comparison, self.bones.masses)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
-        """Say in the data of a sheet what its figures show."""
         return {
             **facts_of(self.study, self.shown, names),
             "diagrams": rows.NAME in names,
@@ -221,9 +198,8 @@ class _KinematicsSheet:
 LENGTHS: Final = {"positions": "length"}
 MOTION: Final = {"velocities-": "velocity", "accelerations-": "acceleration", "diagrams": "angle"}
 SHOWN: Final = {"positions": FRAME}
-FORM: Final = {**SHOWN, "velocities-": PLAN, "accelerations-": PLAN} | {
-    f"diagrams-{course}": GRAPH for course in ("travel", "velocity", "acceleration")
-}
+COURSES = ("diagrams-travel", "diagrams-velocity", "diagrams-acceleration")
+FORM: Final = {**SHOWN, "velocities-": PLAN, "accelerations-": PLAN, **dict.fromkeys(COURSES, GRAPH)}
 SHEETS: Final = {
     "kinematics": SheetKind(
         leaves, expected, {**LENGTHS, **MOTION}, of_linkage, figures=FORM, tables=("values", "output")

@@ -84,9 +84,8 @@ class Skeletons:
     @cached_property
     def reach(self) -> float:
         """Give the mechanism's size, m: how far its points come from the drive's fixed hinge."""
-        return float(
-            np.nanmax([abs(self.drive_end(0)), *map(abs, np.concatenate(list(self.numbered.points.values())))])
-        )
+        spots = np.concatenate(list(self.numbered.points.values()))
+        return float(np.nanmax([abs(self.drive_end(0)), *map(abs, spots)]))
 
     @cached_property
     def masses(self) -> dict[str, tuple[int, complex]]:
@@ -157,7 +156,10 @@ BEYOND = 0.25  # share of the mechanism's size that a path between numbered posi
 
 def way(study: LinkageStudy, drawn: Sequence[Poses]) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
-    nodes = np.linspace(*_whole(study), NODES + 1)
+    # The coordinates of the drive between which the way is shown: a turn, or its stroke
+    first = float(study.turn.phi[0])
+    last = first + 2 * np.pi if study.mechanism.drive.turns else float(study.turn.phi[-1])
+    nodes = np.linspace(first, last, NODES + 1)
     dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
     known = [values for known_poses in drawn for values in known_poses.points.values()]
     box = np.concatenate([*known, _round(study)])
@@ -176,22 +178,14 @@ def _round(study: LinkageStudy) -> Complexes:
     return np.asarray(pivot + radius * np.array([1, 1j, -1, -1j]))
 
 
-def _whole(study: LinkageStudy) -> tuple[float, float]:
-    """Give the coordinates of the drive between which the way is shown: a turn, or its stroke."""
-    first = float(study.turn.phi[0])
-    return (first, first + 2 * np.pi) if study.mechanism.drive.turns else (first, float(study.turn.phi[-1]))
-
-
 def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:
     """Read the poses off a plan of positions."""
     names = sorted({name for link in mechanism.links.values() for name in link.points})
     points = {name: np.asarray(plan.point(name).point, dtype=np.complex128) for name in names}
     turns = {number: np.exp(1j * angle(plan, number)) for number in sorted(mechanism.links)}
-    return Poses(
-        mechanism.links,
-        {name: np.array(np.broadcast_to(values, count)) for name, values in points.items()},
-        {number: np.array(np.broadcast_to(values, count)) for number, values in turns.items()},
-    )
+    places = {name: np.array(np.broadcast_to(values, count)) for name, values in points.items()}
+    turned = {number: np.array(np.broadcast_to(values, count)) for number, values in turns.items()}
+    return Poses(mechanism.links, places, turned)
 
 
 def _near(path: Complexes, places: Complexes) -> Complexes:

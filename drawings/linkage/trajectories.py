@@ -19,7 +19,6 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.symbols import TurnArrow
-from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import ExtremePositions
 from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS, Complexes, Floats
@@ -51,10 +50,13 @@ class StrokeArc(NamedTuple):
 def phases(pairs: Pairs, language: str) -> tuple[StrokeArc, ...]:
     """Give the arcs of both strokes; none where they are alike and none is asked for, or there are no two strokes."""
     study = pairs.bones.study
-    if study.travel is None or not (_asked(study) or _differ(study.travel)):
+    if study.travel is None or not (study.scene.has(("output", "working")) or _differ(study.travel)):
         return ()
     extremes, centre, crank = study.travel.extremes, pairs.bones.pivot(pairs.place), pairs.bones.crank(pairs.place)
-    radius = _radius(crank, pairs.hand.symbol)
+    # The arcs are within the crank circle beyond the arrow of rotation, or outside its numbers.
+    within = WITHIN * crank
+    fits = within >= (OUTER + APART) * pairs.hand.symbol and crank - within >= APART * pairs.hand.symbol
+    radius = within if fits else crank + NUMBERS + APART * pairs.hand.symbol
     names = (f"φ_{{{word(language, index)}}}" for index in INDICES)
     ends = zip(names, extremes.phi, extremes.angles, strict=True)
     return tuple(
@@ -68,21 +70,10 @@ def sized(letter: str, angle: float, language: str) -> Phrase:
     return slotted(f"{letter} = ", letter, fixed(math.degrees(angle), language), "°")
 
 
-def _asked(study: LinkageStudy) -> bool:
-    return study.scene.has(("output", "working"))
-
-
 def _differ(travel: ExtremePositions) -> bool:
     """Tell whether there are two strokes over a turn, of angles that differ in the digits that are written."""
     first, second = (fixed(abs(math.degrees(arc)), "en") for arc in travel.extremes.angles)
     return len(travel.rests) == 2 and first != second
-
-
-def _radius(crank: float, factor: float) -> float:
-    """Give the radius of the arcs: within the crank circle beyond the arrow of rotation, or outside its numbers."""
-    within = WITHIN * crank
-    fits = within >= (OUTER + APART) * factor and crank - within >= APART * factor
-    return within if fits else crank + NUMBERS + APART * factor
 
 
 # Two paths nearer than this share of a line's width are one line on paper.
@@ -95,7 +86,7 @@ def trajectories(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     strokes: list[Stroke] = []
     for path in traced(bones):
         arc = _swing(bones, path.name, place, hand) if path.name not in bones.masses else None
-        strokes += [arc] if arc else _path(_on(path.way, place), hand)
+        strokes += [arc] if arc else _path(np.asarray(place.origin + (path.way - place.zero) / place.scale.mu), hand)
     return strokes
 
 
@@ -118,10 +109,6 @@ def traced(bones: Skeletons) -> Iterator[Traced]:
     for name, mass in sorted(bones.masses.items()):
         if mass[0] not in guided:
             yield Traced(name, bones.way.of(*mass), bones.numbered.of(*mass))
-
-
-def _on(values: Complexes, place: Place) -> Complexes:
-    return np.asarray(place.origin + (values - place.zero) / place.scale.mu)
 
 
 def _swing(bones: Skeletons, name: str, place: Place, hand: Hand) -> Arc | None:
@@ -180,14 +167,12 @@ def _cut(run: Complexes, turned: npt.NDArray[np.intp]) -> Iterator[Complexes]:
 
 
 def _lies_on(stretch: Complexes, others: list[Complexes], within: float) -> bool:
-    """Tell whether all of a stretch lies on others that are drawn already."""
     starts = np.concatenate([other[:-1] for other in others])
     runs = np.concatenate([np.diff(other) for other in others])
     return all(float(_apart(spot, starts, runs).min()) <= within for spot in stretch)
 
 
 def _apart(spot: complex, starts: Complexes, runs: Complexes) -> Floats:
-    """Give a spot's distances from straight pieces."""
     with np.errstate(invalid="ignore", divide="ignore"):
         shares = np.nan_to_num(((spot - starts) * np.conj(runs)).real / np.abs(runs) ** 2)
     return np.asarray(np.abs(starts + np.clip(shares, 0, 1) * runs - spot))

@@ -13,21 +13,12 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, StillFigure, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import runs, with_index
-from drawings.linkage.coriolis import (
-    LaidPart,
-    QuarterTurn,
-    draw_nearby,
-    is_relative,
-    least_length,
-    letter_parts,
-    part_letter,
-    quarter_turn,
-)
+from drawings.linkage.coriolis import LaidPart, QuarterTurn, draw_nearby, is_relative, letter_parts, quarter_turn
 from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.symbols.figure import PLAN_LETTERS, Subject, around, heading, point, vector
-from drawings.symbols.symbols import pole
+from drawings.symbols.symbols import ARROW_LENGTH, pole
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, behind
 from plans.linkage.plan import Plan
@@ -123,9 +114,7 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     """
     centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
     lettered = set(plan.letters.values())
-    unnamed = dict.fromkeys(
-        mark for mark in centres.values() if mark not in lettered
-    )  # in order: a set of marks has none
+    unnamed = dict.fromkeys(m for m in centres.values() if m not in lettered)  # in order: a set of marks has none
     turning = (reading.turning for reading in plan.readings.values())
     needed = [mark for mark in behind(*plan.letters.values(), *unnamed, *turning) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
@@ -139,9 +128,7 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
     rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
-    sides = tuple(
-        side for name, mass in masses.items() for side in _sides(plan, mass[0], centres[name], arrows, column)
-    )
+    sides = tuple(s for name, mass in masses.items() for s in _sides(plan, mass[0], centres[name], arrows, column))
     return VectorDiagram(plan, column, _once(arrows.values()), rays, tuple(images), rules, centres, sides)
 
 
@@ -195,9 +182,7 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
     subject = Subject(kind, VECTOR[kind].symbol, shown.column)
     title = _heading(shown, spot, drafting)
     sides = (Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.sides)
-    lines = Group(
-        (*directions(shown.rays, place, hand), *(side for side in sides if abs(side.end - side.start) >= LEAST))
-    )
+    lines = Group((*directions(shown.rays, place, hand), *(s for s in sides if abs(s.end - s.start) >= LEAST)))
     styles = {arrow: _style(shown, arrow, hand) for arrow in shown.arrows if _visible(arrow, place)}
     arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
@@ -222,12 +207,13 @@ def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[L
         names = shown.parts.get((arrow.start, arrow.end), ())
         for name in (letter for letter in names if is_relative(letter, arrow.name)):
             said = Statement(Kind.LETTER, shown.plan.board.subject, f"{arrow.name} {name}", shown.column)
-            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting), said)
-            yield from (part,) if part.length >= least_length(part.text, drafting.hand) else ()
+            letter = drafting.letter(with_index(name))
+            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), letter, said)
+            least = text_width(Text(0j, letter, drafting.hand.number, "start", True))
+            yield from (part,) if part.length >= least + ARROW_LENGTH * drafting.hand.symbol else ()
 
 
 def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:
-    """Write a plan's title and its scale above it."""
     title = drafting.word(shown.plan.board.subject, position=shown.column)
     under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
     return heading(spot.box, title, under, drafting.hand)
@@ -257,9 +243,8 @@ def _images(shown: VectorDiagram, place: Place) -> Iterator[tuple[complex, list[
 
 def link_working(mechanism: Mechanism, links: Sequence[int], name: str, drafting: Drafting) -> Workings:
     """Write beside a figure how long some links are drawn on it."""
-    return Workings(
-        LENGTHS, name, at_scale(lambda scale: list(_link_lines(mechanism, links, scale, drafting))), drafting
-    )
+    lines = at_scale(lambda scale: list(_link_lines(mechanism, links, scale, drafting)))
+    return Workings(LENGTHS, name, lines, drafting)
 
 
 def _link_lines(
@@ -270,12 +255,8 @@ def _link_lines(
         for (first, start), (last, end) in combinations(mechanism.links[link].points.items(), 2):
             size, ends = abs(end - start), with_index(first) + with_index(last)
             if size > 0:
-                letter = f"l_{{{first}{last}}}"
-                yield (
-                    f"{ends} = {factor.drawn(letter)}",
-                    factor.of_true(size),
-                    f"{factor.length(size)} {drafting.word('mm')}",
-                )
+                drawn, paper = factor.drawn(f"l_{{{first}{last}}}"), f"{factor.length(size)} {drafting.word('mm')}"
+                yield f"{ends} = {drawn}", factor.of_true(size), paper
 
 
 def plan_working(shown: VectorDiagram, name: str, drafting: Drafting) -> Workings:

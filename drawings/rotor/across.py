@@ -27,7 +27,6 @@ MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
 LETTERS = 24.0  # it is drawn at least so many letters large
 SHELL = (9.0, 0.9)  # mm, length of a bearing's shell, and from the shaft to it
 ABOVE = 5.0  # mm that a plane of correction goes past the outermost mass
-NEAR = 1e-9  # of the rotor's length: places that are one
 
 
 def measure(shown: RotorView, drafting: Drafting) -> Picture:

@@ -41,7 +41,11 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Let
     place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) if shown.scaled else drafting.word("angles alone")
     title = heading(spot.box, drafting.word("view along"), under, hand)
-    lines = [*_axes(shown, place, hand), *_turning(shown, place, hand)]
+    half = place.length(shown.reach) + AXIS * hand.symbol
+    centre, style = place.on(0j), fit(hand.axis, 2 * half)
+    arrow = rotation(place.on(0j), shown.turning, TURN, hand).draw(hand)
+    lines: list[Stroke] = [Line(centre - along * half, centre + along * half, style) for along in (1, 1j)]
+    lines += [stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow)] if shown.turning else []
     lines += [_spoke(mass, place, hand) for mass in shown.distinct]
     bodies = (body(shown, mass, mass.centre, place, NAME, drafting) for mass in shown.bodies)
     (circle,) = hinge(place.on(0j), hand)
@@ -62,17 +66,6 @@ def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels)
     if shown.turning:
         spot, away = rotation(place.on(0j), shown.turning, TURN, hand).middle
         yield labels.beside(spot, "ω", hand.letter, BESIDE, away)
-
-
-def _axes(shown: RotorView, place: Place, hand: Hand) -> list[Stroke]:
-    half = place.length(shown.reach) + AXIS * hand.symbol
-    centre, style = place.on(0j), fit(hand.axis, 2 * half)
-    return [Line(centre - along * half, centre + along * half, style) for along in (1, 1j)]
-
-
-def _turning(shown: RotorView, place: Place, hand: Hand) -> tuple[Stroke, ...]:
-    arrow = rotation(place.on(0j), shown.turning, TURN, hand).draw(hand)
-    return (stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow),) if shown.turning else ()
 
 
 def _spoke(mass: ShownBody, place: Place, hand: Hand) -> Stroke:

@@ -60,12 +60,9 @@ class _ExpectedRotor:
     def polygons(self) -> Iterator[Expected]:
         """Give the sides of the polygons; one that rounding may hide or make is doubtful."""
         for plan in (COUPLES, UNBALANCES) if self.rotor.dynamic else (UNBALANCES,):
-            slack = self.slack * self._lever(plan)
+            slack = self.slack * (abs(self.rotor.arm(self.rotor.planes[0].place)) if plan == COUPLES else 1.0)
             for name, value in self._shown(plan).items():
                 yield Expected(Kind.VECTOR, plan, name, value, slack, may_lack=abs(value) <= slack)
-
-    def _lever(self, plan: str) -> float:
-        return abs(self.rotor.arm(self.rotor.planes[0].place)) if plan == COUPLES else 1.0
 
     def _vectors(self, plan: str) -> Mapping[str, complex]:
         """Give the vectors of a polygon that are not zero, kg*m or kg*m2."""
@@ -132,9 +129,8 @@ class _ExpectedRotor:
 
         for name, place in zip(BEARINGS, self.rotor.bearings, strict=False):
             far = abs(self.rotor.arm(place))
-            yield from measured(
-                Expected(Kind.LENGTH, ACROSS, f"bearing {name}", far, may_lack=not far), 1000 * far, digits=4
-            )
+            bearing = Expected(Kind.LENGTH, ACROSS, f"bearing {name}", far, may_lack=not far)
+            yield from measured(bearing, 1000 * far, digits=4)
 
     def masses(self) -> Iterator[Expected]:
         """Give the cells of the table of masses: mass, radius, angle, arm, static moment, its moment."""
@@ -154,7 +150,6 @@ class _ExpectedRotor:
     def _line(
         self, name: str, mass: Known | None, far: Known | None, angle: Known, arm: float, size: Known, flat: bool
     ) -> Iterator[Expected]:
-        """Give the cells of a row."""
         radius = None if far is None else (1000 * far[0], 1000 * far[1])
         turned = (size[0] * arm, size[1] * abs(arm))
         last = [size] if flat else [(1000 * arm, 0.0), size, turned]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
@@ -89,7 +88,9 @@ class RotorView(NamedTuple):
 def rotor_view(rotor: Rotor, balance: RotorBalance) -> RotorView:
     """Put masses and counterweights where they are; one that vanishes is left out."""
     radii = [part.radius for parts in (rotor.masses, balance.corrections) for part in parts if part.radius]
-    nominal = NOMINAL * max(radii, default=_length(rotor) / SLIM)
+    # How far along the shaft the rotor reaches, m; 1 of a thin disc
+    places = [*(mass.place for mass in rotor.masses), *(plane.place for plane in rotor.planes), *rotor.bearings]
+    nominal = NOMINAL * max(radii, default=(float(max(places) - min(places)) or 1.0) / SLIM)
     bodies = [_body(rotor, mass.name, float(mass.angle), mass.place, mass.radius, nominal) for mass in rotor.masses]
     for weight in balance.corrections:
         if weight.moment.angle is not None:
@@ -98,12 +99,6 @@ def rotor_view(rotor: Rotor, balance: RotorBalance) -> RotorView:
     planes = tuple((plane.name, float(plane.place)) for plane in rotor.planes)
     turning = 0.0 if rotor.speed is None else math.copysign(1.0, rotor.speed)
     return RotorView(tuple(bodies), planes, tuple(map(float, rotor.bearings)), turning)
-
-
-def _length(rotor: Rotor) -> float:
-    """Give how far along the shaft the rotor reaches, m; 1 of a thin disc."""
-    places = [*(mass.place for mass in rotor.masses), *(plane.place for plane in rotor.planes), *rotor.bearings]
-    return float(max(places) - min(places)) or 1.0
 
 
 def _body(rotor: Rotor, name: str, angle: float, place: Fraction, radius: float | None, nominal: float) -> ShownBody:
@@ -125,22 +120,12 @@ def polygon(construction: Construction, names: frozenset[str], drafting: Draftin
     ]
     plan = construction.board.subject
     if len(vectors) > CROWD:
-        vectors = _together(vectors, plan)
+        results = [vector for vector in vectors if vector.kind == RESULT]
+        end = results[0].at if results else vectors[-1].end
+        vectors = [ShownVector(SUM + SCALES.get(plan, SCALE)[0].strip("{}"), SIDE, 0j, end), *results]
     if not construction.closed:
         start = vectors[-1].end if vectors else 0j
         vectors.append(ShownVector(construction.closing.name, RESULT, start, complex(construction.closing.point)))
     title = drafting.word("polygon of moments" if plan == COUPLES else "polygon of static moments")
     scale = SCALES.get(plan, SCALE)
     return Polygon(plan, title, scale, tuple(vectors), construction.closed, letters_of(drafting), SIZES)
-
-
-def _together(vectors: Sequence[ShownVector], plan: str) -> list[ShownVector]:
-    """Draw one vector for all that are no results."""
-    results = [vector for vector in vectors if vector.kind == RESULT]
-    end = results[0].at if results else vectors[-1].end
-    return [ShownVector(sum_letters(plan), SIDE, 0j, end), *results]
-
-
-def sum_letters(plan: str) -> str:
-    """Letter all vectors of a polygon together."""
-    return SUM + SCALES.get(plan, SCALE)[0].strip("{}")

@@ -43,11 +43,8 @@ class RotorNotes(NamedTuple):
         rotor, balance, word, phrase = self.rotor, self.balance, self.drafting.word, self.drafting.phrase
         if rotor.dynamic:
             yield word("arms from", plane=rotor.planes[-1].name)
-        unbalance, couple = (
-            self._vector("ΣmD", balance.unbalance, "kg*m"),
-            self._vector("ΣmDh", balance.couple, "kg*m2"),
-        )
-        yield phrase("sums before", unbalance=unbalance, couple=couple)
+        couple = self._vector("ΣmDh", balance.couple, "kg*m2")
+        yield phrase("sums before", unbalance=self._vector("ΣmD", balance.unbalance, "kg*m"), couple=couple)
         if not rotor.dynamic and not balance.couple.vanishes:
             yield phrase("static only", couple=self._slot("ΣmDh", balance.couple.size))
 
@@ -65,11 +62,8 @@ class RotorNotes(NamedTuple):
         yield phrase(key, quality=Slot("e·ω", before), grade=grade_name(before, self.drafting))
         if rotor.grade is not None:
             whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)
-            grade = {
-                "grade": letters(rotor.grade),
-                "permissible": Slot("U_per", whole),
-                "letters": word("permissible letters"),
-            }
+            permissible_letters = word("permissible letters")
+            grade = {"grade": letters(rotor.grade), "permissible": Slot("U_per", whole), "letters": permissible_letters}
             each = {"each": Slot("U_per each", whole / len(rotor.planes))}
             yield phrase("permissible", **grade, **each) if rotor.dynamic else phrase("permissible in one", **grade)
 

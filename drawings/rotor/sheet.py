@@ -22,10 +22,9 @@ from drawings.rotor.report import RotorNotes
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
-from plans.model.rotor import Correction, Rotor, RotorBalance, Unbalance
+from plans.model.rotor import Correction, Rotor, RotorBalance
 from plans.quantity import EQUILIBRIUM, Comparison, Quantity, by_hand
 from plans.rotor.study import RotorStudy
-from plans.scene.scene import Scene
 from plans.study import Study
 
 MASSES, RESULTS = "masses", "results"  # the names of the tables
@@ -37,7 +36,10 @@ NOTHING = "—"
 
 def masses(rotor: Rotor, balance: RotorBalance, drafting: Drafting) -> RuledTable:
     """Tell the masses of a rotor, then its counterweights."""
-    rows = [_mass(rotor, mass) for mass in rotor.masses]
+    rows: list[tuple[str, Values]] = [
+        (mass.name, (mass.mass, mass.radius, float(mass.angle), rotor.arm(mass.place), mass.moment))
+        for mass in rotor.masses
+    ]
     rows += [_correction(rotor, weight, drafting) for weight in balance.corrections]
     flat = not any(arm for _, (_, _, _, arm, _) in rows)
     lines = [_row(name, values, flat, drafting) for name, values in rows]
@@ -46,10 +48,6 @@ def masses(rotor: Rotor, balance: RotorBalance, drafting: Drafting) -> RuledTabl
 
 # Mass kg, radius m, angle in degrees, arm m, static moment kg*m.
 Values: TypeAlias = tuple[float | None, float | None, float | None, float, float]
-
-
-def _mass(rotor: Rotor, mass: Unbalance) -> tuple[str, Values]:
-    return mass.name, (mass.mass, mass.radius, float(mass.angle), rotor.arm(mass.place), mass.moment)
 
 
 def _correction(rotor: Rotor, weight: Correction, drafting: Drafting) -> tuple[str, Values]:
@@ -76,16 +74,13 @@ def compared(comparison: Comparison) -> list[Quantity]:
 
 def _line(finding: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding; what vanishes is 0 by both roads."""
-    line = value_row(finding, _name(finding, drafting), (0,), drafting.language)
+    head, _, after = finding.name.partition("'")
+    prime = "'" if finding.name.endswith("'") else after
+    name = f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"
+    line = value_row(finding, name, (0,), drafting.language)
     if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
         return line._replace(cells=("0", "0", line.cells[-1]))
     return line
-
-
-def _name(finding: Quantity, drafting: Drafting) -> str:
-    head, _, after = finding.name.partition("'")
-    prime = "'" if finding.name.endswith("'") else after
-    return f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"
 
 
 def _table(name: str, lines: list[TableRow], first: str, heads: tuple[str, ...], drafting: Drafting) -> RuledTable:
@@ -98,25 +93,21 @@ TOGETHER = "polygons"  # what stands in one column
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's rotor."""
-    return sheets(study.scene, study.of(RotorStudy), study.comparison("rotor"))
-
-
-def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a rotor whose two roads are compared."""
-    drafting = drafting_of(scene)
+    rotor, comparison, drafting = study.of(RotorStudy), study.comparison("rotor"), drafting_of(study.scene)
     polygons = tuple(_polygons(rotor, drafting))
+    table = results(comparison, drafting)
+    panel = Panel(table.block(table.name), together=TOGETHER)
     shows: tuple[Exhibit | Caption, ...] = (
         *(exhibit(polygon, figure, drafting, together=TOGETHER) for figure in polygons),
-        _results(comparison, drafting),
+        Caption(panel, partial(_written, table, drafting), waits=True),
         *_views(rotor, drafting),
         *captions(figure.working(drafting) for figure in polygons),
     )
     tables = (masses(rotor.rotor, rotor.balance, drafting),)
     said = RotorNotes(rotor.rotor, rotor.balance, drafting).all
     title = drafting.word("rotor sheet title")
-    return lay_out(
-        scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=partial(by_hand, comparison.findings))]
-    )
+    later = partial(by_hand, comparison.findings)
+    return lay_out(study.scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=later)])
 
 
 def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
@@ -137,13 +128,6 @@ def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Polygon]:
     names = frozenset(placed.mark.name for placed in drawing.corrections[:-1])
     for construction in (drawing.moments, drawing.forces) if rotor.rotor.dynamic else (drawing.forces,):
         yield rotor_polygon(construction, names, drafting)
-
-
-def _results(comparison: Comparison, drafting: Drafting) -> Caption:
-    """Tell what both roads found under the polygon that ends the construction."""
-    table = results(comparison, drafting)
-    panel = Panel(table.block(table.name), together=TOGETHER)
-    return Caption(panel, partial(_written, table, drafting), waits=True)
 
 
 def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[[Later], str]) -> Group:

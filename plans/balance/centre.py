@@ -135,9 +135,8 @@ def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> ComparedPosit
     drafts = Drafts(study, around)
     solved = motion.road.around(drafts.turn.phi)
     kappa = motion.road.conditions(solved)
-    return ComparedPositions(
-        study, drafts, replace(motion, construction=drafts.motion(2), analysis=solved, findings=(), kappa=kappa)
-    )
+    both = replace(motion, construction=drafts.motion(2), analysis=solved, findings=(), kappa=kappa)
+    return ComparedPositions(study, drafts, both)
 
 
 PLACE, ACCELERATION = 0, 2  # orders of motion
@@ -259,22 +258,17 @@ class Centres:
         """Hold what must rest: the mass centre, but for what is left at sliders and the share that the crank bears."""
         motion, left = self.stretch.motion.construction, self.ours.left
         moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
-        moving = moving + self._overbalance(self.theirs.left) * np.exp(1j * motion.links[self._crank].angle)
+        # What the crank bears of the masses at sliders, kg*m in its frame
+        share = self.study.share
+        mechanism = self.study.linkage.mechanism
+        borne = 0j if share is None else share * shared(mechanism, dict(self.theirs.left))
+        moving = moving + borne * np.exp(1j * motion.links[mechanism.drive.link].angle)
         rest = moving - next((place for place in moving if np.isfinite(place)), np.nan)
         loose = sum(self.weights.loose(point) for point in left) * self.stretch.size
         kept = sum(map(abs, left.values())) * self.stretch.size
         drawn = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
         allowed = drawn + float(np.fmax.reduce(drawn))
         return Quantity.vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
-
-    @property
-    def _crank(self) -> int:
-        return self.study.linkage.mechanism.drive.link
-
-    def _overbalance(self, left: Any) -> complex:
-        """Give what the crank bears of the masses at sliders, kg*m in its frame."""
-        share = self.study.share
-        return 0j if share is None else share * shared(self.study.linkage.mechanism, left)
 
 
 def frame_holds(forces: Kinetostatics) -> tuple[Complexes, Floats]:

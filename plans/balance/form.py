@@ -84,10 +84,7 @@ class CounterweightTable(Table):
         also=("link",),
     )
     mass: Decimal | None = key(
-        MASS,
-        None,
-        meaning="Mass of the counterweight; its place is found.",
-        missing=Missing("mass", 'mass = "2 kg"'),
+        MASS, None, meaning="Mass of the counterweight; its place is found.", missing=Missing("mass", 'mass = "2 kg"')
     )
     radius: Decimal | None = key(
         f.LENGTH,
@@ -135,7 +132,6 @@ class CounterweightTable(Table):
 
 
 def _check_once(entries: tuple[CounterweightTable, ...]) -> None:
-    """See that no link is to carry two."""
     links = [entry.on for entry in entries]
     for number, link in enumerate(links):
         if link in links[:number]:
@@ -148,20 +144,16 @@ class BalanceTable(Table):
     aim: str = key(
         f.words(*AIMS, likely=_likely_aim),
         NONE,
-        meaning=(
-            "What is aimed at: nothing, the mass centre and the shaking force alone; a mass centre that stands still "
-            "(полное уравновешивание); one that moves along the guides alone (частичное); or a share of the "
-            "reciprocating mass balanced by the crank beside that."
-        ),
+        meaning="What is aimed at: nothing, the mass centre and the shaking force alone; a mass centre that stands "
+        "still (полное уравновешивание); one that moves along the guides alone (частичное); or a share of the "
+        "reciprocating mass balanced by the crank beside that.",
         missing=Missing("aim", 'aim = "full"'),
     )
     share: Decimal | str = key(
         SHARE_OF_MASS,
         FORCE,
-        meaning=(
-            'Of aim = "share": the share, 0.5 or "50 %"; or the one with the least largest shaking force, "force", or '
-            'reaction of the crank\'s shaft, "reaction".'
-        ),
+        meaning='Of aim = "share": the share, 0.5 or "50 %"; or the one with the least largest shaking force, "force", '
+        'or reaction of the crank\'s shaft, "reaction".',
     )
     counterweights: tuple[CounterweightTable, ...] = key(
         many(table(CounterweightTable), Check(_check_once), first=f.FEW),

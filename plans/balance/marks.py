@@ -38,7 +38,9 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         return _none(balance)
     wanted = motion.position_of(linkage, position)
     drawing = balance.drawing(letter.endswith(AFTER), wanted)
-    mark = _on(_boards(drawing), letter.removesuffix(AFTER)) or _ends(drawing).get(letter.removesuffix(AFTER))
+    # What the mass centre rests in where no vector of a main point leads to it.
+    ends = {"S": drawing.main.end, "a_S": drawing.accelerations.end}
+    mark = _on(_boards(drawing), letter.removesuffix(AFTER)) or ends.get(letter.removesuffix(AFTER))
     if mark is None:
         return _none(balance)
     title, zeros = motion.title(linkage, name, wanted), frozenset(_zeros(drawing))
@@ -60,7 +62,6 @@ def _still(balance: BalanceStudy, letter: str) -> Iterator[Board]:
 
 
 def _boards(drawing: Drawing) -> Iterator[Board]:
-    """Give the boards on which the mass centre is drawn."""
     yield from (chain.board for chain in (drawing.main, drawing.polygon, drawing.accelerations, drawing.shaking))
 
 
@@ -68,11 +69,6 @@ def _on(boards: Iterator[Board], letter: str) -> Mark | None:
     """Find a mark that was drawn from others, but no inertia force of one link: it is the force plan's too."""
     found = next((board[letter] for board in boards if letter in board), None)
     return found if found is not None and found.step.inputs and not re.fullmatch(r"Φ_\d+", letter) else None
-
-
-def _ends(drawing: Drawing) -> Mapping[str, Mark]:
-    """Give what the mass centre rests in where there is no vector of a main point to lead to it."""
-    return {"S": drawing.main.end, "a_S": drawing.accelerations.end}
 
 
 def _zeros(drawing: Drawing) -> Iterator[Mark]:

@@ -94,11 +94,6 @@ class MainPoints:
         """What hinges and guides of the frame give the mass centre, m from the datum: the same in all positions."""
         return sum((share.share * share.stem.at for share in self._shares(self.tree.rooted)), 0j)
 
-    @property
-    def variables(self) -> tuple[Share, ...]:
-        """The stems that begin at slides, with their shares: their vectors along guides are variable."""
-        return tuple(self._shares(self.tree.variable))
-
     def _shares(self, stems: tuple[Stem, ...]) -> Iterator[Share]:
         return (Share(stem, float(self.behind(stem.link).value.real) / self.mass) for stem in stems)
 
@@ -155,7 +150,7 @@ class Drawing:
 def centre_drawing(points: MainPoints, accelerations: Plan) -> Drawing:
     """Draw the mass centre over the positions of an acceleration plan, and the inertia forces there."""
     main, turned = by_main_points(points, accelerations)
-    polygon, shaking = by_links(points, accelerations)
+    polygon, shaking = _moments(points, accelerations.positions), _forces(points, accelerations)
     place = polygon.board.turn("r_S", polygon.end, 1 / points.mass, because("over_mass"))
     force = shaking.board.turn("Φ", turned.end, -points.mass, because("main_vector"))
     return Drawing(main, polygon, place, turned, force, shaking, _moment(points, accelerations, shaking))
@@ -166,11 +161,6 @@ def by_main_points(points: MainPoints, accelerations: Plan) -> tuple[VectorChain
     positions = accelerations.positions
     main = _main(points, positions, Board(CENTRE), positions.pole, "S")
     return main, _main(points, accelerations, Board(CENTRE_ACCELERATION), accelerations.pole, "a_S")
-
-
-def by_links(points: MainPoints, accelerations: Plan) -> tuple[VectorChain, VectorChain]:
-    """Lay the static moments of the links off end to end, and their inertia forces."""
-    return _moments(points, accelerations.positions), _forces(points, accelerations)
 
 
 def _main(points: MainPoints, plan: Plan, board: Board, start: Mark, name: str) -> VectorChain:
@@ -189,17 +179,14 @@ def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int
         if image.arm is not None and h:
             line, why = points.line(link, image.span), because("main_vector_of", link=link)
             yield link, board.similar(f"h_{link}", image.arm, line, points.marks[link], why=why)
-    for share in points.variables:
-        yield share.stem.link, _variable(share, plan, board)
-
-
-def _variable(share: Share, plan: Plan, board: Board) -> Mark:
-    """Give a share of the vector along a guide: on the plan of positions it is variable, and so are its images."""
-    stem, name = share.stem, f"u_{share.stem.link}"
-    start = plan.place(stem.parent, stem.at, f"{name}′")
-    end = plan.place(stem.link, stem.origin, f"{name}″")
-    along = board.join(f"{name}:1", start, end, because("along_guide"))
-    return board.turn(name, along, share.share, because("variable_vector", link=stem.link))
+    # The stems that begin at slides, with their shares: their vectors along guides are variable.
+    for share in points._shares(points.tree.variable):
+        # A share of the vector along a guide: on the plan of positions it is variable, and so are its images.
+        stem, name = share.stem, f"u_{share.stem.link}"
+        start = plan.place(stem.parent, stem.at, f"{name}′")
+        end = plan.place(stem.link, stem.origin, f"{name}″")
+        along = board.join(f"{name}:1", start, end, because("along_guide"))
+        yield share.stem.link, board.turn(name, along, share.share, because("variable_vector", link=stem.link))
 
 
 def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str) -> VectorChain:

@@ -129,14 +129,11 @@ def _of(
     yield _finding(f"{letters}(k)", "N", [[getattr(choice, name) for choice in row] for row in curve], off)
     best: Sequence[Choice] = [getattr(road, f"least_{name}") for road in (ours, theirs)]
     yield _finding(f"min {letters}(k)", "N", [[getattr(choice, name)] for choice in best], off)
-    width = _width(largest, best[1].share, 2 * off)
+    # The share may be as far from the best one as what is largest differs by no more than rounding.
+    share = best[1].share
+    level = largest(share) + 2 * off
+    width = max(_reach(largest, share, end, level) for end in (0.0, 1.0)) + 4 * EPS
     yield _finding(f"k {letters}", "1", [[choice.share] for choice in best], width)
-
-
-def _width(largest: Callable[[float], float], share: float, off: float) -> float:
-    """Give how far a share may be from the best one for what is largest to differ by no more than rounding."""
-    level = largest(share) + off
-    return max(_reach(largest, share, end, level) for end in (0.0, 1.0)) + 4 * EPS
 
 
 def _reach(largest: Callable[[float], float], share: float, end: float, level: float) -> float:
@@ -204,9 +201,8 @@ def numbers(study: Study, by: str) -> Numbers:
     """Balance the mechanism of a scene by a road, over its motion by the same."""
     below = study.numbers("linkage", by)
     assert isinstance(below, MotionNumbers)
-    found, (before, after) = (
-        _analysed(study.of(BalanceStudy), below) if by == ANALYSIS else _constructed(study.of(BalanceStudy))
-    )
+    balanced = study.of(BalanceStudy)
+    found, (before, after) = _analysed(balanced, below) if by == ANALYSIS else _constructed(balanced)
     data: dict[str, Any] = {"aim": found.task.aim}
     if CENTRE in study.plans:
         data["mass_centre"] = _centre(found.before.centre, before, below.datum)
@@ -235,14 +231,9 @@ def _analysed(study: BalanceStudy, below: MotionNumbers) -> tuple[Balance, Vecto
     turned = positions_around(study.linkage).phi - study.linkage.turn.phi[0]
     course = course_of(study, road, motion, road.around(motion.phi[0] + turned))
     found = balance(course, study.task, study.linkage.groups)
-    return found, _vectors(study, found)
-
-
-def _vectors(study: BalanceStudy, found: Balance) -> Vectors:
-    """Give the vectors of main points before and after by analysis, the counterweights as bodies of their own."""
     stems, machine = study.tree.stems, study.machine
     before = vectors(bodies(machine), stems)
-    return before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems)
+    return found, (before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems))
 
 
 def _centre(centre: MassCentre, vectors: Mapping[int, complex], datum: complex) -> dict[str, Any]:
@@ -250,24 +241,15 @@ def _centre(centre: MassCentre, vectors: Mapping[int, complex], datum: complex) 
 
     The main moment of the inertia forces is about the shaft.
     """
-    return {
-        "mass": centre.mass,
-        "r": pairs(centre.r + datum),
-        "a": pairs(centre.a),
-        "force": pairs(centre.force),
-        "moment": plain(centre.moment),
-        "vectors": {str(link): _vector(h) for link, h in sorted(vectors.items())},
-    }
+    moved = {"mass": centre.mass, "r": pairs(centre.r + datum), "a": pairs(centre.a), "force": pairs(centre.force)}
+    by_link = {str(link): _vector(h) for link, h in sorted(vectors.items())}
+    return {**moved, "moment": plain(centre.moment), "vectors": by_link}
 
 
 def _weight(weight: Counterweight) -> dict[str, Any]:
     """Give a counterweight; one that is not needed has a mass of 0 and no place."""
-    data: dict[str, Any] = {
-        "on": weight.link,
-        "mass": weight.mass,
-        "moment": _vector(weight.moment),
-        "begin": weight.begin,
-    }
+    moment = _vector(weight.moment)
+    data: dict[str, Any] = {"on": weight.link, "mass": weight.mass, "moment": moment, "begin": weight.begin}
     if not weight.needed:
         return data
     sizes = {"shape": weight.place.shape, "outer": weight.outer, "inertia": weight.inertia}
@@ -276,21 +258,14 @@ def _weight(weight: Counterweight) -> dict[str, Any]:
 
 def _state(state: State) -> dict[str, Any]:
     """Give what is largest over a turn; null of a mechanism that reaches no position."""
-    return {
-        "path": _known(state.path),
-        "force": _known(state.shaking),
-        "moment": _known(state.rocking),
-        "reactions": {key: _known(largest) for key, largest in state.reactions.items()},
-        "balancing": _known(state.balancing),
-    }
+    inertia = {"path": _known(state.path), "force": _known(state.shaking), "moment": _known(state.rocking)}
+    reactions = {key: _known(largest) for key, largest in state.reactions.items()}
+    return {**inertia, "reactions": reactions, "balancing": _known(state.balancing)}
 
 
 def _shares(found: Shares) -> dict[str, Any]:
-    return {
-        "curve": [_choice(choice) for choice in found.curve],
-        "least_force": _choice(found.least_force),
-        "least_reaction": _choice(found.least_reaction),
-    }
+    least = {"least_force": _choice(found.least_force), "least_reaction": _choice(found.least_reaction)}
+    return {"curve": [_choice(choice) for choice in found.curve], **least}
 
 
 def _choice(choice: Choice) -> dict[str, float | None]:

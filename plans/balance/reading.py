@@ -28,7 +28,11 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     form = scene.of(BalanceForm).balance
     yield from odd_lengths(scene, dict(_lengths(form)))
     yield from _heavy(scene, form)
-    yield from _light(scene, form)
+    # Find densities that no solid weight has: a bare number of g/cm3.
+    for number, weight in enumerate(form.counterweights):
+        if "density" in weight.given and weight.density < LIGHTEST:
+            path = ("balance", "counterweights", number, "density")
+            yield scene.fault(path, "light_density", density=f"{weight.density.normalize():f}")
     if form.aim == NONE and form.counterweights:
         yield scene.fault(("balance", "counterweights"), "idle_counterweights")
     survey = scene.meaning.of(LinkageSurvey)
@@ -42,14 +46,6 @@ def _lengths(form: BalanceTable) -> Iterator[tuple[Path, Decimal]]:
         sizes = {"radius": weight.radius, "at": weight.at, "thickness": weight.thickness}
         path: Path = ("balance", "counterweights", number)
         yield from (((*path, name), abs(size)) for name, size in sizes.items() if size and name in weight.given)
-
-
-def _light(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
-    """Find densities that no solid weight has: a bare number of g/cm3."""
-    for number, weight in enumerate(form.counterweights):
-        if "density" in weight.given and weight.density < LIGHTEST:
-            path = ("balance", "counterweights", number, "density")
-            yield scene.fault(path, "light_density", density=f"{weight.density.normalize():f}")
 
 
 def _heavy(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
@@ -72,9 +68,7 @@ def reciprocating(mechanism: Mechanism) -> bool:
     Of links that form no groups nothing is told against it: what studies the linkage says so.
     """
     groups, hosts = _groups(mechanism), (mechanism.drive.link, FRAME)
-    return groups is None or any(
-        isinstance(group, Dyad) and (group.kind, group.hosts) == ("RRP", hosts) for group in groups
-    )
+    return groups is None or any(isinstance(g, Dyad) and (g.kind, g.hosts) == ("RRP", hosts) for g in groups)
 
 
 def guided(mechanism: Mechanism) -> bool:
@@ -119,12 +113,8 @@ class BalanceSurvey(NamedTuple):
 def task_of(form: BalanceTable) -> BalanceTask:
     """Make the task."""
     sought = isinstance(form.share, str)
-    return BalanceTask(
-        form.aim,
-        tuple(map(_place, form.counterweights)),
-        None if sought else float(form.share),
-        str(form.share) if sought else FORCE,
-    )
+    share, least = (None, str(form.share)) if sought else (float(form.share), FORCE)
+    return BalanceTask(form.aim, tuple(map(_place, form.counterweights)), share, least)
 
 
 def _place(entry: CounterweightTable) -> Site:
@@ -152,7 +142,11 @@ def survey_of(meaning: Meaning) -> BalanceSurvey:
         _check_carrier(survey, ("balance", "counterweights", number), weight)
     if form.aim != NONE:
         _check_aim(survey, form)
-    _check_letter(survey)
+    # See that no point has the letter of the common mass centre: both stand on one scheme.
+    link = next((number for number, points in survey.points_of.items() if COMMON in points), None)
+    if link is not None:
+        tables = ("mechanism", "frame", COMMON), ("mechanism", "points", COMMON), ("mechanism", "links", str(link))
+        survey.report(next(path for path in tables if survey.scene.has(path)), "common_centre", letter=COMMON)
     check_moving(survey, ("balance",))
     return BalanceSurvey(task_of(form), survey.faults)
 
@@ -180,16 +174,7 @@ def _check_aim(survey: LinkageSurvey, form: BalanceTable) -> None:
         survey.report(("balance", "counterweights"), "crank_carries", link=crank)
 
 
-def _check_letter(survey: LinkageSurvey) -> None:
-    """See that no point has the letter of the common mass centre: both stand on one scheme."""
-    link = next((number for number, points in survey.points_of.items() if COMMON in points), None)
-    if link is not None:
-        tables = ("mechanism", "frame", COMMON), ("mechanism", "points", COMMON), ("mechanism", "links", str(link))
-        survey.report(next(path for path in tables if survey.scene.has(path)), "common_centre", letter=COMMON)
-
-
 def _would_do(survey: LinkageSurvey, aim: str = PARTIAL) -> Message:
-    """Name the links that would do."""
     return stated(carriers(survey.mechanism, aim) if survey.mechanism else [])
 
 

@@ -266,7 +266,10 @@ def least(forces: Forces, rate: Forces, bend: float | None = None) -> float:
 
 def _lowest(forces: Forces, rate: Forces, start: float, end: float) -> float:
     """Halve by the sense in which the force of the position that has the largest goes with the share."""
-    low, high = _around(forces, start, end)
+    # With a mass that follows, the curve may bend any way.
+    row: list[float] = [start, *(share for share in np.linspace(0, 1, SHARES).tolist() if start < share < end), end]
+    best = int(np.argmin([largest(forces(share)) for share in row]))
+    low, high = row[max(best - 1, 0)], row[min(best + 1, len(row) - 1)]
     if _rises(forces, rate, low) or not _rises(forces, rate, high):
         return low if _rises(forces, rate, low) else high
     for _ in range(HALVINGS):
@@ -275,15 +278,7 @@ def _lowest(forces: Forces, rate: Forces, start: float, end: float) -> float:
     return (low + high) / 2
 
 
-def _around(forces: Forces, start: float, end: float) -> tuple[float, float]:
-    """Give the shares of a row between which the least lies: with a mass that follows, the curve may bend any way."""
-    row = [start, *(share for share in np.linspace(0, 1, SHARES).tolist() if start < share < end), end]
-    best = int(np.argmin([largest(forces(share)) for share in row]))
-    return row[max(best - 1, 0)], row[min(best + 1, len(row) - 1)]
-
-
 def _rises(forces: Forces, rate: Forces, share: float) -> bool:
-    """Tell whether the largest force rises with the share."""
     here = forces(share)
     at = int(np.argmax(np.nan_to_num(np.abs(here))))
     return bool((here[at].conjugate() * rate(share)[at]).real > 0)

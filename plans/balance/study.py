@@ -39,7 +39,10 @@ def substituted(
     found = Substitution(mechanism, bodies, task)
     if task.aim == NONE:
         return found
-    _check_places(mechanism, groups, task)
+    points = begins(mechanism, groups)
+    for place in task.places:
+        if place.link not in points:
+            raise Unmade(IDLE, place.link, links=tuple(str(link) for link in sorted(points)))
     for group in reversed(groups):
         assert isinstance(group, Dyad)  # the only groups that a mechanism is broken into
         KINDS[group.kind](found, group)
@@ -87,14 +90,6 @@ def _share(found: Substitution, groups: Sequence[Assur], share: float) -> None:
         found.put(crank, pin, found.at_point(crank, pin), SumTerm(mark, whole.size * share))
 
 
-def _check_places(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTask) -> None:
-    """Refuse a counterweight on a link that has no hinge to turn it about."""
-    points = begins(mechanism, groups)
-    for place in task.places:
-        if place.link not in points:
-            raise Unmade(IDLE, place.link, links=tuple(str(link) for link in sorted(points)))
-
-
 def loaded(machine: Machine, counterweights: Iterable[Counterweight]) -> Machine:
     """Put the counterweights that are needed on the links of a machine."""
     bodies = dict(machine.bodies)
@@ -108,9 +103,8 @@ def _with(body: Body, weight: Counterweight) -> Body:
     """Join a counterweight to a link: the new centre divides their distance, and inertia counts about it (Steiner)."""
     mass = body.mass + weight.mass
     apart = weight.centre - body.centre
-    centre = (
-        body.mass * body.centre + weight.mass * weight.centre
-    ) / mass  # of a heavy one on a light link nothing is lost
+    # Of a heavy one on a light link nothing is lost.
+    centre = (body.mass * body.centre + weight.mass * weight.centre) / mass
     inertia = body.inertia + weight.inertia + abs(apart) ** 2 * (body.mass * weight.mass / mass)
     return Body(body.link, mass, inertia, centre)
 
@@ -239,6 +233,5 @@ class BalanceStudy:
     def balance(self) -> Balance:
         """What balances the mechanism."""
         gaps = self.linkage.motion(2).gaps
-        return Balance(
-            CONSTRUCTION, self.task, self.counterweights, self.left, self.before, self.after, self.shares, gaps
-        )
+        states = self.before, self.after
+        return Balance(CONSTRUCTION, self.task, self.counterweights, self.left, *states, self.shares, gaps)

@@ -40,12 +40,8 @@ class Substitution:
         self.left: dict[str, SumTerm] = {}
         for link, body in sorted(bodies.items()):
             if body.mass:
-                self.put(
-                    link,
-                    f"S{link}",
-                    body.centre,
-                    self.sums.mass(f"m_{link}", body.mass, because("own_mass", link=link)),
-                )
+                mass = self.sums.mass(f"m_{link}", body.mass, because("own_mass", link=link))
+                self.put(link, f"S{link}", body.centre, mass)
 
     def put(self, link: int, point: str, at: complex, mass: SumTerm) -> None:
         """Put a mass on a link; on the frame it does nothing, and one that is nothing but rounding is none."""

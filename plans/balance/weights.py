@@ -15,16 +15,9 @@ from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.scene.faults import SceneError
 from plans.scene.scene import Scene
 
-NEEDED, FREE, CARRIED, NEGATIVE, OFF, NO_SHARE, IDLE, NO_MASS = (
-    "needs_counterweight",
-    "slides_on_frame",
-    "slides_on_link",
-    "negative_counterweight",
-    "counterweight_off_line",
-    "no_reciprocating",
-    "idle_counterweight",
-    "rod_without_mass",
-)
+NEEDED, FREE, CARRIED, NO_MASS = "needs_counterweight", "slides_on_frame", "slides_on_link", "rod_without_mass"
+NEGATIVE, OFF, IDLE = "negative_counterweight", "counterweight_off_line", "idle_counterweight"
+NO_SHARE = "no_reciprocating"
 AIMED = (FREE, CARRIED, NO_SHARE)  # kinds that the aim is at fault for
 
 

@@ -56,10 +56,8 @@ def _pushed(plan: ForcePlan, slide: Slide) -> CutGroup:
     (loads, couples), along = plan.acting(drive.link), leads.direction(plan.positions, slide, FRAME)
     chain = statics.chain(plan, str(drive.link), *statics.known_sides(loads))
     lead = statics.direction_on(plan, along)
-    lines = (
-        board.parallel(f"∥{lead.name}", chain.start, lead, because("pushed_along")),
-        board.square(f"⊥{lead.name}", chain.end, lead, because("guide_presses")),
-    )
+    pushed = board.parallel(f"∥{lead.name}", chain.start, lead, because("pushed_along"))
+    lines = pushed, board.square(f"⊥{lead.name}", chain.end, lead, because("guide_presses"))
     name = f"R_{indices(FRAME, drive.link)}"
     closed = statics.close(plan, chain, (DRIVING, name), lines)
     plan.driven = _foot(plan, slide, along)
@@ -101,9 +99,8 @@ def _turned(plan: ForcePlan) -> CutGroup:
         plan.balancing = board.close(BALANCING, *terms, why=why) if terms else board.given(BALANCING, 0.0, NOTHING)
     else:
         plan.driven = line.step.inputs[0]
-        plan.drive = (
-            board.balance(DRIVING, shaft, line, *terms, why=why) if terms else board.given(DRIVING, 0j, NOTHING)
-        )
+        balanced = board.balance(DRIVING, shaft, line, *terms, why=why) if terms else None
+        plan.drive = balanced or board.given(DRIVING, 0j, NOTHING)
         plan.balancing = board.moment(BALANCING, shaft, plan.driven, plan.drive, because("driving_moment"))
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)

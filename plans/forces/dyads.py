@@ -19,10 +19,10 @@ def rrr(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     equations = [polygon.tangential(plan, dyad, end) for end in (0, 1)]
     parts = [equation and equation.found for equation in equations]
     chain, inner = polygon.lay_out(plan, dyad, parts[0], last=parts[1])
-    lines = [
-        board.parallel(f"∥{lead.name}", start, lead, because("along_normal", line=lead.name))
-        for lead, start in ((polygon.lead_of(plan, dyad, 0), chain.start), (polygon.lead_of(plan, dyad, 1), chain.end))
-    ]
+    lines = []
+    for end, start in enumerate((chain.start, chain.end)):
+        lead = polygon.lead_of(plan, dyad, end)
+        lines.append(board.parallel(f"∥{lead.name}", start, lead, because("along_normal", line=lead.name)))
     names = [polygon.normal_name(dyad, end, parts[end]) for end in (0, 1)]
     closed = polygon.close(plan, chain, (names[0], names[1]), (lines[0], lines[1]))
     supports = [polygon.hinge_reaction(plan, dyad, end, closed, parts[end]) for end in (0, 1)]
@@ -37,10 +37,8 @@ def rrp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     part = equation and equation.found
     chain, inner = polygon.lay_out(plan, dyad, part)
     lead, along = polygon.lead_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
-    lines = (
-        board.parallel(f"∥{lead.name}", chain.start, lead, because("along_normal", line=lead.name)),
-        board.square(f"⊥{along.name}", chain.end, along, because("guide_presses")),
-    )
+    normal = board.parallel(f"∥{lead.name}", chain.start, lead, because("along_normal", line=lead.name))
+    lines = normal, board.square(f"⊥{along.name}", chain.end, along, because("guide_presses"))
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
     closed = polygon.close(plan, chain, names, lines)
     pin = polygon.support(plan, (slider, rod), dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
@@ -54,12 +52,8 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     across = polygon.across_slot(plan, dyad, part)
     chain, inner = polygon.lay_out(plan, dyad, part, across and across.found)
     name = polygon.name_of(dyad, 1)
-    pivot = polygon.support(
-        plan,
-        (dyad.hosts[1], dyad.links[1]),
-        dyad.hinge(1),
-        plan.board.join(name, chain.end, chain.start, because("closing")),
-    )
+    force = plan.board.join(name, chain.end, chain.start, because("closing"))
+    pivot = polygon.support(plan, (dyad.hosts[1], dyad.links[1]), dyad.hinge(1), force)
     pin = polygon.stone_reaction(plan, dyad, chain, across, part)
     slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, chain.start, inner), pin)
     sides = *chain.sides, PolygonSide(name, chain.end, chain.start, CLOSING)
@@ -70,10 +64,8 @@ def prp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     """Close the polygon of all forces square to both guides; the pin's moments give their moments (M5.5)."""
     chain, inner = polygon.lay_out(plan, dyad)
     guides = polygon.guide_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
-    lines = [
-        plan.board.square(f"⊥{along.name}", start, along, because("guide_presses"))
-        for along, start in zip(guides, (chain.start, chain.end), strict=True)
-    ]
+    ends, why = zip(guides, (chain.start, chain.end), strict=True), because("guide_presses")
+    lines = [plan.board.square(f"⊥{along.name}", start, along, why) for along, start in ends]
     names = polygon.name_of(dyad, 0), polygon.name_of(dyad, 1)
     closed = polygon.close(plan, chain, names, (lines[0], lines[1]))
     pin = polygon.support(plan, dyad.links[::-1], dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
@@ -87,10 +79,8 @@ def rpp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     part = polygon.along_slot(plan, dyad)
     chain, inner = polygon.lay_out(plan, dyad, part)
     slot, along = polygon.slot_of(plan, dyad), polygon.guide_of(plan, dyad, 1)
-    lines = (
-        board.square(f"⊥{slot.name}", chain.start, slot, because("slot_presses")),
-        board.square(f"⊥{along.name}", chain.end, along, because("guide_presses")),
-    )
+    across = board.square(f"⊥{slot.name}", chain.start, slot, because("slot_presses"))
+    lines = across, board.square(f"⊥{along.name}", chain.end, along, because("guide_presses"))
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
     closed = polygon.close(plan, chain, names, lines)
     pin = polygon.hinge_reaction(plan, dyad, 0, closed, part)

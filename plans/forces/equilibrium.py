@@ -48,9 +48,8 @@ def acting(
     found = [_body(mechanism, machine, motion, body, bounds[str(body.link)]) for body in machine.bodies.values()]
     for load in loading.forces:
         if load.link != FRAME:
-            found.append(
-                LinkForce(load.link, motion.points[load.point].r, load.force, zero, EPS * abs(load.force), zero)
-            )
+            r, off = motion.points[load.point].r, EPS * abs(load.force)
+            found.append(LinkForce(load.link, r, load.force, zero, off, zero))
     for twist in loading.moments:
         found.append(LinkForce(twist.link, 0j * zero, 0j * zero, twist.moment, zero, EPS * abs(twist.moment)))
     for key, reaction in forces.reactions.items():
@@ -97,10 +96,8 @@ def balance(
     turned = np.array([part.off_couple + EPS * np.abs(part.couple) for part in parts]).sum(axis=0)
     lever = (arms * off).sum(axis=0) + (sizes * places).sum(axis=0) + len(parts) * EPS * (arms * sizes).sum(axis=0)
     most = largest(parts) if most is None else most
-    return (
-        Quantity.vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
-        Quantity.vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1]),
-    )
+    forces = Quantity.vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0])
+    return forces, Quantity.vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1])
 
 
 def largest(parts: Sequence[LinkForce]) -> tuple[float, float]:
@@ -114,11 +111,8 @@ def balances(mechanism: Mechanism, groups: Sequence[Assur], parts: Sequence[Link
     links = sorted(set(mechanism.links) - {FRAME})
     bodies = [(str(link), [link]) for link in links]
     bodies += [("-".join(map(str, group.links)), [*group.links]) for group in groups]
-    most = largest(parts)
-    found = (
-        balance(name, [part for part in parts if part.link in body], off, most)
-        for name, body in (*bodies, ("whole", links))
-    )
+    bodies, most = [*bodies, ("whole", links)], largest(parts)
+    found = (balance(name, [part for part in parts if part.link in body], off, most) for name, body in bodies)
     return [quantity for both in found for quantity in both]
 
 
@@ -133,12 +127,8 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slac
         point = motion.points[name]
         v = point.v + 1j * turned.omega * (part.r - point.r)
         terms.append(dot(part.force, v) + part.couple * turned.omega)
-        bounds.append(
-            np.abs(v) * part.off
-            + np.abs(turned.omega) * part.off_couple
-            + np.abs(part.force) * slack
-            + np.abs(part.couple) * turning
-        )
+        given = np.abs(v) * part.off + np.abs(turned.omega) * part.off_couple
+        bounds.append(given + np.abs(part.force) * slack + np.abs(part.couple) * turning)
     sizes = np.array([np.abs(term) for term in terms])
     allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)
     fastest = [np.abs(point.v) for point in motion.points.values()]

@@ -188,9 +188,7 @@ def friction(
     pairs = {key: rubbing for key, rubbing in machine.friction.items() if key in statics.reactions}
     rates = {key: rate(mechanism, motion, statics.reactions[key]) for key in pairs}
     gone = ~np.isfinite(statics.balancing.moment)
-    powers = {
-        key: np.where(gone, np.nan, lost_power(rubs, statics.reactions[key], rates[key])) for key, rubs in pairs.items()
-    }
+    powers = {k: np.where(gone, np.nan, lost_power(rubs, statics.reactions[k], rates[k])) for k, rubs in pairs.items()}
     useful = np.where(gone, np.nan, useful_power(mechanism, motion, loading))
     lost = np.asarray(sum(powers.values(), np.where(np.isnan(useful), np.nan, 0.0)))
     driven = {key: drive for key, drive in drives(groups, statics.reactions) if key in pairs}

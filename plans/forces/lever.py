@@ -57,7 +57,8 @@ def lever(plan: ForcePlan) -> Lever | None:
     known = [couple for link in links for couple in plan.couples[link] if couple.kind != REACTION]
     for pair in _pairs(plan, board, known):
         pairs.append(pair)
-        moments.append((pair.name, _turning(board, pair)))
+        why = because("couple_moment")
+        moments.append((pair.name, board.moment(f"p({pair.name})", pair.start, pair.end, pair.force, why)))
     image, point, line = _drive(plan, board)
     if not moments:
         return None
@@ -92,11 +93,6 @@ def _pair(plan: ForcePlan, board: Board, couple: Couple, reading: Reading) -> Le
     force = board.turn(f"{couple.name}/{arm.name}", holding, -1.0, because("couple", line=arm.name))
     images = [_turned(board, image) for image in reading.turning.step.inputs]
     return LeverCouple(couple.name, images[0], images[1], force)
-
-
-def _turning(board: Board, pair: LeverCouple) -> Mark:
-    why = because("couple_moment")
-    return board.moment(f"p({pair.name})", pair.start, pair.end, pair.force, why)
 
 
 def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:

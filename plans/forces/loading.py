@@ -129,14 +129,16 @@ def strokes(
             reached = extremes(shown) if shown else None
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
                 raise NoStroke(load.name, _thing(load.stroke, output))
-            found[load.stroke] = _stroke(mechanism, shown, reached)
+            sense = -1 if mechanism.drive.omega < 0 else 1
+            point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
+            point = shown.point or point
+            found[load.stroke] = OutputStroke(*reached.phi, sense, reached.reach, shown.link, point, way, shown.parting)
         if asks(load):
             _check_length(load, found[load.stroke], _thing(load.stroke, output))
     return found
 
 
 def _check_length(load: Force | Moment, stroke: OutputStroke, thing: Message) -> None:
-    """See that a diagram over lengths is as long as the stroke."""
     if not isinstance(load, Force) or load.diagram is None or not load.diagram.length:
         return
     if not stroke.sliding:
@@ -176,12 +178,6 @@ def output_at(mechanism: Mechanism, point: str) -> Output | None:
     return next((Output(link, point) for link in (*sliding, *hung)), None)
 
 
-def _stroke(mechanism: Mechanism, shown: Output, reached: Extremes) -> OutputStroke:
-    sense = -1 if mechanism.drive.omega < 0 else 1
-    point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
-    return OutputStroke(*reached.phi, sense, reached.reach, shown.link, shown.point or point, way, shown.parting)
-
-
 APART = 8 * 2.0**-52  # share of two places: points nearer to each other than their rounding are in one place
 
 
@@ -189,9 +185,7 @@ def loading(machine: Machine, motion: Motion, strokes: Mapping[Track, OutputStro
     """Give all loads over the positions of a motion of order 2; NaN at gaps."""
     forces = [end for force in machine.forces for end in _acting(force, motion, strokes)]
     forces += [end for spring in machine.springs for end in _ends(spring, motion)]
-    moments = tuple(
-        Twist(moment.name, moment.link, _moment(moment, motion, strokes), moment.useful) for moment in machine.moments
-    )
+    moments = tuple(Twist(m.name, m.link, _moment(m, motion, strokes), m.useful) for m in machine.moments)
     return Loading(tuple(forces), moments)
 
 

@@ -79,9 +79,7 @@ def forces_by_hand(
     are known from the kinematics.
     """
     drawn = statics.drafts([position]).plans
-    coarsest = {
-        plan: [mu for name, mu in scales.items() if name.startswith(figure)] for plan, figure in FIGURES.items()
-    }
+    coarsest = {plan: [mu for n, mu in scales.items() if n.startswith(figure)] for plan, figure in FIGURES.items()}
     rows = {plan: np.array([max(found)]) for plan, found in coarsest.items() if found}
     found = errors_by_hand(dict(_forces_read(drawn)), SlippingHand(SLIP, rows), by)
     if drawn.lever is not None:

@@ -60,9 +60,8 @@ def known_sides(loads: Sequence[Load]) -> list[tuple[str, Mark, str]]:
 def moments(plan: ForcePlan, about: Mark, loads: Sequence[Load], couples: Sequence[Couple]) -> list[Mark]:
     """Take the moments about a point of all forces that have an arm, and of all couples."""
     arms = [load for load in loads if load.at is not about]
-    taken = [
-        plan.board.moment(f"{about.name}({load.name})", about, load.at, load.force, because("moment")) for load in arms
-    ]
+    why = because("moment")
+    taken = [plan.board.moment(f"{about.name}({load.name})", about, load.at, load.force, why) for load in arms]
     return [*taken, *(couple.moment for couple in couples)]
 
 

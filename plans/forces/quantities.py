@@ -289,13 +289,7 @@ def rubbed(friction: Friction) -> dict[str, Any]:
     """Give what friction takes: power and share of wear of each pair, and the efficiency."""
     worn: Mapping[str, float] = friction.wear
     powers = {key: {"power": plain(power), "share": worn.get(key)} for key, power in friction.powers.items()}
-    return {
-        "friction": powers,
-        "efficiency": {
-            "instantaneous": plain(friction.efficiency),
-            "cycle": friction.cycle,
-            "useful": plain(friction.useful),
-            "lost": plain(friction.lost),
-        },
-        "jams": [{**jam._asdict(), "advice": str(jam.advice)} for jam in friction.jams],
-    }
+    power = {"useful": plain(friction.useful), "lost": plain(friction.lost)}
+    efficiency = {"instantaneous": plain(friction.efficiency), "cycle": friction.cycle, **power}
+    jams = [{**jam._asdict(), "advice": str(jam.advice)} for jam in friction.jams]
+    return {"friction": powers, "efficiency": efficiency, "jams": jams}

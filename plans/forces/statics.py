@@ -191,7 +191,6 @@ class Statics:
         return StructureError(placed(f"{scene.file}:{line}:{column}: {dotted(path)}", why))
 
     def _extremes(self, output: Output) -> Extremes | None:
-        """Find the extreme positions of an output by construction."""
         found = self.reached(output)
         return None if found is None else found.extremes
 
@@ -284,12 +283,9 @@ class Statics:
         lost[[gap.position for gap in gaps]] = True
         none &= ~lost
         still = [self._gap(gap.position, without_forces(gap), gap.where) for gap in gaps if gap.plan == VELOCITIES.plan]
-        named = [
-            *gaps,
-            *still,
-            *(self._gap(k, self._reason(k), message("place.force_plan")) for k in np.flatnonzero(none).tolist()),
-        ]
-        return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=_number)))
+        where = message("place.force_plan")
+        named = [*gaps, *still, *(self._gap(k, self._reason(k), where) for k in np.flatnonzero(none).tolist())]
+        return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=lambda gap: gap.position)))
 
     def parts(self) -> Iterator[ForceDrafts]:
         """Give the force plans over all positions, in blocks where these are more than those of a sheet."""
@@ -315,14 +311,9 @@ class Statics:
     def _reason(self, position: int) -> str:
         """Say why a position that has velocities has no forces."""
         changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE_POINT]
-        return (
-            INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE_POINT,)).any() else DEAD_CENTRE
-        )
+        near = near_edge(self.study.turn.phi[[position]], changes, (CHANGE_POINT,)).any()
+        return INDETERMINATE if near else DEAD_CENTRE
 
     def _gap(self, position: int, reason: str, where: str | Message) -> Gap:
         """Name a position that can be assembled, but has no forces."""
         return Gap(position, float(self.study.turn.phi[position]), FORCES, reason, where, 0.0, ADVICE[reason])
-
-
-def _number(gap: Gap) -> int:
-    return gap.position

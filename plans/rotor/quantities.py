@@ -116,7 +116,7 @@ def numbers(study: Study, by: str) -> Numbers:
     """Balance the rotor of a scene by a road: every rotor can be balanced."""
     rotor = study.of(RotorStudy)
     borne = REACTIONS in study.plans
-    found = balance(rotor.rotor, borne) if by == ANALYSIS else _constructed(rotor, borne)
+    found = balance(rotor.rotor, borne) if by == ANALYSIS else (rotor.balance if borne else rotor.corrected)
     data: dict[str, Any] = {}
     if COUPLES in study.plans:
         data["couple"] = _vector(found.couple)
@@ -139,10 +139,6 @@ def _quality(rotor: Rotor, found: RotorBalance) -> dict[str, Any]:
     if rotor.grade is not None:
         data["permissible"] = permissible(rotor.grade, rotor.mass, rotor.speed)
     return {"quality": data}
-
-
-def _constructed(rotor: RotorStudy, borne: bool) -> RotorBalance:
-    return rotor.balance if borne else rotor.corrected
 
 
 def _correction(body: Correction) -> dict[str, Any]:

@@ -34,10 +34,7 @@ class UnbalanceTable(Table):
 
     mass: Decimal | None = key(f.MASS, None, meaning="Mass, kg.", missing=Missing("mass", 'mass = "0.8 kg"'))
     radius: Decimal | None = key(
-        f.LENGTH,
-        None,
-        meaning="Distance of the mass from the axis, m.",
-        missing=Missing("radius", 'radius = "120 mm"'),
+        f.LENGTH, None, meaning="Distance of the mass from the axis, m.", missing=Missing("radius", 'radius = "120 mm"')
     )
     moment: Decimal | None = key(
         MOMENT, None, meaning='Static moment m·D instead of mass and radius, kg*m or text as "96 g*m".'
@@ -108,7 +105,6 @@ def _check_apart(places: tuple[Decimal, ...]) -> None:
 
 
 def _bearings() -> FieldReader:
-    """Read the places of two bearings."""
     two = Check(partial(f.check_pair, what=BEARINGS), least=2, most=2)
     return many(f.COORDINATE, Check(_check_apart, unique=True), first=two)._replace(shown=f"{BEARINGS} m")
 
@@ -214,9 +210,7 @@ def _lengths(rotor: RotorTable) -> Iterator[tuple[Path, Decimal]]:
     given: list[tuple[Path, UnbalanceTable | PlaneTable]] = []
     given += [(("rotor", "masses", index), mass) for index, mass in enumerate(rotor.masses)]
     given += [(("rotor", "planes", index), plane) for index, plane in enumerate(rotor.planes)]
-    stated = [
-        ((*path, name), size) for path, part in given for name, size in (("radius", part.radius), ("place", part.place))
-    ]
+    stated = [((*path, name), size) for path, p in given for name, size in (("radius", p.radius), ("place", p.place))]
     stated += [(("rotor", "bearings", index), place) for index, place in enumerate(rotor.bearings)]
     return ((path, abs(size)) for path, size in stated if size)
 
@@ -244,9 +238,7 @@ def _mass(scene: Scene, rotor: RotorTable) -> Iterator[Fault]:
 def _unused(scene: Scene, rotor: RotorTable) -> Iterator[Fault]:
     """Find what nothing is found from: a speed alone, or bearings or a mass without a speed."""
     if rotor.speed is None:
-        yield from (
-            scene.fault(("rotor", name), f"still_{name}") for name in ("bearings", "mass") if name in rotor.given
-        )
+        yield from (scene.fault(("rotor", n), f"still_{n}") for n in ("bearings", "mass") if n in rotor.given)
     elif not rotor.bearings and rotor.mass is None:
         yield scene.fault(("rotor", "speed"), "spare_speed")
 

@@ -98,9 +98,8 @@ class RotorStudy:
         pairs = zip(self.rotor.planes, drawing.corrections, strict=True)
         corrections = tuple(Correction(plane, _resultant(placed.mark, placed.slack)) for plane, placed in pairs)
         couple = _resultant(moments.closing, moments.slack, -1)
-        return RotorBalance(
-            CONSTRUCTION, couple, _resultant(drawing.unbalance.mark, drawing.unbalance.slack, -1), corrections
-        )
+        unbalance = _resultant(drawing.unbalance.mark, drawing.unbalance.slack, -1)
+        return RotorBalance(CONSTRUCTION, couple, unbalance, corrections)
 
     @cached_property
     def balance(self) -> RotorBalance:

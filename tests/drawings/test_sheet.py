@@ -9,7 +9,7 @@ import pytest
 
 from drawings.lettering.lettering import UnknownLetter
 from drawings.linkage import sheet as kinematics
-from drawings.linkage.sheet import leaves, sheet
+from drawings.linkage.sheet import leaves, sheets
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
 from drawings.sheets import leaves as laid
@@ -35,7 +35,7 @@ FOUR_BAR = scene(
 @cache
 def drawn(text: str) -> tuple[LinkageStudy, Leaf]:
     study = LinkageStudy(parse_scene(text))
-    return study, sheet(study, compare(study))
+    return study, sheets(study, compare(study))[0]
 
 
 def four_bar(**changes: object) -> str:
@@ -62,7 +62,7 @@ def test_a_mechanism_that_reaches_no_position_gets_a_sheet_that_explains_why() -
 def test_a_position_that_is_a_gap_is_not_drawn_as_the_shown_one() -> None:
     study = LinkageStudy(parse_scene(four_bar(crank=0.3, rod=0.2, rocker=0.25, start=20) + "[sheet]\nposition = 6\n"))
     with pytest.raises(ValueError, match="position = 6"):
-        sheet(study, compare(study))
+        sheets(study, compare(study))
 
 
 def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() -> None:

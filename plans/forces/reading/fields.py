@@ -138,9 +138,7 @@ FRICTION = one(
     units.friction, lambda: forms.quantity(units.NUMBER, minimum=0, maximum=float(units.COEFFICIENT_LIMIT)), "number"
 )
 PRESSURE_ANGLE = one(
-    units.pressure_angle,
-    lambda: forms.quantity(units.ANGLE, minimum=0, maximum=float(units.PRESSURE_LIMIT)),
-    "degrees",
+    units.pressure_angle, lambda: forms.quantity(units.ANGLE, minimum=0, maximum=float(units.PRESSURE_LIMIT)), "degrees"
 )
 
 
@@ -173,16 +171,12 @@ class LinkLoadTable(Table):
     during: str | None = key(
         f.words(*DURING),
         None,
-        meaning=(
-            "When it acts; default: always, but a diagram against the motion without back on the working stroke. A "
-            "stroke is the crank's turn from one extreme position to the other; a direction is wherever the point goes "
-            "that way, also on a reversal within a stroke."
-        ),
+        meaning="When it acts; default: always, but a diagram against the motion without back on the working stroke. A "
+        "stroke is the crank's turn from one extreme position to the other; a direction is wherever the point goes "
+        "that way, also on a reversal within a stroke.",
     )
     overrun: Decimal | Vector = key(
-        OVERRUN,
-        NO_OVERRUN,
-        meaning="Shares of the stroke at its ends (перебег) in which the load rests.",
+        OVERRUN, NO_OVERRUN, meaning="Shares of the stroke at its ends (перебег) in which the load rests."
     )
     stroke: str | None = key(
         f.POINT,

@@ -6,18 +6,7 @@ from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.fields import (
-    ENDS,
-    ON_LINK,
-    PART,
-    POINT_OF_LINK,
-    Ends,
-    LinkLoadTable,
-    Vector,
-    only_with_stroke,
-    point_of,
-    symbol,
-)
+from plans.forces.reading.fields import Ends, LinkLoadTable, Vector
 from plans.forces.reading.pressed import PressedTable, with_piston
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.form import LinkageForm, check_capacity
@@ -42,15 +31,13 @@ _BACK = {"diagram": {"required": ["back"]}}
 class ForceTable(PressedTable):
     """A force on a point of a link: a vector N; or a size or a diagram of sizes, against the motion or at an angle."""
 
-    on: int | None = key(h.LOADED_LINK, None, meaning="The link.", missing=ON_LINK)
-    point: str | None = key(f.POINT, None, meaning="Point of the link.", missing=POINT_OF_LINK)
+    on: int | None = key(h.LOADED_LINK, None, meaning="The link.", missing=h.ON_LINK)
+    point: str | None = key(f.POINT, None, meaning="Point of the link.", missing=h.POINT_OF_LINK)
     between: Ends | None = key(
-        ENDS,
+        h.ENDS,
         None,
-        meaning=(
-            'Instead of on and point: points of two links, ["B", "C"], that the force acts on, equal and opposite: it '
-            'pushes them apart, a negative one draws them together; with direction = "AB" that way on the first.'
-        ),
+        meaning='Instead of on and point: points of two links, ["B", "C"], that the force acts on, equal and opposite: '
+        'it pushes them apart, a negative one draws them together; with direction = "AB" that way on the first.',
     )
     value: Decimal | Vector | None = key(
         either(list, f.pair(h.FORCE, "[Fx, Fy]"), h.FORCE),
@@ -111,8 +98,8 @@ class ForceTable(PressedTable):
             "if": {"required": ["between"]},
             "then": {"not": {"anyOf": [*_ON, _LIST]}, "properties": {"direction": g.LINE.form()}},
             "else": {"required": ["on", "point"], **sized},
-            "not": {"required": ["diagram", *PART["required"]], "properties": PART["properties"] | _BACK},
-            **only_with_stroke({"required": ["diagram"]}, owned=("stroke", "between")),
+            "not": {"required": ["diagram", *h.PART["required"]], "properties": h.PART["properties"] | _BACK},
+            **h.only_with_stroke({"required": ["diagram"]}, owned=("stroke", "between")),
         }
 
     def _check_alone(self, first: str, second: str) -> None:
@@ -136,18 +123,13 @@ class ForceTable(PressedTable):
             wanted, advice = "a vector [Fx, Fy] in N", message("advice.vector")
             if self.value is None:
                 wanted, advice = "a direction of the force", message("advice.direction")
-            raise wrong("force_value", wanted=wanted, advice=advice, at=(self._sized,))
+            sized = next(name for name in _SIZES if name in self.given)
+            raise wrong("force_value", wanted=wanted, advice=advice, at=(sized,))
         if vector and aside:
             raise wrong("force_value", wanted=self._wanted, advice=message("advice.size"), at=("value",))
 
     @property
-    def _sized(self) -> str:
-        """The key that gives the force its size."""
-        return next(name for name in _SIZES if name in self.given)
-
-    @property
     def _wanted(self) -> str:
-        """What is wanted of a value whose direction is told beside it."""
         if self.between is not None:
             return "the size of the force, because it acts between two points"
         if self.direction is not None:
@@ -164,25 +146,25 @@ class MomentTable(LinkLoadTable):
         missing=Missing("moment", "value = 12"),
     )
     against: str | None = key(f.words("motion"), None, meaning="The moment acts against the rotation of its link.")
-    on: int = key(h.LOADED_LINK, meaning="The link.", missing=ON_LINK)
+    on: int = key(h.LOADED_LINK, meaning="The link.", missing=h.ON_LINK)
 
     @classmethod
     def rules(cls) -> Form:
         """Say that only a moment which changes over a stroke names one."""
-        return only_with_stroke()
+        return h.only_with_stroke()
 
 
 class SpringTable(Table):
     """A spring between points of two links: its ends, stiffness N/m and free length m."""
 
     between: Ends = key(
-        ENDS,
+        h.ENDS,
         meaning='Its two ends: points of two links, ["B", "O"].',
         missing=Missing("pair of ends", 'between = ["B", "O"]'),
     )
     stiffness: Decimal = key(h.STIFFNESS, meaning="Stiffness.", missing=Missing("stiffness", 'stiffness = "20 N/mm"'))
     free: Decimal = key(h.FREE_LENGTH, meaning="Free length.", missing=Missing("free length", 'free = "80 mm"'))
-    name: str | None = symbol()
+    name: str | None = h.symbol()
 
 
 class LoadsTable(Table):
@@ -241,10 +223,8 @@ class TransmissionTable(Table):
     balancing: str = key(
         f.words(*BALANCINGS),
         MOMENT,
-        meaning=(
-            "What balances the crank: a moment; a coupling (муфта), a moment as well: neither loads the shaft; or a "
-            "force at the crank's end, square to it."
-        ),
+        meaning="What balances the crank: a moment; a coupling (муфта), a moment as well: neither loads the shaft; or "
+        "a force at the crank's end, square to it.",
     )
     gear: GearTable | None = key(
         table(GearTable), None, meaning="The gear that drives the machine; without it the drive is a pure moment."
@@ -306,9 +286,8 @@ class FrictionTable(Table):
     length: Decimal | None = key(
         f.LENGTH,
         None,
-        meaning=(
-            "Length of contact of the slides: where the force passes beyond it, two edges press; without it none do."
-        ),
+        meaning="Length of contact of the slides: where the force passes beyond it, two edges press; without it none "
+        "do.",
     )
     pairs: Mapping[str, PairTable] = key(
         named(g.PAIR, table(PairTable), first=f.FEW),
@@ -349,7 +328,7 @@ class ForceForm(TechniqueForm):
         """Give the points that springs and forces between links are hung on, and those that forces act along."""
         loads = self.loads or LoadsTable()
         hung = [*(spring.between for spring in loads.springs), *(force.between or () for force in loads.forces)]
-        yield from (point_of(end) for ends in hung for end in ends)
+        yield from (h.point_of(end) for ends in hung for end in ends)
         yield from (name for force in loads.forces if isinstance(force.direction, tuple) for name in force.direction)
 
     def fit(self, scene: Scene) -> None:

@@ -9,18 +9,9 @@ from decimal import Decimal
 from fractions import Fraction
 from math import radians
 
+from plans.forces.reading import form as tables
 from plans.forces.reading import references
 from plans.forces.reading.fields import Ends, Vector, holders, point_of
-from plans.forces.reading.form import (
-    ForceForm,
-    ForceTable,
-    FrictionTable,
-    GearTable,
-    LoadsTable,
-    MomentTable,
-    PairTable,
-    SpringTable,
-)
 from plans.forces.reading.pressed import BEHIND, PRESSED, DiagramTable
 from plans.linkage.reading.guides import direction
 from plans.model.dyad import decompose, pairs
@@ -50,9 +41,9 @@ USEFUL, SPRING = "F_us", "F_s"
 
 def machine_of(scene: Scene, mechanism: Mechanism) -> Machine:
     """Make the machine of a scene; a pair of friction or a hodograph that is told of no reaction is a SceneError."""
-    form = scene.of(ForceForm)
+    form = scene.of(tables.ForceForm)
     _check_told(scene, form, mechanism)
-    loads = form.loads or LoadsTable()
+    loads = form.loads or tables.LoadsTable()
     names = iter(letters(loads))
     return Machine(
         {
@@ -68,7 +59,7 @@ def machine_of(scene: Scene, mechanism: Mechanism) -> Machine:
     )
 
 
-def letters(loads: LoadsTable) -> list[str]:
+def letters(loads: tables.LoadsTable) -> list[str]:
     """Give the letters of all forces, moments and springs: the scene's own, or F_us, F_D, M_3, F_s made distinct."""
     against = [force for force in loads.forces if force.against is not None and force.useful]
     lone = against[0] if len(against) == 1 else None
@@ -78,19 +69,14 @@ def letters(loads: LoadsTable) -> list[str]:
     taken = {name for name, _ in named if name is not None}
     found = []
     for given, name in named:
-        found.append(given or _distinct(name, taken))
+        # Make a name another than those taken: F_s, F_s1, F_s2.
+        found.append(given or next(other for k in range(len(taken) + 1) if (other := f"{name}{k or ''}") not in taken))
         taken.add(found[-1])
     return found
 
 
-def _places(force: ForceTable) -> str:
-    """Give the letters of the point or the two points that a force acts on."""
+def _places(force: tables.ForceTable) -> str:
     return "".join(map(point_of, force.between)) if force.between is not None else force.point or ""
-
-
-def _distinct(name: str, taken: set[str]) -> str:
-    """Make a name another than those taken: F_s, F_s1, F_s2."""
-    return next(other for k in range(len(taken) + 1) if (other := f"{name}{k or ''}") not in taken)
 
 
 def gravity(given: Decimal | Vector | None) -> complex:
@@ -104,7 +90,7 @@ def gravity(given: Decimal | Vector | None) -> complex:
     return complex(0.0, -float(given)) if given else 0j
 
 
-def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
+def _force(name: str, force: tables.ForceTable, mechanism: Mechanism) -> Force:
     given = force.value if force.pressure is None else Decimal(force.forced(force.pressure))
     size, course = _sized(given, force.direction)
     diagram = _diagram(force, force.diagram) if force.diagram else None
@@ -119,13 +105,13 @@ def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
     return Force(name, end.link, end.point, end.at, size, course, *when, line, other, resists, piston)
 
 
-def _diagram(force: ForceTable, table: DiagramTable) -> Diagram:
+def _diagram(force: tables.ForceTable, table: DiagramTable) -> Diagram:
     """Give a diagram of forces, those of pressures on the piston."""
     there, back = (tuple(map(force.forced, sizes)) for sizes in (table.there, table.back))
     return Diagram(tuple(map(float, table.shares)), there, back, float(table.length or 0))
 
 
-def _where(force: ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:
+def _where(force: tables.ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:
     """Give where a force acts, and where it acts back: of one between two links the first end is one that moves."""
     if force.between is not None:
         first, other = _ends(force.between, mechanism)
@@ -135,7 +121,7 @@ def _where(force: ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:
     return End(force.on, force.point, mechanism.links[force.on].points[force.point]), None
 
 
-def _line(force: ForceTable, end: End, other: End | None) -> tuple[str, str] | None:
+def _line(force: tables.ForceTable, end: End, other: End | None) -> tuple[str, str] | None:
     """Give the points whose line a force acts along: one between two links away from the other, or as it is told."""
     if not isinstance(force.direction, tuple):
         return None if other is None else (other.point, end.point)
@@ -145,7 +131,6 @@ def _line(force: ForceTable, end: End, other: End | None) -> tuple[str, str] | N
 
 
 def _ends(ends: Ends, mechanism: Mechanism) -> list[End]:
-    """Find the links and the places of two ends."""
     points_of = {number: link.points for number, link in sorted(mechanism.links.items())}
     links = [holders(end, points_of)[0] for end in ends]
     names = map(point_of, ends)
@@ -164,39 +149,41 @@ def _overrun(rests: Vector) -> tuple[float, float]:
     return float(rests[0]), float(rests[1])
 
 
-def _moment(name: str, moment: MomentTable) -> Moment:
+def _moment(name: str, moment: tables.MomentTable) -> Moment:
     when = moment.phase, _overrun(moment.rests), Track(moment.stroke or "", moment.working), moment.useful
     return Moment(name, moment.on, float(moment.value), moment.against is not None, *when)
 
 
-def _spring(name: str, spring: SpringTable, mechanism: Mechanism) -> Spring:
+def _spring(name: str, spring: tables.SpringTable, mechanism: Mechanism) -> Spring:
     first, second = _ends(spring.between, mechanism)
     both = (first.link, second.link), (first.point, second.point), (first.at, second.at)
     return Spring(name, *both, float(spring.stiffness), float(spring.free))
 
 
-def _transmission(balancing: str, gear: GearTable | None) -> Transmission:
+def _transmission(balancing: str, gear: tables.GearTable | None) -> Transmission:
     if gear is None:
         return Transmission(balancing)
     at = within(Fraction(gear.at))
     return Transmission(GEAR, float(gear.radius), radians(at), radians(gear.pressure_angle))
 
 
-def _rubbing(friction: FrictionTable | None, mechanism: Mechanism) -> dict[str, Rubbing]:
+def _rubbing(friction: tables.FrictionTable | None, mechanism: Mechanism) -> dict[str, Rubbing]:
     """Give each pair its friction: its own, or else that of all; a hinge has a journal, a slide a length."""
     if friction is None:
         return {}
     known = references.joints({n: tuple(link.points) for n, link in mechanism.links.items()}, mechanism.slides)
-    return {name: _of_pair(friction, friction.pairs.get(name, PairTable()), kind) for name, kind in known.items()}
+    return {
+        name: _of_pair(friction, friction.pairs.get(name, tables.PairTable()), kind) for name, kind in known.items()
+    }
 
 
-def _of_pair(friction: FrictionTable, pair: PairTable, kind: str) -> Rubbing:
+def _of_pair(friction: tables.FrictionTable, pair: tables.PairTable, kind: str) -> Rubbing:
     radius, length = pair.radius or friction.radius, pair.length or friction.length or Decimal(0)
     coefficient = float(friction.coefficient if pair.coefficient is None else pair.coefficient)
     return Rubbing(coefficient, float(radius)) if kind == references.HINGE else Rubbing(coefficient, 0.0, float(length))
 
 
-def _check_told(scene: Scene, form: ForceForm, mechanism: Mechanism) -> None:
+def _check_told(scene: Scene, form: tables.ForceForm, mechanism: Mechanism) -> None:
     """See that friction and hodographs name pairs of the groups: of a hinge of three links they hang on two."""
     rubbing = form.friction.pairs if form.friction else ()
     named: dict[Path, str] = {("friction", "pairs", name): name for name in rubbing}

@@ -20,10 +20,8 @@ class DiagramTable(Table):
 
     travel: tuple[Decimal, ...] = key(
         many(h.TRAVEL, h.TWO, first=f.FEW),
-        meaning=(
-            "Places of the stroke, rising from 0, where the working stroke begins: shares of it up to 1, per cent up "
-            'to "100 %", or lengths up to the stroke, "200 mm".'
-        ),
+        meaning="Places of the stroke, rising from 0, where the working stroke begins: shares of it up to 1, per cent "
+        'up to "100 %", or lengths up to the stroke, "200 mm".',
         missing=Missing("list of shares of the stroke", "travel = [0, 1]"),
     )
     force: tuple[Decimal, ...] = key(
@@ -140,10 +138,8 @@ class PressedTable(LinkLoadTable):
     behind: Decimal = key(
         h.PRESSURE,
         Decimal(0),
-        meaning=(
-            "Pressure on the piston's other side, as that of the air where pressures are absolute; without it they are "
-            "the excess over it."
-        ),
+        meaning="Pressure on the piston's other side, as that of the air where pressures are absolute; without it they "
+        "are the excess over it.",
     )
     ambient: Decimal = key(
         h.PRESSURE,

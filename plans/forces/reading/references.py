@@ -9,16 +9,7 @@ from itertools import combinations
 
 from geometry.errors import DraftError
 from plans.forces.reading.fields import Ends, EndTable, holders, point_of
-from plans.forces.reading.form import (
-    FORCES,
-    MIDDLE,
-    ForceForm,
-    ForceTable,
-    LoadsTable,
-    MassTable,
-    MomentTable,
-    PairTable,
-)
+from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, ForceTable, LoadsTable, MomentTable, PairTable
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.linkage import check_numbers, mechanism_of
 from plans.linkage.reading.survey import LinkageSurvey
@@ -198,7 +189,10 @@ def _masses(scene: Scene, form: ForceForm) -> Iterator[Fault]:
         link, path = mechanism.links[number], ("masses", str(number))
         slotted = any(slide.owner == number for slide in mechanism.slides)
         room = _length(link) or (SLOT if slotted else 1.0) * longest
-        yield from _centre(scene, (*path, "centre"), mass, link, room)
+        centre = mass.place(link)
+        far = min(abs(centre - place) for place in link.points.values())
+        if far > room:
+            yield scene.fault((*path, "centre"), "far_centre", far=f"{far:.4g}", link=link.number)
         most = float(mass.mass) * _length(link) ** 2
         # A crank has its gear or flywheel in its inertia, and a block no length.
         if number != mechanism.drive.link and _length(link) and float(mass.inertia) > most:
@@ -219,13 +213,6 @@ def _radii(scene: Scene, form: ForceForm, longest: float) -> Iterator[Fault]:
         if radius is not None and float(radius) > most > 0:
             note = scene.fault(path, "large_radius", longest=f"{longest:.4g}", example="")
             yield scene.fault(path, "large_radius", longest=f"{longest:.4g}", example=note.value)
-
-
-def _centre(scene: Scene, path: Path, mass: MassTable, link: Link, size: float) -> Iterator[Fault]:
-    centre = mass.place(link)
-    far = min(abs(centre - place) for place in link.points.values())
-    if far > size:
-        yield scene.fault(path, "far_centre", far=f"{far:.4g}", link=link.number)
 
 
 def _mechanism(scene: Scene) -> Mechanism | None:
@@ -288,11 +275,8 @@ def _pistons(scene: Scene, form: ForceForm) -> Iterator[Fault]:
 
 def _uneven(scene: Scene, path: Path, force: ForceTable) -> Iterator[Fault]:
     """Find pressures of one load of which one is given in another unit than the others."""
-    given = {
-        (*path, "behind"): force.behind,
-        (*path, "ambient"): force.ambient,
-        (*path, "pressure"): force.pressure or Decimal(0),
-    }
+    names = ("behind", "ambient", "pressure")
+    given: dict[Path, Decimal] = {(*path, name): getattr(force, name) or Decimal(0) for name in names}
     for name in ("pressure", "back") if force.diagram else ():
         given |= {(*path, "diagram", name, k): size for k, size in enumerate(getattr(force.diagram, name))}
     sizes = {where: abs(size) for where, size in given.items() if size}
