@@ -3,8 +3,6 @@
 Cells share their spare paper evenly, which leaves a strip all along narrow figures that stand one above another.
 """
 
-from __future__ import annotations
-
 import heapq
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence

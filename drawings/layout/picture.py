@@ -1,7 +1,5 @@
 """Pictures before and on paper: what a figure shows in true units, its place, its letters (место фигуры)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
@@ -263,7 +261,7 @@ class Picture(NamedTuple):
         """Give the larger side of the drawn lines, mm."""
         return max(self.wide, self.high) / scale.mu
 
-    def rungs(self, width: float, height: float, standard: str = "GOST") -> tuple[Rung, ...]:
+    def rungs(self, width: float, height: float, standard: str = "GOST") -> "tuple[Rung, ...]":
         """List the standard scales at which the picture and its margins fit a room, the largest picture first."""
         across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
         if across <= 0 or up <= 0 or self.heading > width:
@@ -279,18 +277,18 @@ class Picture(NamedTuple):
             room = extent / scale.mu * SMALLER
         return tuple(rungs)
 
-    def at(self, mu: float) -> Picture:
+    def at(self, mu: float) -> "Picture":
         """Give the picture to be drawn at a scale that is asked for, however small its lines are."""
         return self._replace(exact=mu, least=0.0, most=math.inf)
 
-    def _only(self, width: float, height: float) -> Iterator[Rung]:
+    def _only(self, width: float, height: float) -> "Iterator[Rung]":
         """Give the scale that is asked for, if the picture fits a room so."""
         scale = Scale(self.exact, self.letter, self.unit)
         wide, high = self.size(scale)
         if wide * SMALLER <= width and high * SMALLER <= height:
             yield Rung(scale, wide, high, self.extent(scale))
 
-    def filling(self, spot: Spot) -> Picture:
+    def filling(self, spot: "Spot") -> "Picture":
         """Give a picture that may be taller as high as its box: its bottom stays."""
         if self.taller == 1.0:
             return self

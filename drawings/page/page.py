@@ -1,7 +1,5 @@
 """The page and how it is drawn: format, frame, title block; hand, language, standard; scales (лист, масштабы)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

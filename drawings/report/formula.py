@@ -273,4 +273,4 @@ def literal(text: str) -> str:
     &lt;b&gt; \$x\$ \\input{a}
     """
     marked = _MARKS.sub(r"\\\g<0>", " ".join(text.split()))
-    return marked.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")  # html would be imported for this alone
+    return marked.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

@@ -1,7 +1,5 @@
 """The leaves of a sheet (листы): what every sheet does alike, from its contents to lines, letters and title block."""
 
-from __future__ import annotations
-
 import math
 import re
 from bisect import bisect_right
@@ -129,7 +127,7 @@ def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     return _Leaves(scene, draft).settled.composed
 
 
-def _chosen(scene: Scene, draft: Draft, followed: bool) -> _Leaves:
+def _chosen(scene: Scene, draft: Draft, followed: bool) -> "_Leaves":
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:
         return _Leaves(scene, draft, followed).settled
@@ -219,7 +217,7 @@ class _Leaves:
         return (*self.draft.notes, *said)
 
     @property
-    def settled(self) -> _Leaves:
+    def settled(self) -> "_Leaves":
         """Compose anew until there is room for the remarks: with them the figures may stand otherwise."""
         current, known = self, {self.reserved: self}
         for _ in range(ROUNDS if self.draft.remarks is not None else 0):

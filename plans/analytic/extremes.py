@@ -1,7 +1,5 @@
 """Extreme positions of the output link by analysis: the zeros of its speed over the turn (крайние положения)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise

@@ -3,8 +3,6 @@
 Values alone, SI: kg, m, N, N*m, rad; places in the links' own frames. Both roads read them.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Mapping

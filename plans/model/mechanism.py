@@ -4,8 +4,6 @@ Lengths are metres, angles radians, vectors complex numbers x + iy. Every coordi
 datum, the drive's fixed hinge, so that a mechanism far from the origin of the scene loses nothing.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal

@@ -1,7 +1,5 @@
 """The survey of a scene: which link has which points, what is in doubt, and the faults found on the way."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
