@@ -124,12 +124,16 @@ class Cuts:
         parts = {at: pair for at, pair in cuts.items() if pair[0].number and pair[1].number}
         if not parts:
             return NONE
-        grid = max(pair[0].number for pair in parts.values()), max(pair[1].number for pair in parts.values())
-        first = np.array([pair[0].table for pair in parts.values()])[:, :, : grid[0], None]
-        second = np.array([pair[1].table for pair in parts.values()])[:, :, None, : grid[1]]
-        over, most = first + second + GAP, np.maximum(first, second)
-        wide, high = np.stack((most[:, 0], over[:, 0]), 1), np.stack((over[:, 1], most[:, 1]), 1)
-        return self._kept(wide.ravel(), high.ravel(), grid, parts)
+        pairs = parts.values()
+        grid = max([pair[0].number for pair in pairs]), max([pair[1].number for pair in pairs])
+        first = np.array([pair[0].table for pair in pairs])[:, :, : grid[0], None]
+        second = np.array([pair[1].table for pair in pairs])[:, :, None, : grid[1]]
+        sides = np.empty((2, len(parts), 2, *grid))  # widths and heights: one above the other, side by side
+        np.maximum(first[:, 0], second[:, 0], out=sides[0, :, 0])
+        np.maximum(first[:, 1], second[:, 1], out=sides[1, :, 1])
+        sides[0, :, 1] = first[:, 0] + second[:, 0] + GAP
+        sides[1, :, 0] = first[:, 1] + second[:, 1] + GAP
+        return self._kept(*sides.reshape(2, -1), grid, parts)
 
     def _kept(
         self, wide: Floats, high: Floats, grid: tuple[int, int], parts: Mapping[int, tuple[Shapes, Shapes]]

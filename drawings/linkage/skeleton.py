@@ -205,7 +205,7 @@ def _near(path: Complexes, places: Complexes) -> Complexes:
         return np.where(np.maximum(np.abs(off.real), np.abs(off.imag)) <= reach, path, np.nan)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Pairs(Joints):
     """The pairs of a mechanism's shown position."""
 

@@ -26,7 +26,7 @@ from plans.words.words import Message
 PARTS = 8  # of a piece, at which it is looked at
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class MeasuredProfile(MeasuredMark):
     """A profile: its pieces m in the cam as it stands at its start; its value is the place where it begins.
 

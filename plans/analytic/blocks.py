@@ -22,7 +22,7 @@ from plans.words.words import message
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Guess:
     """Rough poses of all links, found link by link from the places of points known so far."""
 
