@@ -7,7 +7,7 @@ from typing import NamedTuple, Protocol
 
 from drawings.layout.labels import Labels
 from drawings.page.page import Field, Scale, fitting
-from drawings.paper.strokes import Group, Stroke
+from drawings.paper.strokes import Box, Group, Stroke
 from drawings.paper.walk import tied, tied_spot
 
 
@@ -168,11 +168,17 @@ def traced(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> tup
 
 def _shares(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> list[list[complex]]:
     """Give where lines lie in the box of some points, in shares of it; nothing where the box is flat."""
-    left, low = min(v.real for v in values), min(v.imag for v in values)
-    wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
+    left, low, right, top = _box(values)
+    wide, high = right - left, top - low
     if not wide or not high:
         return []
     return [[tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in line] for line in lines]
+
+
+def _box(values: Sequence[complex]) -> Box:
+    """Give the box of some points."""
+    across, up = [v.real for v in values], [v.imag for v in values]
+    return min(across), min(up), max(across), max(up)
 
 
 def _crossed(lines: Sequence[Sequence[complex]], low: float, high: float) -> Band | None:
@@ -326,8 +332,7 @@ def picture(
     least: float = 0.0,
 ) -> Picture:
     """Measure what a figure of true values needs; `subject` is the letter and the unit of its scale."""
-    left, right = min(v.real for v in values), max(v.real for v in values)
-    bottom, top = min(v.imag for v in values), max(v.imag for v in values)
+    left, bottom, right, top = _box(values)
     middle = complex(left + right, bottom + top) / 2
     drawn = Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)
     return drawn._replace(bands=outline(values))

@@ -139,7 +139,7 @@ class Cuts:
         self, wide: Floats, high: Floats, grid: tuple[int, int], parts: Mapping[int, tuple[Shapes, Shapes]]
     ) -> Shapes:
         """Keep of the sizes of a run those that fit into the room."""
-        fits = np.flatnonzero((wide <= self._wide) & (high <= self._high))
+        (fits,) = ((wide <= self._wide) & (high <= self._high)).nonzero()
         if not fits.size:
             return NONE
         kept = fits[_unbeaten(wide[fits].round(PLACES), high[fits].round(PLACES))]
