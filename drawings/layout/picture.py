@@ -110,8 +110,8 @@ class Notes(NamedTuple):
         widths = [self.least * max(widest / self.least, 1.0) ** (k / (WIDTHS - 1)) for k in range(WIDTHS)]
         found: list[tuple[float, float]] = []
         for width in widths:
-            if not found or self.height(width) < found[-1][1]:
-                found.append((width, self.height(width)))
+            if (height := self.height(width)) < (found[-1][1] if found else math.inf):
+                found.append((width, height))
         return tuple(found)
 
 
@@ -123,7 +123,7 @@ def _rows(words: Sequence[float], width: float) -> int:
     """
     rows, left = 0, -1.0
     for wide in words:
-        rows, left = (rows, left - wide) if tied(left - wide) >= 0 else (rows + 1, width - wide)
+        rows, left = (rows, left - wide) if left >= wide or tied(left - wide) >= 0 else (rows + 1, width - wide)
     return rows
 
 

@@ -113,8 +113,7 @@ class Cuts:
         return self._runs[units]
 
     def _shapes(self, sizes: Sequence[Size]) -> Shapes:
-        wide, high = np.array(sizes, float).reshape(-1, 2).T
-        return self._kept(wide, high, (0, 0), {})
+        return self._kept(np.array(sizes, float).reshape(-1, 2).T, (0, 0), {})
 
     def _join(self, units: tuple[int, ...]) -> Shapes:
         """Join the sizes of both parts of a run, wherever it can be cut, both ways."""
@@ -133,25 +132,23 @@ class Cuts:
         np.maximum(first[:, 1], second[:, 1], out=sides[1, :, 1])
         sides[0, :, 1] = first[:, 0] + second[:, 0] + GAP
         sides[1, :, 0] = first[:, 1] + second[:, 1] + GAP
-        return self._kept(*sides.reshape(2, -1), grid, parts)
+        return self._kept(sides.reshape(2, -1), grid, parts)
 
-    def _kept(
-        self, wide: Floats, high: Floats, grid: tuple[int, int], parts: Mapping[int, tuple[Shapes, Shapes]]
-    ) -> Shapes:
-        """Keep of the sizes of a run those that fit into the room."""
-        (fits,) = ((wide <= self._wide) & (high <= self._high)).nonzero()
+    def _kept(self, sides: Floats, grid: tuple[int, int], parts: Mapping[int, tuple[Shapes, Shapes]]) -> Shapes:
+        """Keep of the sizes of a run, widths and heights, those that fit into the room."""
+        (fits,) = ((sides[0] <= self._wide) & (sides[1] <= self._high)).nonzero()
         if not fits.size:
             return NONE
-        kept = fits[_unbeaten(wide[fits].round(PLACES), high[fits].round(PLACES))]
+        kept = fits[_unbeaten(sides[:, fits].round(PLACES))]
         table = BEYOND.copy()
-        table[0, : len(kept)], table[1, : len(kept)] = wide[kept], high[kept]
+        table[:, : len(kept)] = sides[:, kept]
         return Shapes(len(kept), table, kept, grid, parts)
 
 
-def _unbeaten(wide: Floats, high: Floats) -> Ways:
+def _unbeaten(sides: Floats) -> Ways:
     """Choose the sizes that no other beats both ways; of too many those that lie evenly among them."""
-    order = np.lexsort((high, wide))
-    high = high[order]
+    order = np.lexsort(sides[::-1])
+    high = sides[1, order]
     lower = np.ones(len(high), bool)
     lower[1:] = high[1:] < np.minimum.accumulate(high)[:-1]
     order = order[lower]
