@@ -2,13 +2,15 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import groupby, pairwise
+from itertools import groupby, islice, pairwise
 from typing import NamedTuple, Protocol
+
+import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.page.page import Field, Scale, fitting
 from drawings.paper.strokes import Box, Group, Stroke
-from drawings.paper.walk import tied, tied_spot
+from drawings.paper.walk import PLACES, tied
 
 
 class Place(NamedTuple):
@@ -170,9 +172,12 @@ def _shares(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> li
     """Give where lines lie in the box of some points, in shares of it; nothing where the box is flat."""
     left, low, right, top = _box(values)
     wide, high = right - left, top - low
-    if not wide or not high:
+    if not wide or not high or not lines:
         return []
-    return [[tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in line] for line in lines]
+    points = np.concatenate(lines)
+    across, up = (points.real - left) / wide, (points.imag - low) / high
+    shares = map(complex, (across.round(PLACES) + 0.0).tolist(), (up.round(PLACES) + 0.0).tolist())
+    return [[*islice(shares, len(line))] for line in lines]
 
 
 def _box(values: Sequence[complex]) -> Box:
