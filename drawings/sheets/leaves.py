@@ -54,7 +54,7 @@ def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> 
     strokes, count = list[Stroke](), 0
     for note, lines in zip(paragraphs, broken, strict=True):
         feet = [complex(field.left, field.top - size - (count + k) * step) for k in range(len(lines))]
-        plain = (_before_units(KEEP).sub(" ", line) for line in lines)
+        plain = (_before_units().sub(" ", line) for line in lines)
         rows = [Text(foot, line, size, "start", True) for foot, line in zip(feet, plain, strict=True)]
         strokes += (
             [stating(Statement(Kind.PHRASE, NOTES, shape), *rows)] if SLOT.search(shape := template_of(note)) else rows
@@ -84,15 +84,15 @@ def _reach(words: Sequence[str], size: float, count: int) -> float:
 
 
 @cache
-def _before_units(space: str) -> re.Pattern[str]:
-    """Find a space between a number and its unit, of any language: no line ends there."""
+def _before_units() -> re.Pattern[str]:
+    """Find a space between a number and its unit, of any language, kept or not: no line ends there."""
     units = {str(text) for each in languages() for key, text in phrases(each).items() if key.startswith("unit.")}
-    return re.compile(rf"(?<=\d){space}(?=(?:{'|'.join(map(re.escape, units - {''}))}|%)(?![^\W_]))")
+    return re.compile(rf"(?<=\d)[ {KEEP}](?=(?:{'|'.join(map(re.escape, units - {''}))}|%)(?![^\W_]))")
 
 
 def _marked(note: str) -> str:
     """Lower the kind's number in II2(4,5), and keep numbers with their units; the rest of a note stays as it is."""
-    note, out, k = _before_units(" ").sub(KEEP, note), [], 0
+    note, out, k = _before_units().sub(KEEP, note), [], 0
     while k < len(note):
         if note.startswith("II", k) and k + 2 < len(note) and note[k + 2].isdigit():
             out.append(f"II_{{{note[k + 2]}}}")
