@@ -1,7 +1,5 @@
 """The skeleton of a linkage as it is drawn: bars and slots, masses, poses of its bodies (скелет механизма)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

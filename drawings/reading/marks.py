@@ -1,7 +1,5 @@
 """Marks of a sheet: where each that can be measured is drawn, and what it is in true units (знаки листа)."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol

@@ -3,8 +3,6 @@
 The sheet is a stranger's until shown otherwise: it may have been moved, scaled, regrouped and rewritten by an editor.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 import re

@@ -4,8 +4,6 @@ Block after block of the equations is solved from rough poses turned in all quar
 can be assembled, told apart by the sign of its determinant, the one nearer to the sketch is taken.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple

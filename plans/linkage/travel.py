@@ -1,7 +1,5 @@
 """The output's travel over the turn: its coordinate, where it rests, its extreme positions (перемещение, ход звена)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
