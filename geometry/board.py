@@ -6,8 +6,6 @@ arms are measured on the drawing, moment, couple, balance. A moment is a real nu
 precision, explain, the sheets) know the verbs; no construction knows its readers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import reduce
 from operator import add
@@ -42,7 +40,7 @@ class Step(NamedTuple):
     """One drafting act: the verb, the marks it used, its numbers, the side it chose, and why."""
 
     op: str
-    inputs: tuple[Mark, ...]
+    inputs: "tuple[Mark, ...]"
     size: Vectors
     side: Sizes
     why: object  # a text, or what can be said in a language
@@ -60,7 +58,7 @@ class Mark(NamedTuple):
     name: str
     value: Value
     step: Step
-    rays: tuple[tuple[Mark, Vectors], ...]
+    rays: "tuple[tuple[Mark, Vectors], ...]"
     meeting: Meeting | None
 
     # A mark is itself: two marks that happen to lie on one place stay two.

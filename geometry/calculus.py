@@ -6,8 +6,6 @@ integral curve is the integral over the pole distance, one of a derivative curve
 freed of it. A line so steep that it cannot be told from an ordinate is refused: a pole farther off makes rays flatter.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property

@@ -4,8 +4,6 @@ Every function works with relative vectors: it is given the vector between the t
 vectors from those points to the meeting, so that a figure far from the origin loses nothing.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np

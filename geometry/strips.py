@@ -1,7 +1,5 @@
 """Strips of an abscissa, and diagrams over them: axes, ordinates, what rises too steeply (участки, диаграмма)."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple

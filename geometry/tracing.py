@@ -5,8 +5,6 @@ drawn once and follows its acts at other positions: each number that the acts ne
 formulas, and the marks themselves are made when somebody looks at them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from functools import partial, reduce
@@ -61,7 +59,7 @@ class Tracing:
             if trace.meeting is not None:
                 self._meetings.append(trace.meeting)
 
-    def over(self, marks: Iterable[Mark], free: Iterable[Mark]) -> Tracing:
+    def over(self, marks: Iterable[Mark], free: Iterable[Mark]) -> "Tracing":
         """Trace what was drawn over this record afterwards; `free` are its given marks that change each time."""
         other = copy(self)
         other.acts, other._traces, other._meetings = self.acts.over(), self._traces.copy(), []

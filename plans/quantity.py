@@ -1,7 +1,5 @@
 """The one list of quantities: each by both roads, their comparison, the gaps that one road alone names (величины)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -142,7 +140,7 @@ class Comparison:
     construction: Any
     analysis: Any
     findings: tuple[Quantity, ...]
-    motion: Comparison | None = field(default=None, kw_only=True)  # that it rests on
+    motion: "Comparison | None" = field(default=None, kw_only=True)  # that it rests on
 
     def of(self, plan: str) -> tuple[Quantity, ...]:
         """Give the findings of one plan."""

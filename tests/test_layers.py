@@ -67,6 +67,7 @@ SHARED = (
     "plans.model.mechanism",
     "plans.model.motion",
     "plans.model.machine",
+    "plans.model.working_stroke",
     "plans.model.kinetostatics",
     "plans.model.run",
     "plans.model.dynamics",

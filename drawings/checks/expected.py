@@ -1,7 +1,5 @@
 """What must stand on a sheet by the analysis, row by row, and how what is otherwise is named (ожидаемое)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator
 from typing import NamedTuple, TypeAlias

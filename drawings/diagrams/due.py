@@ -1,7 +1,5 @@
 """What the kinematic diagrams and the table of the output must show, by the analysis alone (диаграммы S, v, a)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial

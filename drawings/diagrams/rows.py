@@ -1,7 +1,5 @@
 """Kinematic diagrams of the output: a row a graph, over the crank angle (кинематические диаграммы)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ what had these names waits under others until then. A run that is killed in betw
 its temporary name, and the next run finishes what it finds there.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
@@ -310,8 +308,8 @@ def _put_back(kept: Mapping[Path, Path | None]) -> bool:
 
 
 def placed_sheets(
-    folder: Path, stem: str, leaves: Mapping[str, Sequence[Leaf]]
-) -> Iterator[tuple[Path, tuple[str, Leaf]]]:
+    folder: Path, stem: str, leaves: "Mapping[str, Sequence[Leaf]]"
+) -> "Iterator[tuple[Path, tuple[str, Leaf]]]":
     """Give every leaf its file, with its kind."""
     for kind, group in leaves.items():
         yield from ((sheet_path(folder, stem, kind, k), (kind, leaf)) for k, leaf in enumerate(group))

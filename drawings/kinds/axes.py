@@ -1,7 +1,5 @@
 """Axes of graphs: a part of the turn with its numbers, the pole, arrows and ticks (оси графиков)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
@@ -98,7 +96,7 @@ class Pole(NamedTuple):
     off: complex  # mm from the axis to the dimension of the distance
     side: float = OVER  # of that dimension on which its letter stands
 
-    def part(self, name: str, axes: Axes, hand: Hand) -> Part:
+    def part(self, name: str, axes: "Axes", hand: Hand) -> Part:
         """Draw the pole, and rays to values that lie apart, each value carried to where it belongs."""
         at, (letter, text) = axes.zero - self.distance, self.letters
         size = Dimension(text, at, axes.zero, self.off)
@@ -107,11 +105,11 @@ class Pole(NamedTuple):
         letters = (Letter(at, letter, hand.letter, LEFT), Letter(size.middle, text, hand.letter, self.side))
         return Part(name, (base, *rays, *size.draw(hand), pole(at)), letters)
 
-    def _drawn(self, axes: Axes) -> tuple[int, ...]:
+    def _drawn(self, axes: "Axes") -> tuple[int, ...]:
         """Choose the values whose rays are drawn: those whose ends lie apart."""
         return spaced((self.values / axes.up.mu).tolist(), self.apart)
 
-    def _ray(self, k: int, at: complex, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    def _ray(self, k: int, at: complex, axes: "Axes", hand: Hand) -> Iterator[Stroke]:
         """Draw the ray of a value, and what it cuts off carried from the axis to where it belongs."""
         value = float(self.values[k])
         cut = axes.on(0.0, value)

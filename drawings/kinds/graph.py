@@ -1,7 +1,5 @@
 """A graph: its room, its axes in their spot, ticks, ordinates, curves, numbers; techniques give the values (график)."""
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple

@@ -3,8 +3,6 @@
 An outline is measured in the link's own frame, in metres, so that one outline serves every position.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 import re
@@ -42,7 +40,7 @@ class Bones(Protocol):
         """The links that are drawn."""
 
     @property
-    def numbered(self) -> Poses:
+    def numbered(self) -> "Poses":
         """The poses."""
 
     @property

@@ -33,7 +33,7 @@ STANDS = {-1j: 0.0, 1 + 0j: 0.6, -1 + 0j: 0.6, 1j: 0.8}  # where a stand may go,
 BESIDE = math.cos(math.radians(50))  # a bar within 50 degrees of a stand's axis runs through its legs
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Joints:
     """The links of one pose on paper with their pairs, each with its symbol's outline."""
 

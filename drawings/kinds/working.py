@@ -1,7 +1,5 @@
 """A working: how a value follows from what is measured, beside its figure; of segments by their scale (вычисления)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple

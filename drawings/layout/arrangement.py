@@ -3,8 +3,6 @@
 Cells share their spare paper evenly, which leaves a strip all along narrow figures that stand one above another.
 """
 
-from __future__ import annotations
-
 import heapq
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -123,7 +121,7 @@ def _size(stock: Stock, piece: Piece, rungs: Mapping[str, Rung], ends: Mapping[i
     return ends[piece.unit] if piece.unit in ends else stock.sizes(piece.unit, rungs)[piece.choice]
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Growth:
     """The sheets of a set while their figures grow."""
 

@@ -5,8 +5,6 @@ can be read and the foremost figure has its share of one are taken, on them all 
 of what fits so the composition is chosen whose figures are large and that leaves the least paper bare.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass

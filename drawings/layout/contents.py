@@ -4,8 +4,6 @@ A sheet says what it shows, what is weighty, what belongs together and what want
 not know.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -90,4 +88,4 @@ class Composition(NamedTuple):
     blocks: Mapping[str, Field]
     tables: tuple[TableSpot, ...] = ()
     notes: Field | None = None
-    others: Callable[[], Iterable[Composition]] = tuple
+    others: "Callable[[], Iterable[Composition]]" = tuple

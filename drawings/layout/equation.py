@@ -1,7 +1,5 @@
 """Equations of forces and moments in lettering: bars over vectors, one or two lines under terms (уравнения)."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias

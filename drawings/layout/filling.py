@@ -3,8 +3,6 @@
 What is bare of the lines of all figures takes a column of them; or a cell is cut off for one before anything is drawn.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -36,20 +36,25 @@ class Ink:
     def __init__(self, width: float = 0.0, height: float = 0.0) -> None:
         self._cells, self._uncelled = _Cells(width, height), list[Stroke]()
         self._pieces, self._unpieced = _Pieces(), list[tuple[Stroke, float]]()
+        self._bare = dict[Field, Field]()  # what was found since the last stroke
 
     def bar(self, field: Box) -> None:
         """Keep labels inside a field: what lies outside counts as lettered over."""
         self._cells.bar(field)
+        self._bare.clear()
 
     def draw(self, strokes: Iterable[Stroke], weight: float = 1.0) -> None:
         """Ink strokes in; each of their lines that another crosses costs it a weight."""
-        for stroke in flat(strokes):
-            self._uncelled.append(stroke)
-            self._unpieced.append((stroke, weight))
+        inked = [*flat(strokes)]
+        self._uncelled += inked
+        self._unpieced += [(stroke, weight) for stroke in inked]
+        self._bare.clear()
 
     def bare(self, field: Field) -> Field:
         """Give the largest rectangle of a field in which nothing is drawn, to a few mm."""
-        return self._celled().bare(field)
+        if field not in self._bare:
+            self._bare[field] = self._celled().bare(field)
+        return self._bare[field]
 
     def under(self, box: Box) -> int:
         """Count what a box would cover, by cells."""
@@ -102,8 +107,7 @@ class _Cells:
         return Field(ends[0].real, ends[0].imag, ends[1].real, ends[1].imag)
 
     def under(self, box: Box) -> int:
-        rows, columns = self._covered(box)
-        return int(self._map[rows, columns].sum())
+        return int(np.add.reduce(self._map[self._covered(box)], axis=None))
 
     def along(self, start: complex, end: complex) -> int:
         rows, columns = self._sampled([[start, end]])
@@ -128,7 +132,7 @@ class _Cells:
                 yield sampled(stroke.pieces, SAG)
 
     def _covered(self, box: Box) -> tuple[slice, slice]:
-        left, bottom, right, top = (max(int(side / CELL + MARGIN), 0) for side in box)
+        left, bottom, right, top = [int(side / CELL + MARGIN) if side > 0.0 else 0 for side in box]
         return slice(bottom, top + 1), slice(left, right + 1)
 
     def _sampled(self, chains: list[Chain]) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:

@@ -1,16 +1,16 @@
 """Pictures before and on paper: what a figure shows in true units, its place, its letters (место фигуры)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import groupby, pairwise
+from itertools import groupby, islice, pairwise
 from typing import NamedTuple, Protocol
+
+import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.page.page import Field, Scale, fitting
-from drawings.paper.strokes import Group, Stroke
-from drawings.paper.walk import tied, tied_spot
+from drawings.paper.strokes import Box, Group, Stroke
+from drawings.paper.walk import PLACES, tied
 
 
 class Place(NamedTuple):
@@ -109,8 +109,8 @@ class Notes(NamedTuple):
         widths = [self.least * max(widest / self.least, 1.0) ** (k / (WIDTHS - 1)) for k in range(WIDTHS)]
         found: list[tuple[float, float]] = []
         for width in widths:
-            if not found or self.height(width) < found[-1][1]:
-                found.append((width, self.height(width)))
+            if (height := self.height(width)) < (found[-1][1] if found else math.inf):
+                found.append((width, height))
         return tuple(found)
 
 
@@ -155,11 +155,20 @@ def traced(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> tup
 
 def _shares(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> list[list[complex]]:
     """Give where lines lie in the box of some points, in shares of it; nothing where the box is flat."""
-    left, low = min(v.real for v in values), min(v.imag for v in values)
-    wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
-    if not wide or not high:
+    left, low, right, top = _box(values)
+    wide, high = right - left, top - low
+    if not wide or not high or not lines:
         return []
-    return [[tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in line] for line in lines]
+    points = np.concatenate(lines)
+    across, up = (points.real - left) / wide, (points.imag - low) / high
+    shares = map(complex, (across.round(PLACES) + 0.0).tolist(), (up.round(PLACES) + 0.0).tolist())
+    return [[*islice(shares, len(line))] for line in lines]
+
+
+def _box(values: Sequence[complex]) -> Box:
+    """Give the box of some points."""
+    across, up = [v.real for v in values], [v.imag for v in values]
+    return min(across), min(up), max(across), max(up)
 
 
 def _crossed(lines: Sequence[Sequence[complex]], low: float, high: float) -> Band | None:
@@ -248,7 +257,7 @@ class Picture(NamedTuple):
         """Give the larger side of the drawn lines, mm."""
         return max(self.wide, self.high) / scale.mu
 
-    def rungs(self, width: float, height: float, standard: str = "GOST") -> tuple[Rung, ...]:
+    def rungs(self, width: float, height: float, standard: str = "GOST") -> "tuple[Rung, ...]":
         """List the standard scales at which the picture and its margins fit a room, the largest picture first."""
         across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
         if across <= 0 or up <= 0 or self.heading > width:
@@ -264,18 +273,18 @@ class Picture(NamedTuple):
             room = extent / scale.mu * SMALLER
         return tuple(rungs)
 
-    def at(self, mu: float) -> Picture:
+    def at(self, mu: float) -> "Picture":
         """Give the picture to be drawn at a scale that is asked for, however small its lines are."""
         return self._replace(exact=mu, least=0.0, most=math.inf)
 
-    def _only(self, width: float, height: float) -> Iterator[Rung]:
+    def _only(self, width: float, height: float) -> "Iterator[Rung]":
         """Give the scale that is asked for, if the picture fits a room so."""
         scale = Scale(self.exact, self.letter, self.unit)
         wide, high = self.size(scale)
         if wide * SMALLER <= width and high * SMALLER <= height:
             yield Rung(scale, wide, high, self.extent(scale))
 
-    def filling(self, spot: Spot) -> Picture:
+    def filling(self, spot: "Spot") -> "Picture":
         """Give a picture that may be taller as high as its box: its bottom stays."""
         if self.taller == 1.0:
             return self
@@ -313,8 +322,7 @@ def picture(
     least: float = 0.0,
 ) -> Picture:
     """Measure what a figure of true values needs; `subject` is the letter and the unit of its scale."""
-    left, right = min(v.real for v in values), max(v.real for v in values)
-    bottom, top = min(v.imag for v in values), max(v.imag for v in values)
+    left, bottom, right, top = _box(values)
     middle = complex(left + right, bottom + top) / 2
     drawn = Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)
     return drawn._replace(bands=outline(values))

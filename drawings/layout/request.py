@@ -1,7 +1,5 @@
 """What the composer is asked for, made to fit the paper: units in their orders, scales that can be read (задание)."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 

@@ -113,8 +113,7 @@ class Cuts:
         return self._runs[units]
 
     def _shapes(self, sizes: Sequence[Size]) -> Shapes:
-        wide, high = np.array(sizes, float).reshape(-1, 2).T
-        return self._kept(wide, high, (0, 0), {})
+        return self._kept(np.array(sizes, float).reshape(-1, 2).T, (0, 0), {})
 
     def _join(self, units: tuple[int, ...]) -> Shapes:
         """Join the sizes of both parts of a run, wherever it can be cut, both ways."""
@@ -124,30 +123,32 @@ class Cuts:
         parts = {at: pair for at, pair in cuts.items() if pair[0].number and pair[1].number}
         if not parts:
             return NONE
-        grid = max(pair[0].number for pair in parts.values()), max(pair[1].number for pair in parts.values())
-        first = np.array([pair[0].table for pair in parts.values()])[:, :, : grid[0], None]
-        second = np.array([pair[1].table for pair in parts.values()])[:, :, None, : grid[1]]
-        over, most = first + second + GAP, np.maximum(first, second)
-        wide, high = np.stack((most[:, 0], over[:, 0]), 1), np.stack((over[:, 1], most[:, 1]), 1)
-        return self._kept(wide.ravel(), high.ravel(), grid, parts)
+        pairs = parts.values()
+        grid = max([pair[0].number for pair in pairs]), max([pair[1].number for pair in pairs])
+        first = np.array([pair[0].table for pair in pairs])[:, :, : grid[0], None]
+        second = np.array([pair[1].table for pair in pairs])[:, :, None, : grid[1]]
+        sides = np.empty((2, len(parts), 2, *grid))  # widths and heights: one above the other, side by side
+        np.maximum(first[:, 0], second[:, 0], out=sides[0, :, 0])
+        np.maximum(first[:, 1], second[:, 1], out=sides[1, :, 1])
+        sides[0, :, 1] = first[:, 0] + second[:, 0] + GAP
+        sides[1, :, 0] = first[:, 1] + second[:, 1] + GAP
+        return self._kept(sides.reshape(2, -1), grid, parts)
 
-    def _kept(
-        self, wide: Floats, high: Floats, grid: tuple[int, int], parts: Mapping[int, tuple[Shapes, Shapes]]
-    ) -> Shapes:
-        """Keep of the sizes of a run those that fit into the room."""
-        fits = np.flatnonzero((wide <= self._wide) & (high <= self._high))
+    def _kept(self, sides: Floats, grid: tuple[int, int], parts: Mapping[int, tuple[Shapes, Shapes]]) -> Shapes:
+        """Keep of the sizes of a run, widths and heights, those that fit into the room."""
+        (fits,) = ((sides[0] <= self._wide) & (sides[1] <= self._high)).nonzero()
         if not fits.size:
             return NONE
-        kept = fits[_unbeaten(wide[fits].round(PLACES), high[fits].round(PLACES))]
+        kept = fits[_unbeaten(sides[:, fits].round(PLACES))]
         table = BEYOND.copy()
-        table[0, : len(kept)], table[1, : len(kept)] = wide[kept], high[kept]
+        table[:, : len(kept)] = sides[:, kept]
         return Shapes(len(kept), table, kept, grid, parts)
 
 
-def _unbeaten(wide: Floats, high: Floats) -> Ways:
+def _unbeaten(sides: Floats) -> Ways:
     """Choose the sizes that no other beats both ways; of too many those that lie evenly among them."""
-    order = np.lexsort((high, wide))
-    high = high[order]
+    order = np.lexsort(sides[::-1])
+    high = sides[1, order]
     lower = np.ones(len(high), bool)
     lower[1:] = high[1:] < np.minimum.accumulate(high)[:-1]
     order = order[lower]

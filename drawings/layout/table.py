@@ -1,7 +1,5 @@
 """A table on paper: a column of names, bands of cells beside it, set in bands and parts as room allows (таблица)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeAlias
@@ -90,18 +88,18 @@ class RuledTable(NamedTuple):
         """Give the width of some bands beside the names, mm."""
         return self.names + len(self.heads) * self.cell * min(across, self.bands)
 
-    def part(self, rows: slice) -> RuledTable:
+    def part(self, rows: slice) -> "RuledTable":
         """Give the table of some of its rows."""
         return self._replace(lines=self.lines[rows], start=self.start + (rows.start or 0))
 
-    def of(self, chosen: slice) -> RuledTable:
+    def of(self, chosen: slice) -> "RuledTable":
         """Give the table of some of its bands."""
         count = len(self.heads)
         cells = slice(count * chosen.start, count * chosen.stop)
         lines = tuple(TableRow(line.name, line.cells[cells]) for line in self.lines)
         return self._replace(lines=lines, positions=self.positions[chosen])
 
-    def filled(self, write: Callable[[Later], str]) -> RuledTable:
+    def filled(self, write: Callable[[Later], str]) -> "RuledTable":
         """Give the table with all its cells written; it keeps its size."""
         lines = (TableRow(name, tuple(_written(cell, write) for cell in cells)) for name, cells in self.lines)
         return self._replace(lines=tuple(lines))
@@ -112,7 +110,7 @@ class RuledTable(NamedTuple):
         width, rows = self.width(setting.across), math.ceil(len(self.lines) / setting.parts) + self.over
         return setting.parts * width + (setting.parts - 1) * APART, bands * rows * self.row + (bands - 1) * APART
 
-    def widened(self, setting: Setting, width: float) -> RuledTable:
+    def widened(self, setting: Setting, width: float) -> "RuledTable":
         """Give the table set as wide as a box, mm: its columns alike."""
         more = (width - (setting.parts - 1) * APART) / (setting.parts * self.width(setting.across))
         return self._replace(names=self.names * more, cell=self.cell * more)

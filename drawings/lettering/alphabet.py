@@ -3,8 +3,6 @@
 The unit is d, a tenth of the height of capitals and the width of the pen: small letters are 7d high, tails hang 3d low.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import unicodedata

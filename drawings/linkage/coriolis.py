@@ -1,7 +1,5 @@
 """The direction of a Coriolis acceleration as a small figure: the slip turned with the guide (правило Жуковского)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,5 @@
 """Numbers of positions on the crank circle, along the output's path and every other slider's (нумерация положений)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence

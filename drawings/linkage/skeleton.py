@@ -1,7 +1,5 @@
 """The skeleton of a linkage as it is drawn: bars and slots, masses, poses of its bodies (скелет механизма)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -199,7 +197,7 @@ def _near(path: Complexes, places: Complexes) -> Complexes:
         return np.where(np.maximum(np.abs(off.real), np.abs(off.imag)) <= reach, path, np.nan)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Pairs(Joints):
     """The pairs of a mechanism's shown position."""
 

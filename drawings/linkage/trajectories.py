@@ -1,7 +1,5 @@
 """Trajectories: the paths of points that go neither on the crank's circle nor along a guide (траектории)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator

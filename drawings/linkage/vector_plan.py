@@ -1,7 +1,5 @@
 """Velocity and acceleration plans as figures, each to a scale of its own; a plan that is not there (планы)."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import combinations

@@ -1,7 +1,5 @@
 """The frame of a sheet with its zones, and a graph of its title block (рамка, зоны, графы основной надписи)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from bisect import bisect

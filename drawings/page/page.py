@@ -1,7 +1,5 @@
 """The page and how it is drawn: format, frame, title block; hand, language, standard; scales (лист, масштабы)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,7 +20,7 @@ BLOCK, EXTRA = "title-block", "extra-graphs"  # the names of their groups
 __all__ = ["Field", "Page", "page_of"]  # figures take their fields from the page
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Page:
     """A format laid by a standard; an orientation that the standard does not have is refused."""
 

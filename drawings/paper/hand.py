@@ -3,8 +3,6 @@
 By GOST 2.301-68 and 2.303-68, and by ISO 5457:1999 and ISO 128-2.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from drawings.paper.strokes import LineStyle, SheetError
@@ -51,7 +49,7 @@ class Field(NamedTuple):
         """Tell whether a place lies in it."""
         return self.left <= spot.real <= self.right and self.bottom <= spot.imag <= self.top
 
-    def inset(self, by: float) -> Field:
+    def inset(self, by: float) -> "Field":
         """Give the rectangle without a border."""
         return Field(self.left + by, self.bottom + by, self.right - by, self.top - by)
 

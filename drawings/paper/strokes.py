@@ -3,8 +3,6 @@
 A point is a complex number. Strokes know nothing of SVG: a pen turns them into a format, and turns y there, once.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 import re
@@ -184,7 +182,7 @@ class Group(NamedTuple):
     What a group `states` is no part of a file: one that does nothing but state is written as its strokes alone.
     """
 
-    strokes: tuple[Stroke, ...]
+    strokes: "tuple[Stroke, ...]"
     name: str = ""
     data: Mapping[str, str] = NO_DATA
     title: str = ""

@@ -5,8 +5,6 @@ drawn alike cannot be told apart: A is Latin, Cyrillic and Greek at once. What a
 that look alike, and nothing else.
 """
 
-from __future__ import annotations
-
 import cmath
 import json
 import math

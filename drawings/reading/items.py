@@ -1,7 +1,5 @@
 """Items: every line, area and lettering of a sheet, where it lies, and the figures that they are of (вхождения)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping

@@ -1,7 +1,5 @@
 """Lettered paths: the data of a path as letters, each piece of it looked up once (надписи линиями)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 import re
@@ -49,7 +47,7 @@ class PenTrack(NamedTuple):
         """All its points, handles and middles too."""
         return (self.start, *(point for piece in self.pieces for point in piece))
 
-    def mapped(self, place: Affine) -> PenTrack:
+    def mapped(self, place: Affine) -> "PenTrack":
         """Give it on paper: an affine map takes each point where it belongs, but of arcs when it stretches."""
         pieces = tuple(tuple(place(point) for point in piece) for piece in self.pieces)
         return PenTrack(place(self.start), pieces, self.closed)  # type: ignore[arg-type]

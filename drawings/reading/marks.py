@@ -1,7 +1,5 @@
 """Marks of a sheet: where each that can be measured is drawn, and what it is in true units (знаки листа)."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
@@ -128,7 +126,7 @@ class MarkKey(NamedTuple):
     position: int | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class MeasuredMark:
     """A mark of a sheet: what it is called, its value by measurement and as stated, in true units."""
 
@@ -147,7 +145,7 @@ class MeasuredMark:
         return MarkKey(self.plan, self.quantity, self.name, self.position)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class MeasuredVector(MeasuredMark):
     """A vector: its ends on the sheet (mm, y up)."""
 
@@ -160,7 +158,7 @@ class MeasuredVector(MeasuredMark):
         return abs(self.start) + abs(self.end)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class MeasuredPoint(MeasuredMark):
     """A point: its place on the sheet (mm, y up); its value is measured from the pole."""
 

@@ -3,8 +3,6 @@
 The sheet is a stranger's until shown otherwise: it may have been moved, scaled, regrouped and rewritten by an editor.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 import re
@@ -26,7 +24,7 @@ from plans.words.words import Message
 PARTS = 8  # of a piece, at which it is looked at
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class MeasuredProfile(MeasuredMark):
     """A profile: its pieces m in the cam as it stands at its start; its value is the place where it begins.
 

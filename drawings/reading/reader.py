@@ -43,7 +43,7 @@ _GZIP = b"\x1f\x8b"
 _SAID = 40  # letters of a name that are told
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class ReadSheet:
     """What was read."""
 

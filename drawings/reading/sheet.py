@@ -1,7 +1,5 @@
 """A sheet that was seen: all that is drawn on it and can be seen, and what cannot (увиденный лист)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence

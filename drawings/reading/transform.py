@@ -1,7 +1,5 @@
 """Plane maps w = p*z + q*conj(z) + t: a similarity has q = 0, a mirrored one p = 0, and a stretch has both."""
 
-from __future__ import annotations
-
 import cmath
 import math
 import re
@@ -29,7 +27,7 @@ class Affine(NamedTuple):
         """Map a point."""
         return self.p * z + self.q * z.conjugate() + self.t
 
-    def after(self, first: Affine) -> Affine:
+    def after(self, first: "Affine") -> "Affine":
         """Give the map that makes `first`, then this one."""
         p, q, t = first
         return Affine(self.p * p + self.q * q.conjugate(), self.p * q + self.q * p.conjugate(), self(t))

@@ -1,7 +1,5 @@
 """What of a sheet can be seen on white paper, and in what line it is drawn: a hidden vector is not (видимость)."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Mapping

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from html import escape
 from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.lettering.words import Phrase, template_of
@@ -273,4 +272,5 @@ def literal(text: str) -> str:
     >>> print(literal(r"<b> $x$ \input{a}"))
     &lt;b&gt; \$x\$ \\input{a}
     """
-    return escape(_MARKS.sub(r"\\\g<0>", " ".join(text.split())), quote=False)
+    marked = _MARKS.sub(r"\\\g<0>", " ".join(text.split()))
+    return marked.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

@@ -1,7 +1,5 @@
 """The leaves of a sheet (листы): what every sheet does alike, from its contents to lines, letters and title block."""
 
-from __future__ import annotations
-
 import math
 import re
 from bisect import bisect_right
@@ -53,7 +51,7 @@ def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> 
     strokes, count = list[Stroke](), 0
     for note, lines in zip(paragraphs, broken, strict=True):
         feet = [complex(field.left, field.top - size - (count + k) * step) for k in range(len(lines))]
-        plain = (_before_units(KEEP).sub(" ", line) for line in lines)
+        plain = (_before_units().sub(" ", line) for line in lines)
         rows = [Text(foot, line, size, "start", True) for foot, line in zip(feet, plain, strict=True)]
         strokes += (
             [stating(Statement(Kind.PHRASE, NOTES, shape), *rows)] if SLOT.search(shape := template_of(note)) else rows
@@ -78,15 +76,15 @@ def _reach(words: Sequence[str], size: float, count: int) -> float:
 
 
 @cache
-def _before_units(space: str) -> re.Pattern[str]:
-    """Find a space between a number and its unit, of any language: no line ends there."""
+def _before_units() -> re.Pattern[str]:
+    """Find a space between a number and its unit, of any language, kept or not: no line ends there."""
     units = {str(text) for each in languages() for key, text in phrases(each).items() if key.startswith("unit.")}
-    return re.compile(rf"(?<=\d){space}(?=(?:{'|'.join(map(re.escape, units - {''}))}|%)(?![^\W_]))")
+    return re.compile(rf"(?<=\d)[ {KEEP}](?=(?:{'|'.join(map(re.escape, units - {''}))}|%)(?![^\W_]))")
 
 
 def _marked(note: str) -> str:
     """Lower the kind's number in II2(4,5), and keep numbers with their units; the rest of a note stays as it is."""
-    note, out, k = _before_units(" ").sub(KEEP, note), [], 0
+    note, out, k = _before_units().sub(KEEP, note), [], 0
     while k < len(note):
         if note.startswith("II", k) and k + 2 < len(note) and note[k + 2].isdigit():
             out.append(f"II_{{{note[k + 2]}}}")
@@ -121,7 +119,7 @@ def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     return _Leaves(scene, draft).settled.composed
 
 
-def _chosen(scene: Scene, draft: Draft, followed: bool) -> _Leaves:
+def _chosen(scene: Scene, draft: Draft, followed: bool) -> "_Leaves":
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:
         return _Leaves(scene, draft, followed).settled
@@ -211,7 +209,7 @@ class _Leaves:
         return (*self.draft.notes, *said)
 
     @property
-    def settled(self) -> _Leaves:
+    def settled(self) -> "_Leaves":
         """Compose anew until there is room for the remarks: with them the figures may stand otherwise."""
         current, known = self, {self.reserved: self}  # two compositions may each bring about the remarks of the other
         for _ in range(ROUNDS if self.draft.remarks is not None else 0):
@@ -222,7 +220,7 @@ class _Leaves:
             current = other
         return current
 
-    def better(self, other: _Leaves) -> bool:
+    def better(self, other: "_Leaves") -> bool:
         """Tell whether room for remarks is worth it: no further sheet, where they can be read without that room."""
         notes, boxes = self.contents.notes, (composition.notes for composition in other.composed)
         tight = any(notes and box and box.height < TIGHT * notes.height(box.width) for box in boxes)

@@ -1,7 +1,5 @@
 """Scales that the scene states (заданные масштабы): which figures they govern, and whether these fit at them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
@@ -95,7 +93,7 @@ class Draft(NamedTuple):
     facts: Callable[[Collection[str]], Mapping[str, Any]]
     scaled: str = ""
     narrow: float = 0.0
-    instead: tuple[Draft, ...] = ()
+    instead: "tuple[Draft, ...]" = ()
     later: Callable[[Mapping[str, float]], Mapping[tuple[str, int], float]] | None = None
     remarks: Callable[[Mapping[str, Spot]], tuple[str, ...]] | None = None
 

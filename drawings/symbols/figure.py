@@ -1,7 +1,5 @@
 """A figure: a plan placed on paper, its strokes measurable, and dimensions on it (фигура листа, размеры)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Mapping

@@ -4,8 +4,6 @@ Block after block of the equations is solved from rough poses turned in all quar
 can be assembled, told apart by the sign of its determinant, the one nearer to the sketch is taken.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple
@@ -205,7 +203,7 @@ def _at_coarse(block: Block, found: Floats, done: Indices, poses: Floats, phi: F
     """Solve a block at coarse angles from rough poses; a dyad, which has but two assemblies, goes on from both."""
     rough = done[::ROUGH] if len(block.links) == DYAD else done
     found[:, rough] = _from_rough(block, poses[rough], phi[rough])
-    others = np.setdiff1d(done, rough)
+    others = np.setdiff1d(done, rough, assume_unique=True)
     if others.size:
         _from_next(block, found, others, rough, poses, phi)
         lacking = others[np.isnan(found[:, others, 0, 0]).any(axis=0)]

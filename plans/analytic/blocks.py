@@ -5,8 +5,6 @@ link rests on those whose poses its equations use; links that rest on each other
 Mendelsohn, Coverings of bipartite graphs, 1958; the blocks are strong components after R. Tarjan, 1972).
 """
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -22,7 +20,7 @@ from plans.words.words import message
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Guess:
     """Rough poses of all links, found link by link from the places of points known so far."""
 

@@ -3,8 +3,6 @@
 The coordinate is the angle of a crank, rad, or the way of a slide in units of the drive's `unit`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 

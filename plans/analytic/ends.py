@@ -5,8 +5,6 @@ mechanism, and the path itself goes on smoothly. At a change point two paths cro
 that only translate run to infinity.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Extreme positions of the output link by analysis: the zeros of its speed over the turn (крайние положения)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -14,9 +12,9 @@ from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.ends import Station
 from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.turn import FULL, Blocks, Marched, station, stations_at, whole_turn
-from plans.model.machine import by_time, works
 from plans.model.mechanism import FASTER, FRAME, Mechanism, Output, Slide
 from plans.model.motion import Complexes, Extremes, Floats
+from plans.model.working_stroke import by_time, works
 
 
 class OutputCoordinate(NamedTuple):

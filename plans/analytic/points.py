@@ -1,7 +1,5 @@
 """Points given by their places in a link's own frame: where they are, and how they move (точки звеньев)."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from collections.abc import Set as AbstractSet
 from itertools import combinations
@@ -41,7 +39,7 @@ class Constraints(NamedTuple):
     sought: Indices  # places of the links whose poses the equations are to give
 
     @classmethod
-    def of(cls, mechanism: Mechanism) -> Constraints:
+    def of(cls, mechanism: Mechanism) -> "Constraints":
         """Write down the equations of a mechanism of mobility 1."""
         if mechanism.mobility != 1:
             raise StructureError(message("structure.mobility"), found=mechanism.mobility)
@@ -72,7 +70,7 @@ class Constraints(NamedTuple):
             sought=np.arange(1, len(numbers)),
         )
 
-    def part(self, sought: Sequence[int], joints: Sequence[int], driven: bool) -> Constraints:
+    def part(self, sought: Sequence[int], joints: Sequence[int], driven: bool) -> "Constraints":
         """Give the equations of some joints alone, perhaps of the drive, for some links; the others are given."""
         chosen = np.array(sorted(joints), dtype=np.intp)
         count, links = int((chosen < self.hinges).sum()), self.links[:, chosen]

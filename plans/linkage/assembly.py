@@ -1,7 +1,5 @@
 """Assembly: the side of every group's meeting, chosen by the sketch, and its margin to a dead centre (сборка)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Vector sums are read off a motion, whichever road found it: of a tip that turns 
 a_B = a_A + a^n_BA + a^t_BA, of a point that slides on a link a_B = a_B7 + a^k + a^r (M3.1, M3.7).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 

@@ -4,8 +4,6 @@ The construction's are vectors between two marks of its plans; the analysis give
 and epsilon of the link and the places of its points (M3.1) (составляющие).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -129,7 +127,7 @@ class VectorPart(NamedTuple):
     analysis: Complexes
 
 
-def quantities_of(study: Study) -> tuple[Quantity, ...]:
+def quantities_of(study: "Study") -> tuple[Quantity, ...]:
     """Give what is compared of a scene's motion, and the parts of its velocities and accelerations."""
     linkage = study.of(LinkageStudy)
     compared = study.of(MotionComparison)

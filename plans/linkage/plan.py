@@ -3,8 +3,6 @@
 In true units: dyads.py and slotted_dyads.py lay it out; its scale is taken on paper (drawings/page/page.py).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from copy import copy
 from types import MappingProxyType
@@ -158,7 +156,7 @@ class Image(NamedTuple):
 class Plan:
     """A plan of positions, velocities or accelerations; `below` are the plans that it rests on."""
 
-    def __init__(self, subject: str, mechanism: Mechanism, below: tuple[Plan, ...] = ()) -> None:
+    def __init__(self, subject: str, mechanism: Mechanism, below: "tuple[Plan, ...]" = ()) -> None:
         self.board = Board(subject)
         self.mechanism = mechanism
         self.below = below
@@ -173,12 +171,12 @@ class Plan:
         self.pole = self.board.given(POLES[subject], 0j, _POLE_WHY[subject])
 
     @property
-    def positions(self) -> Plan:
+    def positions(self) -> "Plan":
         """The plan of positions that this one rests on, or is."""
         return self.below[0] if self.below else self
 
     @property
-    def velocities(self) -> Plan:
+    def velocities(self) -> "Plan":
         """The velocity plan that an acceleration plan rests on."""
         return self.below[1]
 
@@ -188,14 +186,14 @@ class Plan:
         assert arm is not None  # a vector's image is missing only where a link does not turn
         return arm
 
-    def trial(self) -> Plan:
+    def trial(self) -> "Plan":
         """Give a copy to try an assembly on; the board is shared, what is known of links and points is not."""
         other = copy(self)
         other.images, other.letters, other.placed = dict(self.images), dict(self.letters), dict(self.placed)
         other.units, other.readings = dict(self.units), dict(self.readings)
         return other
 
-    def redraw(self, board: Board, made: Mapping[Mark, Mark], below: tuple[Plan, ...]) -> Plan:
+    def redraw(self, board: Board, made: Mapping[Mark, Mark], below: "tuple[Plan, ...]") -> "Plan":
         """Give this plan as it is on another board, whose marks are named by those of this one."""
 
         def images(known: Mapping[Key, Mark]) -> dict[Key, Mark]:

@@ -5,8 +5,6 @@ derived: the construction's own error carried from step to step (geometry.precis
 linear systems magnify a rounding by the condition of the Jacobian once for every order of derivative.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -109,7 +107,7 @@ def road_of(study: LinkageStudy) -> Analysis:
     return Analysis(study.mechanism, first=study.first, looks=study.looks.phi, pace=study.pace)
 
 
-def comparison_of(study: Study) -> MotionComparison:
+def comparison_of(study: "Study") -> MotionComparison:
     """Compare what a scene asks for of its motion."""
     found = compare(study.of(LinkageStudy), max(numbers_of(study.plans), default=0))
     return compare_extremes(study.of(LinkageStudy), found) if "extremes" in study.plans else found
@@ -274,7 +272,7 @@ def _extremes(extremes: Extremes) -> dict[str, Any]:
     }
 
 
-def numbers(study: Study, by: str) -> MotionNumbers:
+def numbers(study: "Study", by: str) -> MotionNumbers:
     """Find the motion of a scene by a road: what is asked for of it, and what the forces rest on."""
     linkage = study.of(LinkageStudy)
     orders = numbers_of(study.plans)

@@ -21,7 +21,6 @@ from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sweep import FAN, NODES, Sweep, at_angles
 from plans.linkage.travel import ExtremePositions, extremes, output
 from plans.model.dyad import Assur, decompose
-from plans.model.machine import NoWorkingStroke
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,
@@ -35,6 +34,7 @@ from plans.model.motion import (
     rates_at,
     steady,
 )
+from plans.model.working_stroke import NoWorkingStroke
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 

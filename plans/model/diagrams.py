@@ -4,8 +4,6 @@ Angles `turned` run from 0 in the sense in which the crank turns, rad. Units are
 rad, rad/s, rad/s2 of one that turns.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ Lengths are metres, angles radians, vectors complex numbers x + iy. Every coordi
 datum, the drive's fixed hinge, so that a mechanism far from the origin of the scene loses nothing.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
@@ -135,7 +133,7 @@ class Output(NamedTuple):
     parting: Parting | None = None  # from what its point is away, where that counts and not its motion on the frame
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Mechanism:
     """A planar linkage as the scene describes it; `links` holds the frame as link 0."""
 

@@ -1,7 +1,5 @@
 """The motion of a mechanism over its positions by its three orders, and the rates of its drive (движение)."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
@@ -138,19 +136,19 @@ class Motion(NamedTuple):
         for rows in (*self.points.values(), *self.links.values()):
             yield from rows
 
-    def made(self, phi: Floats, row: Callable[[Any], Any]) -> Motion:
+    def made(self, phi: Floats, row: Callable[[Any], Any]) -> "Motion":
         """Give this motion with each of its rows made another."""
         points = {name: PointMotion(map(row, rows)) for name, rows in self.points.items()}
         links = {link: LinkMotion(map(row, rows)) for link, rows in self.links.items()}
         return self._replace(phi=phi, points=points, links=links)
 
-    def fill(self, part: Motion, at: slice) -> None:
+    def fill(self, part: "Motion", at: slice) -> None:
         """Put the motion over a part of the positions into this over them all."""
         for row, value in zip(self.rows(), part.rows(), strict=True):
             if row.flags.writeable:
                 row[at] = value
 
-    def own(self) -> Motion:
+    def own(self) -> "Motion":
         """Give this motion with rows of its own, in which places can be left out; else they are those of the plans."""
         return self.made(self.phi, np.array)
 
@@ -195,11 +193,11 @@ class Rates(NamedTuple):
         """Whether they are told of each position by itself."""
         return np.ndim(self.omega) > 0
 
-    def part(self, chosen: slice | Sequence[int] | npt.NDArray[np.int_]) -> Rates:
+    def part(self, chosen: slice | Sequence[int] | npt.NDArray[np.int_]) -> "Rates":
         """Give those of some of the positions, in the order asked for."""
         return Rates(*(np.asarray(rate)[chosen] for rate in self)) if self.vary else self
 
-    def against(self, axes: int) -> Rates:
+    def against(self, axes: int) -> "Rates":
         """Give them so that they multiply rows (N, ...) with so many further axes."""
         return Rates(*(np.reshape(rate, (-1, *[1] * axes)) for rate in self)) if self.vary else self
 

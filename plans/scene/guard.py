@@ -11,12 +11,11 @@ from plans.scene.faults import Path
 from plans.words.words import Message, message, placed
 
 # One token of TOML. Possessive repeats keep every text, closed or not, linear; a string may lack its end.
-TOKEN = re.compile(
+TOKEN = (
     r"(?P<blank>[ \t\r]+|\#[^\n]*)|(?P<line>\n)"
     r"|(?P<text>\"\"\"(?:[^\"\\]|\\.|\"(?!\"\"))*+(?:\"{3,5}|\\?\Z)|'''(?:[^']|'(?!''))*+(?:'{3,5}|\Z)"
     r"|\"(?:[^\"\\\n]|\\[^\n])*+\"?|'[^'\n]*+'?)"
-    r"|(?P<mark>[\[\]{}=,.])|(?P<bare>[^\s\[\]{}=,.\"'\#]+)|(?P<other>.)",
-    re.DOTALL,
+    r"|(?P<mark>[\[\]{}=,.])|(?P<bare>[^\s\[\]{}=,.\"'\#]+)|(?P<other>.)"
 )
 
 
@@ -63,7 +62,7 @@ class Places:
     # The scan: tokens one after another; `_kind` and the text from `_start` to `_end` are the present one.
 
     def _scan(self) -> Iterator[tuple[str, int, int]]:
-        for match in TOKEN.finditer(self._text):
+        for match in re.finditer(TOKEN, self._text, re.DOTALL):  # a scene without faults is not asked for places
             if match.lastgroup != "blank":
                 yield match.lastgroup or "other", match.start(), match.end()
         while True:

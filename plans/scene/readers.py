@@ -3,8 +3,6 @@
 A field knows how its value is read, and what editors and people are told of it; which is made only where asked for.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Mapping
 from functools import partial

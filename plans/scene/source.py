@@ -34,7 +34,7 @@ ENCODINGS = (
 )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Source:
     """A scene file that TOML accepts: its name, text and tables (numbers as exact decimals).
 

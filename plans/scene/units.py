@@ -82,7 +82,7 @@ class UnitKind(NamedTuple):
         return _units(self.forms, self.si)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Spelt:
     """Units to be named in the spelling of a language, in quotes behind a number where the file would have it."""
 

@@ -1,7 +1,5 @@
 """Guides (направляющие): the slides of a scene, each as two lines in the frames of its links."""
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Mapping
 from decimal import Context, Decimal, localcontext

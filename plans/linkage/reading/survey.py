@@ -1,7 +1,5 @@
 """The survey of a scene: which link has which points, what is in doubt, and the faults found on the way."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -24,7 +22,7 @@ RATIO_LIMIT = Decimal(10_000_000)
 Pair = frozenset[str]
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class LinkageSurvey:
     """A scene under examination; `doubts` are paths already at fault, of which nothing more is said."""
 
