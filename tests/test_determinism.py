@@ -57,10 +57,7 @@ ODD = {
         {"PYTHONHASHSEED": "2", "TZ": "America/St_Johns"}, ("-O",), "ru_RU.UTF-8", "000"
     ),
     "a Turkish program that takes warnings for errors": Surroundings(
-        {"PYTHONHASHSEED": "424242", "TZ": "Europe/Istanbul"},
-        ("-W", "error"),
-        "tr_TR.UTF-8",
-        folder="a" * 100,
+        {"PYTHONHASHSEED": "424242", "TZ": "Europe/Istanbul"}, ("-W", "error"), "tr_TR.UTF-8", folder="a" * 100
     ),
 }
 

@@ -175,10 +175,7 @@ def test_a_planted_fault_is_seen(path: str, text: str) -> None:
     [
         ("geometry/replay.py", "if TYPE_CHECKING:\n    import mpmath"),
         ("geometry/replay.py", "def exact():\n    import mpmath"),
-        (
-            "plans/analytic/closure.py",
-            "from plans.analytic.points import X\nfrom geometry.errors import DraftError",
-        ),
+        ("plans/analytic/closure.py", "from plans.analytic.points import X\nfrom geometry.errors import DraftError"),
         ("plans/analytic/closure.py", "from plans.model.mechanism import FRAME\nfrom plans.model.motion import Motion"),
         ("drawings/pens/svg.py", "import svgwrite\nfrom svgwrite import shapes"),
         ("drawings/layout/labels.py", "def f():\n    from shapely import geometry"),
@@ -228,9 +225,7 @@ ROWS = {room: row for row, rooms in enumerate(ROOMS) for room in rooms}
 ROWS = {f"plans.{name}": ROWS["plans.linkage"] for name in TECHNIQUES} | ROWS
 ROWS = {f"drawings.{name}": ROWS["drawings.cyclogram"] for name in TECHNIQUES} | ROWS
 # What still goes up: file and module, with the reason.
-UPWARD = {
-    ("drawings/gallery/__main__.py", "drawings.commands.draw"): "the gallery is redrawn as a user would draw it",
-}
+UPWARD = {("drawings/gallery/__main__.py", "drawings.commands.draw"): "the gallery is redrawn as a user would draw it"}
 
 
 def module_of(path: str) -> str:

@@ -168,10 +168,7 @@ def _column(finding: Quantity, count: int) -> Floats:
 def _errors(found: Diagrams, findings: Sequence[Quantity], language: str) -> Iterator[str]:
     """Tell how far the chords are out at the most, and where."""
     numbers = found.axis.numbers
-    pairs: tuple[tuple[Floats, Floats], ...] = (
-        (found.speeds, found.true_speeds),
-        (found.growths, found.true_growths),
-    )
+    pairs: tuple[tuple[Floats, Floats], ...] = ((found.speeds, found.true_speeds), (found.growths, found.true_growths))
     for finding, (values, true), fast in zip(findings[3:], pairs, (True, False), strict=True):
         error = chord_error(values, true)
         if error is not None:

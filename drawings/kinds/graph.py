@@ -41,12 +41,7 @@ class GraphForm(NamedTuple):
 
 
 def standing(
-    room: Picture,
-    spot: Spot,
-    span: tuple[float, float],
-    up: tuple[str, str],
-    drafting: Drafting,
-    stated: float = 0.0,
+    room: Picture, spot: Spot, span: tuple[float, float], up: tuple[str, str], drafting: Drafting, stated: float = 0.0
 ) -> Axes:
     """Stand axes in a spot: ordinates at the largest standard scale for their span, or at a stated one.
 

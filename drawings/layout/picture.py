@@ -314,12 +314,7 @@ class Spot(NamedTuple):
 
 
 def picture(
-    name: str,
-    values: Sequence[complex],
-    subject: tuple[str, str],
-    margins: Margins,
-    heading: float,
-    least: float = 0.0,
+    name: str, values: Sequence[complex], subject: tuple[str, str], margins: Margins, heading: float, least: float = 0.0
 ) -> Picture:
     """Measure what a figure of true values needs; `subject` is the letter and the unit of its scale."""
     left, bottom, right, top = _box(values)

@@ -70,10 +70,7 @@ def ratio(value: object) -> Decimal:
 FLUCTUATION = one(
     fluctuation,
     lambda: {
-        "anyOf": [
-            {"type": "number", "exclusiveMinimum": 0, "maximum": 1},
-            {"type": "string", "pattern": WRITTEN},
-        ]
+        "anyOf": [{"type": "number", "exclusiveMinimum": 0, "maximum": 1}, {"type": "string", "pattern": WRITTEN}]
     },
     'share, or "1/80"',
 )
@@ -252,9 +249,7 @@ class ShaftTable(Table):
     """A rotating mass beside the linkage: moment of inertia kg*m2, and its turns for one turn of the crank."""
 
     inertia: Decimal = key(
-        INERTIA,
-        meaning="Moment of inertia about its own axis.",
-        missing=Missing("moment of inertia", "inertia = 0.4"),
+        INERTIA, meaning="Moment of inertia about its own axis.", missing=Missing("moment of inertia", "inertia = 0.4")
     )
     ratio: Decimal = key(RATIO, Decimal(1), meaning="Its turns for one turn of the crank (передаточное отношение).")
     name: str = key(f.TEXT, "", meaning="What it is: gear, pulley, carrier.")

@@ -108,18 +108,12 @@ def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, J
         letters.reverse()
     kind = "".join(letters)
     if kind not in NUMBERS:
-        raise StructureError(
-            message("structure.three_slides", first=links[0], second=links[1]),
-            links,
-        )
+        raise StructureError(message("structure.three_slides", first=links[0], second=links[1]), links)
     dyad = Dyad(kind, links, hosts, outer, inner)
     if isinstance(inner, Slide) and isinstance(outer[1], Slide):
         slot, guided = (slide.way(links[1]).direction for slide in (inner, outer[1]))
         if abs((slot.conjugate() * guided).imag) <= TANGENCY * EPS:
-            raise StructureError(
-                message("structure.slot", link=links[1], first=links[0], second=links[1]),
-                links,
-            )
+            raise StructureError(message("structure.slot", link=links[1], first=links[0], second=links[1]), links)
     return dyad
 
 

@@ -98,12 +98,7 @@ def cyclogram(lot: Lot) -> str:
     over = lot.any(lot.size(0.03, 0.15, 0.05, 0.1), f"[{lot.size(0.03, 0.15)}, {lot.size(0.03, 0.15)}]")
     breaks = ['"60 %"', '"75 %"'] if lot.kind == "exact" else [f"{lot.size(0.2, 0.45)}", f"{lot.size(0.5, 0.8)}"]
     told = ("[cyclogram]", f"overrun = {over}", *lot.some(0.5, f"breaks = [{', '.join(breaks)}]"))
-    return rows(
-        _motion(lot, one, "cyclogram", even=True),
-        told,
-        lot.some(0.4, feed(lot)),
-        "[sheet]",
-    )
+    return rows(_motion(lot, one, "cyclogram", even=True), told, lot.some(0.4, feed(lot)), "[sheet]")
 
 
 def _motion(lot: Lot, one: Linkage, sheets: str, omega: float = 0, even: bool = False) -> str:

@@ -13,20 +13,7 @@ from drawings.cam.profile_view import ProfileView, profile_view
 from geometry.curve import Piece, sampled
 from plans.cam.course import FollowerCourse, positions
 from plans.cam.profile.findings import cam_found
-from plans.model.cam import (
-    DWELL,
-    FORCE,
-    GROOVE,
-    RETURN,
-    RISE,
-    ROCKING,
-    ROLLER,
-    TRANSLATING,
-    TURN,
-    Cam,
-    Follower,
-    Law,
-)
+from plans.model.cam import DWELL, FORCE, GROOVE, RETURN, RISE, ROCKING, ROLLER, TRANSLATING, TURN, Cam, Follower, Law
 from plans.model.cam_motion import CamSizes, Points
 from plans.model.motion import Floats
 from tests.plans import cam_phases
@@ -83,13 +70,7 @@ def rocker() -> ProfileView:
     return view(cam(Follower(ROCKING, ROLLER, 0.12), SWING, GROOVE), ROCKER, 0.01)
 
 
-EVERY = {
-    "groove": groove,
-    "clockwise": lambda: groove(-1),
-    "rocker": rocker,
-    "wedge": wedge,
-    "undercut": undercut,
-}
+EVERY = {"groove": groove, "clockwise": lambda: groove(-1), "rocker": rocker, "wedge": wedge, "undercut": undercut}
 
 
 @cache

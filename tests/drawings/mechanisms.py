@@ -19,11 +19,7 @@ CROSS_SLIDE = scene(
     frame="O = [0, 0]; C = [0, -0.3]",
     links="OA A CB D DE",
     lengths="OA = 0.1; CB = 0.6; DE = 0.15",
-    slides=[
-        'link = 2; along = "CB"',
-        'link = 4; along = "CB"',
-        "link = 5; along = { through = [0, 0.2], angle = 0 }",
-    ],
+    slides=['link = 2; along = "CB"', 'link = 4; along = "CB"', "link = 5; along = { through = [0, 0.2], angle = 0 }"],
     sketch="B = [0.2, 0.27]; D = [0.15, 0.2]; E = [0.3, 0.2]",
     drive='link = 1; speed = -10; start = "extreme"; positions = 12',
 )

@@ -64,8 +64,7 @@ def test_the_last_digits_of_a_report_and_its_measures_of_rounding_are_no_differe
 
 
 @pytest.mark.parametrize(
-    "change",
-    [("567890", "567893"), ("| 2 |", "| 3 |"), ("v_B | 0", "v_C | 0"), ("| 1,5 |\n", ""), ("1,5", "-1,5")],
+    "change", [("567890", "567893"), ("| 2 |", "| 3 |"), ("v_B | 0", "v_C | 0"), ("| 1,5 |\n", ""), ("1,5", "-1,5")]
 )
 def test_any_other_difference_of_a_report_is_told(tmp_path: Path, change: tuple[str, str]) -> None:
     assert len(told(tmp_path, "fan-report.md", REPORT, change)) == 1

@@ -56,11 +56,7 @@ def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(shaper: 
     folder, code, out, err = shaper
     assert (code, err) == (0, "")
     sheet, beside = folder / "shaper-kinematics.svg", folder / "shaper-report.md"
-    assert {file.name for file in folder.iterdir()} == {
-        sheet.name,
-        beside.name,
-        "shaper-manifest.json",
-    }
+    assert {file.name for file in folder.iterdir()} == {sheet.name, beside.name, "shaper-manifest.json"}
     lines = out.splitlines()
     assert lines[-2:] == [str(sheet), str(beside)]
     assert [line.split()[0] for line in lines[1:4]] == ["positions", "velocities", "accelerations"]

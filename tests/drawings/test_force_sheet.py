@@ -92,9 +92,7 @@ def test_the_lever_of_the_worked_example_needs_its_gear_force(checked: Checked) 
     assert all(one.at != 0 for one in couples)
 
 
-def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_scale(
-    checked: Checked,
-) -> None:
+def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_scale(checked: Checked) -> None:
     """Lay the ruler on every side of group 4-5: its millimetres times mu_F are the newtons of the equations."""
     leaf = checked[3]
     sides = {one.name: one for one in measured(leaf).vectors if one.plan == "forces-4-5"}

@@ -31,10 +31,7 @@ def of(own: Task) -> str:
 
 @pytest.mark.parametrize(
     "how",
-    [
-        lambda path: path + back(path),
-        lambda path: path.replace("marker-end", "marker-start:url(#head);marker-end"),
-    ],
+    [lambda path: path + back(path), lambda path: path.replace("marker-end", "marker-start:url(#head);marker-end")],
     ids=["a second arrow back", "heads at both ends"],
 )
 @pytest.mark.parametrize(("scene", "name"), [("slider-crank", "velocities"), ("fan", "couples")])

@@ -63,10 +63,7 @@ words = st.text(alphabet="АЁЙЩруфцщghjpyQÅ1,.;:()/ ", min_size=1, max_
 
 @pytest.mark.parametrize("standard", ["GOST", "ISO"])
 @examples(8, 40)
-@given(
-    st.dictionaries(st.sampled_from(sorted(set(ENTRIES["ru"]) - {"sheet", "sheets"})), words),
-    st.integers(1, 99),
-)
+@given(st.dictionaries(st.sampled_from(sorted(set(ENTRIES["ru"]) - {"sheet", "sheets"})), words), st.integers(1, 99))
 def test_whatever_is_filled_in_keeps_to_its_graph(standard: str, entries: dict[str, str], sheets: int) -> None:
     page = Page("A1", standard=standard, language="ru")
     block = page.title_block(entries | {"sheet": str(sheets), "sheets": str(sheets)}, "ru")
@@ -245,8 +242,7 @@ def test_the_graphs_of_form_1_are_as_wide_as_the_standard_has_them(level: float,
 
 
 @pytest.mark.parametrize(
-    ("across", "heights"),
-    [(30, [5] * 11), (100, [15, 25, 15]), (137, [15, 5, 15, 5, 15]), (160, [15, 5, 15, 5, 15])],
+    ("across", "heights"), [(30, [5] * 11), (100, [15, 25, 15]), (137, [15, 5, 15, 5, 15]), (160, [15, 5, 15, 5, 15])]
 )
 def test_the_graphs_of_form_1_are_as_high_as_the_standard_has_them(across: float, heights: list[float]) -> None:
     page = Page("A3")

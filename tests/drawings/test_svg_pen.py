@@ -17,19 +17,7 @@ from hypothesis import strategies as st
 from drawings.lettering.lettering import bounds, lettered
 from drawings.paper import strokes
 from drawings.paper.limits import DECIMALS
-from drawings.paper.strokes import (
-    Arc,
-    Circle,
-    Fill,
-    Group,
-    Leaf,
-    Line,
-    LineStyle,
-    Polyline,
-    SheetError,
-    Stroke,
-    Text,
-)
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, SheetError, Stroke, Text
 from drawings.pens import svg as pen
 from drawings.reading.seal import sealed
 from tests.parts import examples

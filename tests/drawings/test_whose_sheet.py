@@ -13,10 +13,7 @@ from drawings.grading.graded import PASS, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.redrawn import Original, Originals
 from tests import parts
-from tests.drawings import (
-    students,
-    test_grading,
-)
+from tests.drawings import students, test_grading
 from tests.drawings.students import Task, task
 from tests.gallery import GALLERY
 

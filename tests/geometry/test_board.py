@@ -42,10 +42,7 @@ VERBS: dict[str, tuple[Callable[[Board, Mark, Mark, Mark, Mark], Mark], object]]
         lambda b, a, c, v, w: b.meet("x", b.arc("2", c, 5.0), b.parallel("1", a, b.given("e", 1j)), -1),
         1 + 1j,
     ),
-    "two lines meet on both": (
-        lambda b, a, c, v, w: b.meet("x", b.square("1", a, w), b.parallel("2", c, w)),
-        4 + 1j,
-    ),
+    "two lines meet on both": (lambda b, a, c, v, w: b.meet("x", b.square("1", a, w), b.parallel("2", c, w)), 4 + 1j),
     "a slot passes the pivot and holds the pin": (lambda b, a, c, v, w: b.tangent("x", a, c, 0.0, +1), (3 + 4j) / 5),
     "the pin is to the left by the offset": (lambda b, a, c, v, w: b.tangent("x", a, c, 3.0, +1), 0.96 + 0.28j),
     "to turn is to stretch too": (lambda b, a, c, v, w: b.turn("x", v, 2j), -2 + 6j),

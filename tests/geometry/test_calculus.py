@@ -11,13 +11,7 @@ import pytest
 from hypothesis import strategies as st
 
 from geometry.board import Board, Mark
-from geometry.calculus import (
-    Derivative,
-    Integral,
-    derivative_by_chords,
-    derivative_by_tangents,
-    integral,
-)
+from geometry.calculus import Derivative, Integral, derivative_by_chords, derivative_by_tangents, integral
 from geometry.meet import EPS
 from geometry.precision import errors
 from geometry.replay import exact

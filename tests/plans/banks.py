@@ -22,9 +22,7 @@ ENGINE = scene(
     masses="1 = { mass = 3, centre = [0.04, 0] }; 2 = { mass = 4, centre = [0.15, 0] }; 3 = { mass = 5 }",
     drive="link = 1; speed = 20",
 )
-UNIT = scene(
-    bank_unit='crank = "40 mm"; rod = "140 mm"; rotating = "600 g"; reciprocating = "0.5 kg"',
-)
+UNIT = scene(bank_unit='crank = "40 mm"; rod = "140 mm"; rotating = "600 g"; reciprocating = "0.5 kg"')
 MEMBER = "[[bank.members]]\ncrank = 0\n"
 
 

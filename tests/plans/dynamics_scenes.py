@@ -18,12 +18,9 @@ CRANK = scene(
     masses="1 = { mass = 3, inertia = 0.01, centre = [0.04, 0] }; "
     "2 = { mass = 4, inertia = 0.06, centre = [0.15, 0] }; 3 = { mass = 8 }",
 )
-PUSHED = scene(
-    loads="gravity = 9.81",
-    forces=['on = 3; point = "B"; value = 1200; direction = 0'],
-)
+PUSHED = scene(loads="gravity = 9.81", forces=['on = 3; point = "B"; value = 1200; direction = 0'])
 PLANING = scene(
-    forces=['on = 3; point = "B"; value = 2000; against = "motion"; overrun = 0.05; during = "working stroke"'],
+    forces=['on = 3; point = "B"; value = 2000; against = "motion"; overrun = 0.05; during = "working stroke"']
 )
 
 

@@ -46,13 +46,7 @@ def four_bar(
 
 
 def slider_crank(
-    a: float,
-    b: float,
-    e: float = 0.0,
-    *,
-    rod: Points | None = None,
-    omega: float = 10.0,
-    epsilon: float = 5.0,
+    a: float, b: float, e: float = 0.0, *, rod: Points | None = None, omega: float = 10.0, epsilon: float = 5.0
 ) -> Mechanism:
     """Crank OA = a, rod AB = b, the slider B on the line y = e; `rod` holds more points of the rod."""
     links: dict[int, Points] = {FRAME: {"O": 0}, 1: {"O": 0, "A": a}, 2: {"A": 0, "B": b, **(rod or {})}, 3: {"B": 0}}

@@ -14,17 +14,7 @@ from plans.balance.quantities import compare_balance
 from plans.balance.study import BalanceStudy
 from plans.forces.statics import Statics
 from plans.linkage.quantities import compare
-from plans.model.balance.linkage import (
-    DISC,
-    FULL,
-    PARTIAL,
-    REACTION,
-    SECTOR,
-    SHARE,
-    BalanceTask,
-    Counterweight,
-    Site,
-)
+from plans.model.balance.linkage import DISC, FULL, PARTIAL, REACTION, SECTOR, SHARE, BalanceTask, Counterweight, Site
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Way
 from plans.model.motion import ACCELERATIONS

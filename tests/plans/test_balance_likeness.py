@@ -200,8 +200,7 @@ def asking(draw: st.DrawFn) -> Asking:
 
 def _weight(size: float) -> st.SearchStrategy[dict[str, float]]:
     return st.one_of(
-        numbers(0.5, 20).map(lambda mass: {"mass": mass}),
-        numbers(0.1, 1).map(lambda share: {"radius": share * size}),
+        numbers(0.5, 20).map(lambda mass: {"mass": mass}), numbers(0.1, 1).map(lambda share: {"radius": share * size})
     )
 
 

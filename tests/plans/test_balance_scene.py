@@ -42,11 +42,7 @@ def test_a_task_is_read_with_its_units() -> None:
     first = counterweight("on = 1", 'radius = "150 mm"', 'density = "11.3 g/cm3"', 'thickness = "4 cm"')
     second = counterweight("on = 3", 'shape = "sector"', "half_angle = 90")
     assert task(f'[balance]\naim = "full"\n{first}{second}') == BalanceTask(
-        FULL,
-        (
-            Site(1, radius=0.15, density=11300.0, thickness=0.04),
-            Site(3, shape=SECTOR, half_angle=math.pi / 2),
-        ),
+        FULL, (Site(1, radius=0.15, density=11300.0, thickness=0.04), Site(3, shape=SECTOR, half_angle=math.pi / 2))
     )
 
 

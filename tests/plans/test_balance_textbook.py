@@ -12,16 +12,7 @@ from plans.analytic.balance.mass_centre import bodies as solids
 from plans.analytic.balance.mass_centre import mass_centre
 from plans.analytic.kinematics import Analysis
 from plans.balance.study import BalanceStudy
-from plans.model.balance.linkage import (
-    EPS,
-    FULL,
-    PARTIAL,
-    ROUNDING,
-    SECTOR,
-    SHARE,
-    BalanceTask,
-    Site,
-)
+from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, SECTOR, SHARE, BalanceTask, Site
 from plans.model.machine import GEAR as GEARED
 from plans.model.machine import Transmission
 from tests import parts
@@ -129,12 +120,7 @@ def test_slotted_link_balanced_in_parts_and_in_full() -> None:
 
 @pytest.mark.parametrize(
     ("text", "task", "longest"),
-    [
-        (FOUR_BAR, VARIANT_A, 0.4),
-        (FOUR_BAR, VARIANT_B, 0.4),
-        (ENGINE, ENGINE_FULL, 0.4),
-        (SHAPER, SHAPER_FULL, 0.7),
-    ],
+    [(FOUR_BAR, VARIANT_A, 0.4), (FOUR_BAR, VARIANT_B, 0.4), (ENGINE, ENGINE_FULL, 0.4), (SHAPER, SHAPER_FULL, 0.7)],
 )
 def test_balanced_mass_centre_rests(text: str, task: BalanceTask, longest: float) -> None:
     its = study(text, task, positions=3600)

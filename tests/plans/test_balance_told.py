@@ -17,10 +17,7 @@ from tests.parts import first
 from tests.plans.balanced import ENGINE, FOUR_BAR
 from tests.plans.scenes import scene
 
-FULL = scene(
-    balance='aim = "full"',
-    balance_counterweights=["on = 1; mass = 9", "on = 2; mass = 6"],
-)
+FULL = scene(balance='aim = "full"', balance_counterweights=["on = 1; mass = 9", "on = 2; mass = 6"])
 
 
 def studied(text: str = FOUR_BAR.format(positions=12) + FULL, whole: bool = False) -> Study:
@@ -60,10 +57,7 @@ def test_technique_names_its_marks_and_study() -> None:
 
 
 ASKED_NOTHING = "[balance]\n"
-ASKED = scene(
-    balance='aim = "share"; share = "{least}"',
-    balance_counterweights=["on = 1; mass = 20"],
-)
+ASKED = scene(balance='aim = "share"; share = "{least}"', balance_counterweights=["on = 1; mass = 20"])
 
 
 def told(text: str, by: str) -> Any:

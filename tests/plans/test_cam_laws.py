@@ -14,17 +14,7 @@ from plans.model.cam import DWELL, LAWS, RETURN, RISE, Cam, Law
 from plans.model.cam_motion import Shock
 from tests.parts import some
 from tests.plans.digits import printed
-from tests.plans.law_cams import (
-    BLOCKS,
-    EVERY,
-    LIFT,
-    RISING,
-    RULER,
-    SMOOTH,
-    SPEED,
-    law_cam,
-    usual,
-)
+from tests.plans.law_cams import BLOCKS, EVERY, LIFT, RISING, RULER, SMOOTH, SPEED, law_cam, usual
 
 ROADS = ("construction", "analysis")
 WORKED = {

@@ -15,19 +15,7 @@ from plans.cam.course import FollowerCourse, positions
 from plans.cam.hub import wall
 from plans.cam.profile.findings import cam_found
 from plans.cam.study import CamStudy
-from plans.model.cam import (
-    DWELL,
-    FORCE,
-    GROOVE,
-    RETURN,
-    RISE,
-    ROCKING,
-    TRANSLATING,
-    Cam,
-    GivenSizes,
-    Hub,
-    Limits,
-)
+from plans.model.cam import DWELL, FORCE, GROOVE, RETURN, RISE, ROCKING, TRANSLATING, Cam, GivenSizes, Hub, Limits
 from plans.model.cam_motion import CamError, CamFound, CamSizes
 from tests.parts import some
 from tests.plans.cam_cases import LIFT, SWING, cam, phases

@@ -51,11 +51,7 @@ def test_path_is_within_its_tolerance_with_no_more_than_72_pieces(case: Case) ->
 def test_dwell_ends_where_the_next_phase_begins() -> None:
     """0.1 + 0.02 is more than 0.12: what follows a dwell is not one for that."""
     rise, dwell, fall = cases.phases(((RISE, 1.0, "sine"), (DWELL, 1.0, ""), (RETURN, 1.0, "sine")), 0.03)
-    slide = (
-        rise._replace(angle=0.1),
-        dwell._replace(angle=0.02, start=0.1),
-        fall._replace(angle=0.07, start=0.12),
-    )
+    slide = (rise._replace(angle=0.1), dwell._replace(angle=0.02, start=0.1), fall._replace(angle=0.07, start=0.12))
     assert slide[1].end > slide[2].start
     cam = cases.cam(end="pointed", translates=True, phases=slide)
     found = path(cam, cases.sizes(cam))

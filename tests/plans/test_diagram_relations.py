@@ -35,10 +35,7 @@ SLIDER_CRANK = scene(
     sketch="A = {A}; B = {B}",
 )
 ROCKER = scene(
-    frame="O = {O}; C = {C}",
-    links="OA AB CB",
-    lengths="OA = {OA}; AB = {AB}; CB = {CB}",
-    sketch="A = {A}; B = {B}",
+    frame="O = {O}; C = {C}", links="OA AB CB", lengths="OA = {OA}; AB = {AB}; CB = {CB}", sketch="A = {A}; B = {B}"
 )
 PLACES = {"O": 0j, "A": 0.1 + 0j}
 MECHANISMS: dict[str, tuple[str, dict[str, complex], dict[str, float]]] = {

@@ -9,10 +9,7 @@ from math import radians
 import numpy as np
 import pytest
 
-from plans.analytic.dynamics.flywheel import (
-    Exact,
-    methods,
-)
+from plans.analytic.dynamics.flywheel import Exact, methods
 from plans.analytic.dynamics.reduction import ExactReduction, reduced
 from plans.analytic.dynamics.speeds import Swing, steady
 from plans.analytic.kinematics import Analysis

@@ -113,8 +113,7 @@ BOOM = scene(
     drive="link = 1; {drive}",
 )
 CYLINDER = scene(
-    "positions = 2",
-    drive_stroke='between = "EF"; from = 0.45; to = 0.55; speed = 0.06; acceleration = 0.2',
+    "positions = 2", drive_stroke='between = "EF"; from = 0.45; to = 0.55; speed = 0.06; acceleration = 0.2'
 )
 
 
