@@ -320,7 +320,7 @@ def sheet_path(folder: Path, stem: str, kind: str, number: int) -> Path:
     return folder / (f"{stem}-{kind}-{number + 1}.svg" if number else f"{stem}-{kind}.svg")
 
 
-def stem_of(scene: Scene) -> str:
+def stem_of(scene: "Scene") -> str:
     """Give how the names of a scene's files begin."""
     return Path(os.fspath(scene.file)).stem
 

@@ -63,14 +63,14 @@ def choice(
     value: object, choices: tuple[str, ...], kind: str = "choice", likely: Callable[[object], str] | None = None
 ) -> str:
     """Read one of the words that are allowed; `likely` gives the one that another value is nearest to, or ""."""
+    if isinstance(value, str) and value in choices:
+        return value
     meant = likely(value) if likely else ""
     if not isinstance(value, str):
         raise wrong("wrong_type", wanted="text", found=type_name(value), example=sample(meant or choices[0]))
-    if value not in choices:
-        advice = message("advice.write", name=meant or choices[0])
-        advice = advice if meant else suggestion(value, choices, advice)
-        raise wrong(kind, choices=", ".join(choices), suggestion=advice)
-    return value
+    advice = message("advice.write", name=meant or choices[0])
+    advice = advice if meant else suggestion(value, choices, advice)
+    raise wrong(kind, choices=", ".join(choices), suggestion=advice)
 
 
 def whole(value: object, least: int) -> int:
