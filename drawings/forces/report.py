@@ -24,7 +24,7 @@ from plans.forces.reading.form import ForceTable
 from plans.forces.reading.pressed import BEHIND, PRESSED
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
-from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram, Machine
+from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram, Force, Machine
 from plans.model.mechanism import FRAME
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study
@@ -107,7 +107,7 @@ def headline(study: Study) -> str:
     statics = study.of(Statics)
     lines = _greatest(statics, study.of(ForceComparison).construction, language)
     massless = () if statics.machine.bodies else (lettering.word(language, "no masses"),)
-    return "\n".join([*lines, *_reversals(statics, language), *massless])
+    return "\n".join([*lines, *_warnings(statics, language), *massless])
 
 
 def _concluded(study: Study) -> Iterator[str]:
@@ -232,10 +232,20 @@ def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
         names = ", ".join(load.name for load in loads if load.stroke == track)
         line = stroke_line(statics.study.mechanism, stroke.output, stroke.reach, stroke.angles, language)
         yield word(language, "report.counted", names=names, line=line.removeprefix("- "))
-    yield from (f"- {line}" for line in _reversals(statics, language))
+    yield from (f"- {line}" for line in _warnings(statics, language))
 
 
-def _reversals(statics: Statics, language: str) -> Iterator[str]:
+def _warnings(statics: Statics, language: str) -> Iterator[str]:
+    """Say which loads reverse within their stroke, and which diagrams over lengths are stretched to it."""
+    for load in statics.machine.loads:
+        if isinstance(load, Force) and load.diagram is not None and load.diagram.length:
+            begin, end = statics.strokes[load.stroke].reach
+            factor = number(abs(end - begin) / load.diagram.length, language, DIGITS)
+            if factor != "1":
+                sizes = {"length": 1000 * load.diagram.length, "stroke": 1000 * abs(end - begin)}
+                told = {name: number(size, language, DIGITS) for name, size in sizes.items()}
+                name = plain(force_letter(load.name, language))
+                yield word(language, "verdict.stretched", name=name, factor=factor, **told)
     for load, rests in statics.reversals:
         name = plain(force_letter(load.name, language))
         parts = {"name": name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}

@@ -135,3 +135,24 @@ def test_all_steps_behind_a_force_go_back_to_the_fixed_points(run: Run, worked: 
     assert code == 0
     assert "O: given = (0, 0) m. fixed point" in out
     assert "R_34 [forces]: join" in out
+
+
+def test_a_diagram_over_lengths_that_is_stretched_to_the_stroke_is_told(run: Run, tmp_path: Path) -> None:
+    """A central crank of 100 mm has a stroke of 200 mm; the table of the load ends a millimetre before."""
+    press = scene(
+        'title = "Press"; sheets = ["forces"]',
+        frame="O = [0, 0]",
+        links="OA AB B",
+        lengths="OA = 0.1; AB = 0.3",
+        slides=["link = 3; along = { through = [0, 0], angle = 0 }"],
+        sketch="B = [0.39, 0]",
+        drive="link = 1; speed = 1; start = 7; positions = 12",
+        forces=['on = 3; point = "B"; against = "motion"; diagram = { travel = [0, "199 mm"], force = [0, 900] }'],
+    )
+    (tmp_path / "press.toml").write_text(press, "utf-8")
+    (tmp_path / "exact.toml").write_text(press.replace("199 mm", "200 mm"), "utf-8")
+    told = (
+        "its diagram covers 199 mm of a stroke of 200 mm, and is stretched to all of it: its lengths count 1.005 times"
+    )
+    assert told in run("draw", tmp_path / "press.toml", "-o", tmp_path)[1]
+    assert "stretched" not in run("draw", tmp_path / "exact.toml", "-o", tmp_path)[1]
