@@ -201,7 +201,9 @@ def _size_on(sheet: OnSheet, of: Explanation) -> Iterator[Message]:
     if (scale := _scale(last, of, sheet)) is not None:
         size, read_off = abs(at(last.point, 0)), last.step.op == "join" and last.subject != FORCES
         texts = {"size": _written(size), "mm": _written(size / scale), "unit": of.units[_drawn_on(last)]}
-        yield message("explain.size", mark=last.name if read_off else dict(of.title.parts)["mark"], **texts)
+        asked = str(dict(of.title.parts)["mark"])
+        product = last.name.startswith(f"{asked}D_")  # a mass is told by its static moment m_1D_1, kg*m
+        yield message("explain.size", mark=last.name if read_off or product else asked, **texts)
 
 
 def _short(part: str) -> str:

@@ -184,6 +184,8 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     directions = [_notched(drawn, rest) for rest in rests.tolist()]
     exact = CrankPositions(rests, np.array([d for d, _ in directions]))
     reach = _reaches(travel, exact)
+    if not np.isfinite(reach).all():  # a pin in the pivot of its slot: crank and frame are equal
+        return None
     places: list[float] = rests.tolist()
     low, high = _farthest(places, -reach), _farthest(places, reach)
     if not reach[low] < reach[high]:
