@@ -223,3 +223,11 @@ def test_a_figure_loses_no_more_than_its_cap() -> None:
     right = [Verdict("forces-2-3", 2, "G_2", "right"), Verdict("table values", None, "v_B", "missing")]
     for caps, won in (({}, 1.0), ({"velocities": 1}, 3.0), ({"velocities": 1, "table values": 0}, 3.25)):
         assert points_of([*wrong, *right], Marking(caps=caps)) == (won, 4.25)
+
+
+def test_a_balancing_whose_crank_has_no_mass_is_graded(tmp_path: Path) -> None:
+    """Its main-point vectors lie beside crank and rod in lanes of both, so that their ends do not meet on paper."""
+    text = (GALLERY / "four-bar-balance.toml").read_text("utf-8")
+    (tmp_path / "scene.toml").write_text(re.sub(r"\n1 = \{ mass.*", "", text, count=1), "utf-8")
+    assert cli.main(["draw", str(tmp_path / "scene.toml"), "-o", str(tmp_path)]) == 0
+    assert cli.main(["grade", str(tmp_path / "scene.toml"), str(tmp_path / "scene-balancing.svg")]) == 0
