@@ -20,7 +20,7 @@ from plans.words.words import message
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
-@dataclass(eq=False, repr=False)
+@dataclass
 class Guess:
     """Rough poses of all links, found link by link from the places of points known so far."""
 

@@ -137,7 +137,7 @@ class Rubbing(NamedTuple):
     length: float = 0.0
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True)
 class Machine:
     """Masses by link, gravity m/s2, loads, springs, drive, and friction by pair ("0-1"), in the order of the scene."""
 

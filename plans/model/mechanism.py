@@ -133,7 +133,7 @@ class Output(NamedTuple):
     parting: Parting | None = None  # from what its point is away, where that counts and not its motion on the frame
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True)
 class Mechanism:
     """A planar linkage as the scene describes it; `links` holds the frame as link 0."""
 

@@ -34,7 +34,7 @@ ENCODINGS = (
 )
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True)
 class Source:
     """A scene file that TOML accepts: its name, text and tables (numbers as exact decimals).
 
