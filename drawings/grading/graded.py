@@ -119,6 +119,8 @@ def _is_bare(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask) -> bool:
         lost = any(plan.sheet in alone(found.tables, sheet) for plan in task.plans)
         if lost or not sheet.measured.metadata:
             return True
+    if form_places(sheet.leaf):
+        return False  # a blank form lacks all
     others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
     return not found.plans and not found.figures and not answered(found.tables, others)
 
