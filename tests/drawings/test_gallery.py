@@ -34,7 +34,7 @@ EVERYDAY = {
     "turbine", "two-step-cam", "valve-cam", "vee-four",
 }  # fmt: skip
 LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it
-SQUEEZED = {"crank-rocker": 1}  # its notes fill their room: an index touches the line below
+SQUEEZED = {"v-compressor": 1}  # the number of a position on its indicator card touches the curve of the way back
 
 
 def shown() -> Iterator[object]:
