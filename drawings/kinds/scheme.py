@@ -361,7 +361,7 @@ def _number(content: str, spots: list[NumberPlace], labels: Labels, hand: Hand) 
     radius = _radius(content, hand)
 
     def covered(spot: NumberPlace) -> int:
-        through = labels.ink.along(spot.middle, spot.foot) // LETTERED if spot.off > LED else 0
+        through = labels.ink.along(spot.middle, spot.foot)[0] // LETTERED if spot.off > LED else 0
         return labels.ink.under(_square(spot.middle, radius + 0.4)) + through
 
     spot = next((spot for spot in spots if not covered(spot)), None) or min(spots, key=covered)

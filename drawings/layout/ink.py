@@ -60,8 +60,8 @@ class Ink:
         """Count what a box would cover, by cells."""
         return self._celled().under(box)
 
-    def along(self, start: complex, end: complex) -> int:
-        """Count what a straight line would cross, by cells."""
+    def along(self, start: complex, end: complex) -> tuple[int, float]:
+        """Count what a straight line would cross, by cells; and give the longest way that it has ink under it, mm."""
         return self._celled().along(start, end)
 
     def crossed_by(self, strokes: Iterable[Stroke]) -> float:
@@ -109,9 +109,10 @@ class _Cells:
     def under(self, box: Box) -> int:
         return int(np.add.reduce(self._map[self._covered(box)], axis=None))
 
-    def along(self, start: complex, end: complex) -> int:
-        rows, columns = self._sampled([[start, end]])
-        return int(self._map[rows, columns].sum())
+    def along(self, start: complex, end: complex) -> tuple[int, float]:
+        inked = self._map[self._sampled([[start, end]])]
+        bare = np.flatnonzero(np.concatenate(([0], inked, [0])) == 0)
+        return int(inked.sum()), float(np.diff(bare).max() - 1) * abs(end - start) / len(inked)
 
     def _chains(self, stroke: Stroke) -> Iterator[Chain]:
         """Give the lines of a stroke as chains of points; letters are inked in as boxes on the way."""

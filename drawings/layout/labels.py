@@ -15,12 +15,13 @@ from drawings.paper.walk import tied, tied_spot
 WELL_CLEAR = 0.7  # mm around a label beside a line, where another main line may run along it
 DIRECTIONS = 16
 NEAR = (0.0, 0.7, 1.6)  # mm a label may stand further off than its nearest place, without a leader
-LED = (*range(4, 40, 3), *range(40, 160, 6))  # mm from a point to a label that a leader leads to
-LEAD_DIRECTIONS = 32  # none of them but every eighth along a crank divided by 12, 24 or 36
+LED = (*range(4, 16, 2), *range(16, 40, 3), *range(40, 160, 6))  # mm from a point to a label that a leader leads to
+LEAD_DIRECTIONS = 64  # none of them but every 16th along a crank divided by 12, 24 or 36
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
 SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
 STRAY = 1.0  # cost of a place that is nearer to another point with a label, in mm of distance
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
+ACROSS, MERGED = 2.0, 8.0  # mm of ink under a leader across a line; what each mm beyond costs: it runs along a line
 Spots: TypeAlias = Sequence[complex]
 
 
@@ -114,7 +115,7 @@ class Labels:
             if cheapest <= reach:
                 break
             for off, angle in _fan(prefer, LEAD_DIRECTIONS):
-                if cheapest <= reach + 3 * TURNED * off:
+                if cheapest <= reach + 1.5 * TURNED * off:
                     break
                 corner = _touching(point, box, reach, angle)
                 if self.ink.under(padded(box, corner)):
@@ -123,8 +124,8 @@ class Labels:
                 if any(tied(abs(start - other)) < 0.7 * gap for other in others):
                     continue
                 end = _nearest(box, corner, start)
-                crossed = self.ink.along(start, end)
-                cost = reach + 3 * TURNED * off + CROSSED * crossed
+                crossed, run = self.ink.along(start, end)
+                cost = reach + 1.5 * TURNED * off + CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
                 if crossed < LETTERED and cost < cheapest:
                     best, cheapest = (start, end, corner), cost
         return best

@@ -22,7 +22,7 @@ from drawings.linkage.trajectories import phases, trajectories
 from drawings.page.page import Drafting
 from drawings.paper.hand import Field, Hand
 from drawings.paper.limits import MANY
-from drawings.paper.strokes import Arc, Group, Kind, Line, LineStyle, Statement, Stroke, Text
+from drawings.paper.strokes import Arc, Circle, Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols import symbols
 from drawings.symbols.figure import Subject
@@ -41,6 +41,7 @@ MARGINS = Margins(3.5, 3.5, 5.0)
 STEPS = 360  # of a circle that is cut at a figure's box
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
 HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
+MARK, RIM = 20.0, 1.0  # what a dimension is held off a point's mark by: lines that it counts as, mm around it
 SHARE = 0.3  # what a line of another position counts where a dimension looks for a clear place
 
 
@@ -90,6 +91,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
     grounded = grounds(pairs, ink)
+    ink.draw((Circle(place.on(at), pairs.radius(name) + RIM) for name, at in pairs.named.items()), MARK)
     ink.draw(grounded)
     ink.draw([*paths, *positions, *extremes, *lines, *notches], SHARE)
     under: list[tuple[str, Iterable[Stroke]]] = [("paths", paths), (OTHERS, positions), ("extremes", extremes)]

@@ -61,6 +61,8 @@ ECCENTRIC = scene(
     sketch="B = [0.5, 0]",
     drive="link = 1; speed = 10; acceleration = -5; start = 0; positions = 12",
 )
+# The ram's mass centre lies where its stroke is dimensioned first.
+HIGH_CENTRE = ECCENTRIC + "[masses]\n3 = { mass = 9, centre = [0, 0.03] }\n"
 # Two rockers on rods too short for a whole turn of the crank: the far positions are gaps.
 TWO_ROCKERS = scene(
     'title = "Two rockers"',
@@ -77,4 +79,5 @@ ALL = {
     "offset block": OFFSET_BLOCK,
     "conveyor": CONVEYOR,
     "eccentric": ECCENTRIC,
+    "high centre": HIGH_CENTRE,
 }

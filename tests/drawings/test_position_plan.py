@@ -10,13 +10,15 @@ import pytest
 import shapely
 from shapely.geometry.base import BaseGeometry
 
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
 from drawings.linkage.position_plan import layers
 from drawings.linkage.sheet import position
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat
 from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
@@ -118,3 +120,21 @@ def test_two_blocks_on_one_pin_are_a_block_and_a_slot_about_the_pin() -> None:
     assert corners[:2] == [4, 4] and corners[2] > 8  # the stone A, the frame's block, and a slot with round ends
     pin = found.on("D")
     assert sum(abs(complex(np.mean(s.points)) - pin) < HAIR for s in shapes) == 2
+
+
+def test_a_dimension_runs_through_no_mark() -> None:
+    found = drawn("high centre")
+    dimension = shapely.union_all([shape(s) for s in found.strokes("stroke")])
+    assert all(
+        shape(circle).distance(dimension) > 0.5 for circle in found.strokes("pairs") if isinstance(circle, Circle)
+    )
+
+
+def test_a_leader_runs_along_no_line() -> None:
+    """Of two bare places the nearer lies straight along the ray that the pivot's letter should stand on."""
+    near, far = Field(64, 46, 74, 54), Field(46, 70, 54, 82)
+    rules = [Line(complex(x, y), complex(x + 1, y)) for x in range(99) for y in range(99)]
+    sheet = Ink(100, 100)
+    sheet.draw(line for line in rules if not any(field.holds(line.start + 0.5) for field in (near, far)))
+    led = Labels(sheet, A1.drafted).beside(50 + 50j, "O", 5, 3, 0.0)
+    assert any(far.holds(text.at) for text in flat([led]) if isinstance(text, Text))
