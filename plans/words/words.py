@@ -89,8 +89,8 @@ def word(language: str, key: str, /, **parts: object) -> str:
 def term(language: str, group: str, name: str) -> str:
     """Give the word of a language for one of the names of a group; a name that the group has not is the scene's own.
 
-    >>> term("ru", "unit", "rad/s"), term("ru", "term", "F_us")
-    ('рад/с', 'F_us')
+    >>> term("ru", "unit", "rad/s"), term("ru", "symbol", "F_us"), term("ru", "symbol", "F_D")
+    ('рад/с', 'F_п.с', 'F_D')
     """
     phrase = words(language).get(f"{group}.{name}")
     return phrase.format() if isinstance(phrase, str) else name
