@@ -210,13 +210,15 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
     arrows = placed_forces(shown.forces, place, taken, drafting)
-    kept = placed_arms(balance(shown, drafting), place, taken, shown.column)
+    terms = balance(shown, drafting)
+    kept = placed_arms(terms, place, taken, shown.column)
+    under = ";  ".join((drafting.scale(spot.scale), *([drafting.word("lever arms")] if terms else [])))
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     downward = _downward([*taken.rods, *taken.forces], place.on(0j), hand)
     stand = fixed_hinge(place.on(0j), hand, HINGE * hand.symbol, downward)
     dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
     lines = (
-        heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),
+        heading(spot.box, _title(shown, drafting), under, hand),
         *([Group(tuple(stroke for arm in kept for stroke in arm.draw(hand)))] if kept else []),
         Group((*rods, *stand)), *_drawn(arrows, subject, hand), *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),

@@ -30,8 +30,7 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
     return [
         *given,
         word(language, "known lines"),
-        *_lever(statics, position, language),
-        *([word(language, "turned from 0")] if statics.study.mechanism.drive.turns else []),
+        *_balanced(statics, position, language),
         *_friction(statics, comparison, position, language),
         *_choice(statics, comparison, position, language),
     ]
@@ -109,13 +108,11 @@ def _sides(force: Force, language: str) -> Iterator[str]:
         yield word(language, "piston sides", there=there, other=other)
 
 
-def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
-    """Tell in what the arms of the lever's equation are, and where it balances without a moment of the crank."""
+def _balanced(statics: Statics, position: int, language: str) -> Iterator[str]:
+    """Tell that the lever balances without a moment of the crank, where a cylinder drives."""
     lever = statics.drafts().plans.lever
-    if lever is None or not any(at(moment.point, position).real for _, moment in lever.moments):
-        return
-    yield word(language, "lever arms")
-    if statics.study.mechanism.drive.ram is not None:
+    moved = lever is not None and any(at(moment.point, position).real for _, moment in lever.moments)
+    if moved and statics.study.mechanism.drive.ram is not None:
         yield word(language, "balanced lever")
 
 

@@ -216,7 +216,8 @@ class _ForceSheet:
         curve = self._curve()
         key = "balancing graph" if curve.closed else "balancing swing"
         key = key if self.study.mechanism.drive.turns else "balancing stroke"
-        curve = curve._replace(title=self.drafting.word(key), name="balancing")
+        under = self.drafting.word("turned from 0").split("\n") if self.study.mechanism.drive.turns else ()
+        curve = curve._replace(title=self.drafting.word(key), name="balancing", under=tuple(under))
         room = curve_graph.measure(curve, self.drafting)
         yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
 

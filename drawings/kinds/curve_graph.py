@@ -17,7 +17,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke, Text
 from drawings.paper.walk import tied
-from drawings.symbols.figure import heading
+from drawings.symbols.figure import LINE, heading
 from plans.model.motion import Floats
 
 TURN = 360.0  # degrees
@@ -55,6 +55,7 @@ class GraphCurve(NamedTuple):
     shown: tuple[int, ...] = ()  # the places of those that the sheets of its set are of: they are always numbered
     stated: float = 0.0  # mu of the quantity, where it is stated
     name: str = ""  # of the graph
+    under: tuple[str, ...] = ()  # lines below its scales: what its abscissas are
     states: str = ""  # the name of the curve, by which its graph states it; the thin one is this, "before"
 
     @property
@@ -102,7 +103,10 @@ def bounded(dense: Any, nodes: Any) -> Any:
 
 def measure(curve: GraphCurve, drafting: Drafting) -> Picture:
     """Measure the room of a graph."""
-    return FORM.room(curve.name, curve.length, curve.axis, curve.title, drafting.hand)
+    hand, room = drafting.hand, FORM.room(curve.name, curve.length, curve.axis, curve.title, drafting.hand)
+    wide = (text_width(Text(0j, line, hand.text)) for line in curve.under)
+    above = room.margins.above + LINE * hand.text * len(curve.under)
+    return room._replace(margins=room.margins._replace(above=above), heading=max((room.heading, *wide)))
 
 
 def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Part:
@@ -114,7 +118,7 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Pa
     scales += "" if curve.before is None else f";  {drafting.word('thin before')}"
     (ordinates, numbers), jumps = _ordinates(curve, graph), leaps(curve.values)
     lines = (
-        heading(spot.box, curve.title, scales, hand),
+        heading(spot.box, curve.title, scales, hand, *curve.under),
         *axes.lines((0.0, curve.length), curve.span, hand, room.name if curve.states else ""),
         graph.tick(curve.length, hand.other),
         *ordinates,

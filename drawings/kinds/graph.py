@@ -21,7 +21,7 @@ DOT = 0.7  # mm, radius of a point of a curve
 LEAST = 0.05  # mm: a shorter ordinate is a point
 SEEN, JUMP = 0.01, 8.0  # of the largest value, and times the steps beside it: a smooth curve changes less in a step
 TURNED = "Δφ"  # what the crank has turned from the first position of a graph on; φ is its angle from the x axis
-BESIDE = 0.6  # mm from the end of a tick to its number
+BESIDE, HEADS = 0.6, 2.0  # mm from the end of a tick to its number, and from the tip of an axis to its letter
 
 
 class GraphForm(NamedTuple):
@@ -120,7 +120,7 @@ class Graph(NamedTuple):
     def ends(self, across: tuple[float, str], up: tuple[float, str]) -> Iterator[Letter]:
         """Letter both axes, each at the end of what it goes over."""
         axes, size = self.axes, self.hand.letter
-        yield Letter(axes.on(0.0, up[0]) + BEYOND * axes.rise, up[1], size, cmath.phase(axes.along))
+        yield Letter(axes.on(0.0, up[0]) + BEYOND * axes.rise, up[1], size, cmath.phase(axes.along), HEADS)
         yield Letter(axes.on(across[0]) + BEYOND * axes.along, across[1], size, cmath.phase(axes.rise))
 
     def number(self, x: float, text: str, value: float = 0.0) -> Letter:
