@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.forces.letters import force_letter
-from drawings.forces.report import least
+from drawings.forces.report import least, stretching
 from drawings.lettering.words import Slot, joined, number, numbered, phrase, runs, word
 from drawings.linkage.notes import driving, lengths
 from geometry.board import at
@@ -57,7 +57,7 @@ def _plan(name: str, language: str) -> str:
 def _loads(statics: Statics, language: str) -> Iterator[str]:
     """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
     machine = statics.machine
-    lines = [_load(load, language) for load in machine.loads]
+    lines = [_load(load, statics, language) for load in machine.loads]
     for spring in machine.springs:
         stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
         free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
@@ -71,8 +71,8 @@ def _loads(statics: Statics, language: str) -> Iterator[str]:
     yield from lines
 
 
-def _load(load: Force | Moment, language: str) -> str:
-    """Tell one load: its size and law, on which stroke, with what overrun."""
+def _load(load: Force | Moment, statics: Statics, language: str) -> str:
+    """Tell one load: its size and law, on which stroke, with what overrun, and what its diagram was stretched by."""
     name, unit = force_letter(load.name, language), word(language, "N" if isinstance(load, Force) else "N*m")
     size = f"{number(load.size, language)}{NBSP}{unit}"
     if isinstance(load, Force) and load.diagram is not None:
@@ -87,6 +87,8 @@ def _load(load: Force | Moment, language: str) -> str:
     if load.overrun != (0.0, 0.0):
         shares = dict.fromkeys(number(share, language) for share in load.overrun)
         during.append(word(language, "overrun", share="; ".join(shares)))
+    if told := stretching(load, statics, language):
+        during.append(word(language, "load stretched", **told))
     return ", ".join([said, *during])
 
 

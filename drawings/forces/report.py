@@ -24,7 +24,7 @@ from plans.forces.reading.form import ForceTable
 from plans.forces.reading.pressed import BEHIND, PRESSED
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
-from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram, Force, Machine
+from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram, Force, Machine, Moment
 from plans.model.mechanism import FRAME
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study
@@ -238,19 +238,23 @@ def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
 def _warnings(statics: Statics, language: str) -> Iterator[str]:
     """Say which loads reverse within their stroke, and which diagrams over lengths are stretched to it."""
     for load in statics.machine.loads:
-        if isinstance(load, Force) and load.diagram is not None and load.diagram.length:
-            begin, end = statics.strokes[load.stroke].reach
-            factor = number(abs(end - begin) / load.diagram.length, language, DIGITS)
-            if factor != "1":
-                sizes = {"length": 1000 * load.diagram.length, "stroke": 1000 * abs(end - begin)}
-                told = {name: number(size, language, DIGITS) for name, size in sizes.items()}
-                name = plain(force_letter(load.name, language))
-                yield word(language, "verdict.stretched", name=name, factor=factor, **told)
+        if told := stretching(load, statics, language):
+            yield word(language, "verdict.stretched", name=plain(force_letter(load.name, language)), **told)
     for load, rests in statics.reversals:
         name = plain(force_letter(load.name, language))
         parts = {"name": name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
         angles = ", ".join(f"{number(float(np.degrees(angle)), language)}°" for angle in rests)
         yield word(language, "verdict.reverses", **parts, angles=angles)
+
+
+def stretching(load: Force | Moment, statics: Statics, language: str) -> dict[str, str]:
+    """Tell the length of a diagram over lengths, mm, the stroke and the factor between them; nothing where it is 1."""
+    if not isinstance(load, Force) or load.diagram is None or not load.diagram.length:
+        return {}
+    (begin, end), length = statics.strokes[load.stroke].reach, load.diagram.length
+    sizes = {"length": 1000 * length, "stroke": 1000 * abs(end - begin), "factor": abs(end - begin) / length}
+    told = {name: number(size, language, DIGITS) for name, size in sizes.items()}
+    return told if told["factor"] != "1" else {}
 
 
 def _reactions(found: Kinetostatics, balancing: BalancingQuantity, statics: Statics) -> Iterator[str]:

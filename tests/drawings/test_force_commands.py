@@ -155,4 +155,5 @@ def test_a_diagram_over_lengths_that_is_stretched_to_the_stroke_is_told(run: Run
         "its diagram covers 199 mm of a stroke of 200 mm, and is stretched to all of it: its lengths count 1.005 times"
     )
     assert told in run("draw", tmp_path / "press.toml", "-o", tmp_path)[1]
+    assert "its 199 mm stretched to the stroke of 200 mm" in (tmp_path / "press-forces.svg").read_text("utf-8")
     assert "stretched" not in run("draw", tmp_path / "exact.toml", "-o", tmp_path)[1]
