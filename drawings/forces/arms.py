@@ -12,6 +12,7 @@ from drawings.layout.parallel_offsets import Segment, merging
 from drawings.lettering.words import letter as by_language
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Field
+from drawings.paper.hand import Hand
 from drawings.paper.walk import tied, tied_spot
 from drawings.symbols.figure import Arm
 from geometry.board import Mark, at
@@ -120,27 +121,39 @@ def _one_line(arm: Leverage, other: Leverage) -> bool:
 
 
 BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
-# What speaks against a place: that it runs along a line, out of the figure, and how far it is from its own.
-ON_FORCE, OUTSIDE, FURTHER = 4, 3, 0.2
+# What speaks against a place: that it runs along a line, out of the figure, across an arm before it, that the symbol of
+# its pivot would hide arrows that stand outside, and how far it is from its own.
+ON_LINE, OUTSIDE, ACROSS, HIDDEN, FURTHER = 4, 3, 1, 3, 0.2
 
 
-def aside(arms: Iterable[Arm], lines: Iterable[Segment], box: Field | None) -> list[Arm]:
+def aside(arms: Iterable[Arm], lines: Iterable[Segment], box: Field | None, hand: Hand) -> list[Arm]:
     """Draw each arm at the nearest place where it runs along no line and none of those before it."""
-    taken, kept = list(lines), list[Arm]()
+    around, kept = list(lines), list[Arm]()
     for arm in arms:
-        kept.append(_aside(arm, taken, box))
-        taken.append(kept[-1].ends)
+        kept.append(_aside(arm, around, [other.reach(hand) for other in kept], box, hand))
     return kept
 
 
-def _aside(arm: Arm, lines: Sequence[Segment], box: Field | None) -> Arm:
+def _aside(arm: Arm, around: Sequence[Segment], before: Sequence[Segment], box: Field | None, hand: Hand) -> Arm:
     def cost(trial: Arm) -> float:
-        over = ON_FORCE * sum(merging(trial.ends, other) for other in lines)
-        outside = OUTSIDE * sum(box is not None and not within(end, box) for end in trial.ends)
-        return over + outside + FURTHER * abs(trial.aside) / BESIDE
+        reach = trial.reach(hand)
+        over = ON_LINE * sum(merging(reach, other) for other in (*around, *before))
+        outside = OUTSIDE * sum(box is not None and not within(end, box) for end in reach)
+        tight = reach != trial.ends
+        across = ACROSS * sum(_cross(reach, other) for other in ((*around, *before) if tight else before))
+        hidden = HIDDEN * (tight and not trial.aside)
+        return over + outside + across + hidden + FURTHER * abs(trial.aside) / BESIDE
 
     steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))
     return min((arm._replace(aside=step) for step in steps), key=cost)
+
+
+def _cross(line: Segment, other: Segment) -> bool:
+    """Tell whether two lines cross each other between their ends."""
+    return all(
+        tied(((end - start).conjugate() * (a - start)).imag * ((end - start).conjugate() * (b - start)).imag) < 0
+        for (start, end), (a, b) in ((line, other), (other, line))
+    )
 
 
 def within(spot: complex, box: Field) -> bool:

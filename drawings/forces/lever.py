@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from drawings.forces.arms import ON_FORCE, OUTSIDE, LeverTerm, aside, leverages, terms, within
+from drawings.forces.arms import ON_LINE, OUTSIDE, LeverTerm, aside, leverages, terms, within
 from drawings.forces.letters import BALANCE, LOAD, PAIR, letter_of
 from drawings.forces.polygon import ZERO
 from drawings.kinds.polygon import ShownVector
@@ -72,20 +72,20 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
 
     def cost(arrow: ForceArrow) -> int:
         ends = arrow.start, arrow.tip
-        over = ON_FORCE * sum(merging(ends, other) for other in taken.forces)
+        over = ON_LINE * sum(merging(ends, other) for other in taken.forces)
         over += OUTSIDE * (not within(arrow.free, taken.box))
         return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * (abs(arrow.at - image) > SAME)
 
     return min(tries, key=cost)
 
 
-def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) -> list[Arm]:
+def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int, hand: Hand) -> list[Arm]:
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
     subject = Subject(PLAN, SYMBOL, column)
     pole, scale = place.on(0j), place.scale
     every = (to_scale(t.arm, pole, place.on(t.at), t.direction, scale, subject) for t in terms if t.dimensioned)
     kept = sorted((arm for arm in every if arm.length >= LEAST_ARM), key=lambda arm: tied(arm.length))
-    return aside(kept, [*taken.rods, *taken.forces], taken.box)
+    return aside(kept, [*taken.rods, *taken.forces], taken.box, hand)
 
 
 def _downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:
@@ -210,12 +210,13 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
     arrows = placed_forces(shown.forces, place, taken, drafting)
-    terms = balance(shown, drafting)
-    kept = placed_arms(terms, place, taken, shown.column)
-    under = ";  ".join((drafting.scale(spot.scale), *([drafting.word("lever arms")] if terms else [])))
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     downward = _downward([*taken.rods, *taken.forces], place.on(0j), hand)
     stand = fixed_hinge(place.on(0j), hand, HINGE * hand.symbol, downward)
+    taken.rods.extend((line.start, line.end) for line in stand if isinstance(line, Line))
+    terms = balance(shown, drafting)
+    kept = placed_arms(terms, place, taken, shown.column, hand)
+    under = ";  ".join((drafting.scale(spot.scale), *([drafting.word("lever arms")] if terms else [])))
     dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
     lines = (
         heading(spot.box, _title(shown, drafting), under, hand),

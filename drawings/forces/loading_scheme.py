@@ -19,6 +19,7 @@ from drawings.kinds.polygon import ShownVector
 from drawings.kinds.scheme import Joints, link_numbers, ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
+from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import bounds, text_width
 from drawings.lettering.words import with_index
@@ -104,9 +105,14 @@ class SchemeLayout:
 
     @cached_property
     def arms(self) -> list[Arm]:
-        """The arms to scale, measurable, the longest last: none lies on a force."""
-        forces = (ends for a in self.arrows for ends in ((a.start, a.tip), (a.lead or a.at, a.at)))
-        return aside(sorted(self._bare, key=lambda arm: tied(arm.length)), forces, self.box)
+        """The arms to scale, measurable, the longest last: none lies on a force or on a link."""
+        lines = [ends for a in self.arrows for ends in ((a.start, a.tip), (a.lead or a.at, a.at))]
+        return aside(sorted(self._bare, key=lambda arm: tied(arm.length)), [*lines, *self._rods], self.box, self.hand)
+
+    @cached_property
+    def _rods(self) -> list[Segment]:
+        """The lines of the links on paper."""
+        return [bar for outline in self.joints.outlines for bar in self.joints.placed(outline) if bar[0] != bar[1]]
 
     @cached_property
     def _bare(self) -> list[Arm]:
@@ -137,7 +143,13 @@ class SchemeLayout:
         if box is not None:
             box = box.inset(self.drafting.hand.letter)
         spots = [self.place.on(spot) for spot in self.shown.named.values()]
-        return fan(arrows, [self._reach(force) for force in forces], self._around, spots, box, self.hand)
+        reaches = [(self._reach(force), self._inside(arrow)) for force, arrow in zip(forces, arrows, strict=True)]
+        return fan(arrows, reaches, self._around, spots, box, self.hand)
+
+    def _inside(self, arrow: ForceArrow) -> bool:
+        """Tell whether a force would run in a link's line, whichever end of it were at its point."""
+        both = ((arrow.at, arrow.at + sign * arrow.length * arrow.direction) for sign in (1, -1))
+        return all(any(merging(line, rod) for rod in self._rods) for line in both)
 
     def _arrow(self, force: ShownVector, length: float) -> ForceArrow:
         """Give a force's arrow at its point; that of a guide presses on its slider."""
@@ -196,6 +208,7 @@ class SchemeLayout:
         for stroke, weight in self._around:
             ink.draw([stroke], weight)
         ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
+        ink.draw((Line(arrow.lead, arrow.at) for arrow in self.arrows if arrow.lead is not None), THIN)
         return ink
 
     @cached_property

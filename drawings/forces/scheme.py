@@ -213,6 +213,8 @@ CLEAR = 1.5  # mm from the end of an arrow at its point that are not felt: symbo
 STEP, STEPS = 4.0, 25  # mm by which an arrow may stand off its point on its line of action, and how often
 # What ending at the point costs, standing off it, and each mm of that; a crossed thin line costs 1.
 ENDING, OFF, FURTHER = 3.0, 4.0, 0.3
+# A known force whose line of action runs in a link stands beside it, so many mm, on a thin line square to it: its cost.
+SIDE, PARALLEL = 8.0, 9.0
 PASSED, NEAR = 40.0, 3.0  # what a known force costs whose line to its point passes another point, so many mm near
 OUTSIDE = 10.0  # what each mm outside the figure's box costs
 ROUNDS = 2  # times that every arrow looks for its place among all others
@@ -244,7 +246,7 @@ def lengths(sizes: Sequence[float]) -> list[float]:
 
 def fan(
     arrows: Sequence[ForceArrow],
-    reaches: Sequence[float],
+    reaches: Sequence[tuple[float, bool]],
     around: Iterable[tuple[Stroke, float]],
     spots: Sequence[complex],
     box: Field | None,
@@ -252,27 +254,27 @@ def fan(
 ) -> list[ForceArrow]:
     """Place arrows among the lines around, each with its weight, among the points, and among each other.
 
-    Each arrow is given at its point, as it would stand alone; symbols reach some mm from there.
+    Each arrow is given at its point, as it would stand alone; symbols reach some mm from there; it may run in a link.
     """
     lines = list(around)
-    standing = [_standing(arrow, reach, arrow.ending, 0.0) for arrow, reach in zip(arrows, reaches, strict=True)]
+    standing = [_standing(one, reach, one.ending, 0.0, 0) for one, (reach, _) in zip(arrows, reaches, strict=True)]
     for _ in range(ROUNDS):
-        for k, (arrow, reach) in enumerate(zip(arrows, reaches, strict=True)):
+        for k, (arrow, (reach, inside)) in enumerate(zip(arrows, reaches, strict=True)):
             ink = Ink()
             for stroke, weight in lines:
                 ink.draw([stroke], weight)
             ink.draw((other.shaft for other in (*standing[:k], *standing[k + 1 :])), ARROW_LINES)
-            standing[k] = _best(arrow, reach, _Room(ink, spots, box), hand)
+            standing[k] = _best(arrow, reach, inside, _Room(ink, spots, box), hand)
     return standing
 
 
-def _best(arrow: ForceArrow, reach: float, room: _Room, hand: Hand) -> ForceArrow:
+def _best(arrow: ForceArrow, reach: float, inside: bool, room: _Room, hand: Hand) -> ForceArrow:
     """Give the cheapest place of an arrow; the customary ones come first."""
     best, cheapest = None, math.inf
-    for least, ending, off in sorted(_places(arrow.ending)):
+    for least, ending, off, side in sorted(_places(arrow.ending, inside and not arrow.unknown)):
         if least >= cheapest:
             break
-        trial = _standing(arrow, reach, ending, off * hand.symbol)
+        trial = _standing(arrow, reach, ending, off * hand.symbol, side)
         cost = least + _cost(trial, room, hand) + (0.0 if arrow.unknown else PASSED * _passed(arrow, trial, room))
         if cost < cheapest:
             best, cheapest = trial, cost
@@ -280,19 +282,22 @@ def _best(arrow: ForceArrow, reach: float, room: _Room, hand: Hand) -> ForceArro
     return best
 
 
-def _places(pressing: bool) -> Iterator[tuple[float, bool, float]]:
-    """Give what each place costs at least: starting or ending at the point, and mm off it."""
+def _places(pressing: bool, inside: bool) -> Iterator[tuple[float, bool, float, int]]:
+    """Give what each place costs at least: starting or ending at the point, mm off it, on its line or to a side."""
     for ending in (False, True):
         turned = ENDING * (ending != pressing)
-        yield turned, ending, 0.0
-        yield from ((turned + OFF + FURTHER * STEP * k, ending, STEP * k) for k in range(1, STEPS + 1))
+        yield turned, ending, 0.0, 0
+        yield from ((turned + OFF + FURTHER * STEP * k, ending, STEP * k, 0) for k in range(1, STEPS + 1))
+        if inside:
+            yield from ((turned + PARALLEL, ending, SIDE, side) for side in (-1, 1))
 
 
-def _standing(arrow: ForceArrow, reach: float, ending: bool, off: float) -> ForceArrow:
+def _standing(arrow: ForceArrow, reach: float, ending: bool, off: float, side: int) -> ForceArrow:
     """Stand an arrow at a place: starting or ending at its point's symbol, or off it on a thin line."""
     back = -arrow.direction if ending else arrow.direction
-    lead = arrow.at + back * reach if off else None
-    return arrow._replace(at=arrow.at + back * (reach + off), ending=ending, lead=lead)
+    way = side * 1j * arrow.direction if side else back
+    lead = arrow.at + way * reach if off else None
+    return arrow._replace(at=arrow.at + way * (reach + off), ending=ending, lead=lead)
 
 
 def _cost(arrow: ForceArrow, room: _Room, hand: Hand) -> float:

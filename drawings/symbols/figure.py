@@ -99,6 +99,7 @@ def plain_name(letter: str) -> str:
     return letter.replace("{", "").replace("}", "")
 
 
+ROOM = 2.4  # lengths of an arrow that a dimension line is long at least with both within it
 PAST = 1.5  # mm that an extension line goes past the dimension line
 
 
@@ -136,10 +137,15 @@ class Dimension(NamedTuple):
         return drawn if self.states is None else (stating(self.states, *drawn),)
 
 
+def roomy(length: float, hand: Hand) -> bool:
+    """Tell whether both arrows of a dimension have room within it."""
+    return tied(length - ROOM * ARROW_LENGTH * hand.symbol) > 0
+
+
 def arrows(start: complex, end: complex, hand: Hand) -> tuple[Stroke, ...]:
     """Draw a dimension line with arrows at both ends: within or, where there is no room, outside."""
     along = (end - start) / abs(end - start) * ARROW_LENGTH * hand.symbol
-    tails = (end, start) if tied(abs(end - start) - 3 * abs(along)) > 0 else (start - 2 * along, end + 2 * along)
+    tails = (end, start) if roomy(abs(end - start), hand) else (start - 2 * along, end + 2 * along)
     heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
     outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
     return Line(start, end, hand.drafted), *outer, *(head for head in heads if head is not None)
@@ -176,16 +182,17 @@ class Arm(NamedTuple):
         """Length on paper, mm."""
         return abs(self.foot - self.about)
 
+    def reach(self, hand: Hand) -> tuple[complex, complex]:
+        """Give the ends of the line that is dimensioned, or of the arrows outside it where they have no room within."""
+        (start, end), length = self.ends, self.length
+        tail = 0j if not length or roomy(length, hand) else 2 * (end - start) / length * ARROW_LENGTH * hand.symbol
+        return start - tail, end + tail
+
     def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw the perpendicular, the line of action as far as its foot, and the mark of the right angle."""
         if self.length < LEAST:
             return (self._action(hand),)
-        start, end = self.ends
-        perpendicular: list[Stroke] = [Line(start, end, hand.drafted)]
-        if self.length > 3 * ARROW_LENGTH * hand.symbol:  # a shorter one has no room for arrows
-            heads = arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol)
-            perpendicular += [head for head in heads if head is not None]
-        group = Group(tuple(perpendicular), "", self.data, self.letter)
+        group = Group(arrows(*self.ends, hand), "", self.data, self.letter)
         return self._action(hand), *self._extension(hand), *self._square(hand), group
 
     def _extension(self, hand: Hand) -> tuple[Line, ...]:
@@ -214,8 +221,8 @@ class Arm(NamedTuple):
         return (Polyline((foot + along, foot + along + across, foot + across), False, hand.drafted),)
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
-        """Letter it beside its middle."""
-        middle = sum(self.ends) / 2
+        """Letter it beside its middle, or where its arrows stand outside beside the further one."""
+        middle = sum(self.ends) / 2 if roomy(self.length, hand) else (self.ends[1] + self.reach(hand)[1]) / 2
         across = cmath.phase(1j * (self.foot - self.about)) if self.length >= LEAST else math.pi / 4
         return labels.beside(middle, self.letter, hand.letter, BESIDE, across)
 

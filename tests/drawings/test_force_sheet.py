@@ -11,11 +11,14 @@ from drawings.forces import sheet
 from drawings.forces.arms import aside
 from drawings.forces.letters import BALANCE, PAIR
 from drawings.forces.lever import hanging
+from drawings.forces.scheme import fan
 from drawings.layout.parallel_offsets import merging
 from drawings.linkage import sheet as linkage_sheet
 from drawings.linkage.positions import force_positions
-from drawings.paper.strokes import Leaf, SheetError
-from drawings.paper.walk import texts
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Fill, Leaf, Line, SheetError
+from drawings.paper.walk import flat, texts
+from drawings.symbols.couples import not_to_scale
 from drawings.symbols.figure import Arm
 from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
@@ -113,8 +116,21 @@ def test_no_dimension_lies_on_a_force() -> None:
     """A level arm is dimensioned aside of a level force at its point, and is left in place beside an upright one."""
     arm = Arm("h_1", 0j, 60 + 20j, -1j)
     for force, off in (((0j, 20 + 0j), True), ((5 + 0j, 5 + 20j), False)):
-        (drawn,) = aside([arm], [force], None)
+        (drawn,) = aside([arm], [force], None, hand_of("A1"))
         assert merging(arm.ends, force) is off is (drawn.aside != 0.0) and not merging(drawn.ends, force)
+
+
+def test_a_short_arm_is_dimensioned_aside_of_its_pivot_by_arrows_from_outside() -> None:
+    (drawn,) = aside([Arm("h_1", 0j, 6 + 40j, -1j)], [], None, hand_of("A1"))
+    heads = [stroke for stroke in flat(drawn.draw(hand_of("A1"))) if isinstance(stroke, Fill)]
+    assert drawn.aside and sorted(head.points[0].real for head in heads) == pytest.approx([0.0, 6.0])
+    assert all(not 0 < head.points[1].real < 6 for head in heads)
+
+
+def test_a_force_that_would_run_in_a_rod_stands_beside_it() -> None:
+    rod, force = [(Line(-60j, 60j), 3.0)], not_to_scale("Φ_4", -1j, 0j, 16.0)
+    (inside,), (outside,) = (fan([force], [(2.0, rides)], rod, [0j], None, hand_of("A1")) for rides in (True, False))
+    assert abs(inside.at.real) > 5 and inside.lead is not None and outside.at.real == 0.0
 
 
 @pytest.mark.rest
