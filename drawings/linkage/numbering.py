@@ -13,6 +13,7 @@ from drawings.lettering.lettering import numbered, text_width
 from drawings.lettering.words import number
 from drawings.linkage.guides import aside
 from drawings.linkage.skeleton import Pairs, Skeletons
+from drawings.page.page import Scale, page_of
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke, Text
 from drawings.symbols import symbols
@@ -164,7 +165,7 @@ ANGLES = 12  # positions of a list whose crank angles still have room beside the
 
 def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number every position outside the crank circle, at the output and each slider as many as stand legibly."""
-    yield from _crank_numbers(pairs, labels)
+    yield from () if apart(pairs.bones) else crank_numbers(pairs, labels)
     output = output_track(pairs.bones)
     for track in (*([output] if output else []), *sliders(pairs.bones)):
         yield from _track_numbers(pairs, track, labels)
@@ -184,7 +185,19 @@ def _is_shown(bones: Skeletons, station: NumberedPlace) -> bool:
     return station.column == bones.shown
 
 
-def _crank_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
+TINY, SHARE = 12.0, 0.7  # mm: of a smaller crank circle the numbers are not told apart; of a sheet, what a plan takes
+
+
+def apart(bones: Skeletons) -> bool:
+    """Tell whether the crank's circle is so small beside its mechanism that it is numbered on a detail of its own."""
+    if bones.mechanism.drive.pushed:
+        return False
+    field, points = page_of(bones.study.scene, "kinematics").field, np.array(bones.points)
+    mu = max(np.ptp(points.real) / field.width, np.ptp(points.imag) / field.height) / SHARE
+    return bool(bones.crank(Place(0j, 0j, Scale(mu, "l", "m"))) < TINY)
+
+
+def crank_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number the crank circle; where they crowd, every other one stands further out, and of a tiny circle not all."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     places, end = crank_places(bones), bones.mechanism.drive.end

@@ -12,10 +12,10 @@ from drawings.kinds.outlines import Poses, outlines, reach_of
 from drawings.kinds.scheme import ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.linkage.guides import PushArrow, TurningArrow, arrows, axes, grounds
-from drawings.linkage.numbering import same, stroke_line
+from drawings.linkage.numbering import apart, crank_numbers, crank_places, same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
 from drawings.linkage.trajectories import phases, trajectories
@@ -25,11 +25,12 @@ from drawings.paper.limits import MANY
 from drawings.paper.strokes import Arc, Circle, Group, Kind, Line, LineStyle, Statement, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols import symbols
-from drawings.symbols.figure import Subject
+from drawings.symbols.figure import Subject, around, heading, heading_width
 from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
+from plans.model.mechanism import FRAME
 from plans.model.motion import CHANGE_POINT, POSITIONS
 
 NAME = POSITIONS.plan
@@ -53,7 +54,11 @@ class PositionFigure(NamedTuple):
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its points lettered and its positions numbered."""
-        return *self.lines, letters(self.pairs, labels)
+        figure = *self.lines, letters(self.pairs, labels)
+        if not apart(self.pairs.bones):
+            return figure
+        circle = _around(self.pairs)
+        return *figure, Group((labels.beside(circle.centre, DETAIL, self.pairs.sheet.letter, circle.radius + 1.0),))
 
 
 def measure(bones: Skeletons, name: str, drafting: Drafting) -> Picture:
@@ -69,6 +74,46 @@ def draw(bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> Pos
     pairs = Pairs(bones, room.place(*spot), drafting.hand)
     lines = Group(tuple(layers(pairs, drafting.language)), NAME)
     return PositionFigure(pairs, (headed(NAME, spot, drafting), lines))
+
+
+DETAIL, CRANK = "I", "crank"  # the letter of the crank circle's detail, and the name of its figure
+AROUND, SIZES = 2.0, (8.0, 16.0)  # mm outside a crank circle to that of its detail; letters that this is large
+NUMBERED = Margins(2.0, 2.0, 2.0)  # paper around it, in sizes of its letters
+
+
+def _around(pairs: Pairs) -> Circle:
+    """Give the thin circle around what a detail shows."""
+    radius = pairs.bones.crank(pairs.place) + AROUND * pairs.hand.symbol
+    return Circle(pairs.bones.pivot(pairs.place), radius, pairs.hand.drafted)
+
+
+def measure_detail(bones: Skeletons, drafting: Drafting) -> Picture:
+    """Measure the room of a tiny crank circle drawn apart, with the numbers of its positions."""
+    hand, drive = drafting.hand, bones.mechanism.drive
+    pivot = bones.mechanism.links[FRAME].points[drive.pivot]
+    radius = abs(bones.drive_end(0) - pivot)
+    corners = [pivot + radius * way for way in (1, 1j, -1, -1j)]
+    title = heading_width(drafting.word("detail", letter=DETAIL), hand)
+    least, most = (size * hand.letter for size in SIZES)
+    return picture(CRANK, corners, ("l", "m"), around(NUMBERED, hand), title, least)._replace(most=most)
+
+
+def draw_detail(bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw the crank in all positions on its circle, the shown one in full lines, enlarged (выносной элемент)."""
+    pairs, drive = Pairs(bones, room.place(*spot), drafting.hand), bones.mechanism.drive
+    place, hand, pivot = pairs.place, pairs.hand, bones.pivot(pairs.place)
+    rays = [(place.on(station.crank), station) for station in crank_places(bones) if station.column != bones.shown]
+    thin = (Line(pivot, end, hand.extreme if station.extreme else hand.drafted) for end, station in rays)
+    marks = [circle for name in (drive.pivot, drive.end) for circle in pairs.hinges.get(name, ())]
+    lines = [*_path(bones, place, hand), *thin, Line(pivot, place.on(bones.drive_end(bones.shown)), hand.result)]
+    title = heading(spot.box, drafting.word("detail", letter=DETAIL), drafting.scale(spot.scale), drafting.hand)
+    named = {name: pairs.named[name] for name in (drive.pivot, drive.end) if name in pairs.named}
+
+    def lettered(labels: Labels) -> Iterator[Stroke]:
+        yield from pairs.letters(named, labels)
+        yield from crank_numbers(pairs, labels)
+
+    return LetteredFigure(CRANK, (title, Group(tuple(fit_dashes(lines))), *marks), lettered)
 
 
 def headed(title: str, spot: Spot, drafting: Drafting) -> Group:
@@ -102,6 +147,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks(subject, reference(bones.mechanism))), "pairs"),
         Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
+        Group((_around(pairs),) if apart(bones) else (), "detail"),
         Group(tuple(_sense(arrow, pairs) for arrow in arrows(pairs)), ROTATION),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
         Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),

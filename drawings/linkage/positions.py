@@ -11,6 +11,7 @@ import numpy as np
 from drawings.layout.contents import Panel
 from drawings.linkage import position_plan
 from drawings.linkage.notes import notes
+from drawings.linkage.numbering import apart
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
@@ -172,10 +173,13 @@ FOREMOST = 1.5  # the plan of positions states the scale of its sheet, and is do
 SHARE = 1 / 3  # of its sheet
 
 
-def shown_positions(bones: Skeletons, drafting: Drafting) -> Exhibit:
-    """Measure the plan of positions, to be drawn where it has its spot."""
+def shown_positions(bones: Skeletons, drafting: Drafting) -> Iterator[Exhibit]:
+    """Measure the plan of positions and the detail of a tiny crank circle, to be drawn where they have their spots."""
     room = position_plan.measure(bones, POSITIONS.plan, drafting)
-    return Exhibit(Panel(room, FOREMOST, share=SHARE), partial(position_plan.draw, bones, room, drafting=drafting))
+    yield Exhibit(Panel(room, FOREMOST, share=SHARE), partial(position_plan.draw, bones, room, drafting=drafting))
+    if apart(bones):
+        detail = position_plan.measure_detail(bones, drafting)
+        yield Exhibit(Panel(detail), partial(position_plan.draw_detail, bones, detail, drafting=drafting))
 
 
 def facts_of(study: LinkageStudy, shown: int, names: Collection[str]) -> dict[str, Any]:
@@ -191,10 +195,10 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     asked = position_asked(linkage)
     comparison, shown = study.of(MotionComparison), int(np.argmax(~linkage.lost)) if asked is None else asked
     bones = skeletons(linkage, comparison.construction, shown)
-    figure = shown_positions(bones, drafting)
+    figures = tuple(shown_positions(bones, drafting))
 
     def facts(names: Collection[str]) -> dict[str, Any]:
         return {**facts_of(linkage, shown, names), "plans": [], "vectors": []}
 
     words = tuple(notes(linkage, comparison, drafting.language))
-    return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), (figure,), (), words, facts)])
+    return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), figures, (), words, facts)])

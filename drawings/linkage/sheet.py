@@ -86,7 +86,7 @@ class _KinematicsSheet:
         if self.output is not None:
             words += diagram_notes(self.output, self.drafting)
         title = self.drafting.word("sheet title")
-        figures: tuple[Exhibit, ...] = (shown_positions(self.bones, self.drafting), *self._plans(), *self._diagrams())
+        figures: tuple[Exhibit, ...] = (*shown_positions(self.bones, self.drafting), *self._plans(), *self._diagrams())
         shows: tuple[Exhibit | Caption, ...] = (*figures, *captions(self._workings()))
         tables, remarks = self._tables(), self._remarks if self.study.scene.sheet.scales == "common" else None
         facts, later = self._facts, lambda scales: self.by_hand.on_sheet(self.positions, scales)

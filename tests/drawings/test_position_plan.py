@@ -14,15 +14,16 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
 from drawings.linkage.position_plan import layers
-from drawings.linkage.sheet import position
+from drawings.linkage.sheet import leaves, position
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke, Text
-from drawings.paper.walk import flat
+from drawings.paper.walk import flat, texts
 from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene, read_scene
+from plans.study import Study
 from tests.drawings import mechanisms
 from tests.drawings.collisions import ink
 from tests.gallery import LINKAGES
@@ -138,3 +139,11 @@ def test_a_leader_runs_along_no_line() -> None:
     sheet.draw(line for line in rules if not any(field.holds(line.start + 0.5) for field in (near, far)))
     led = Labels(sheet, A1.drafted).beside(50 + 50j, "O", 5, 3, 0.0)
     assert any(far.holds(text.at) for text in flat([led]) if isinstance(text, Text))
+
+
+def test_a_tiny_crank_circle_is_numbered_on_a_detail() -> None:
+    """Of 5 mm beside a rod of 500: every position has its number there, and none where it would not be read."""
+    (leaf, *_) = leaves(Study(parse_scene(mechanisms.ECCENTRIC)))
+    (detail,) = (group for group in leaf.groups if group.name == "crank")
+    assert {str(k) for k in range(12)} <= {text.plain for text in texts([detail])}
+    assert not any(text.plain == "7" for group in leaf.groups if group.name == "positions" for text in texts([group]))
