@@ -12,6 +12,7 @@ from drawings.forces.arms import ON_LINE, OUTSIDE, LeverTerm, aside, leverages, 
 from drawings.forces.letters import BALANCE, LOAD, PAIR, letter_of
 from drawings.forces.polygon import ZERO
 from drawings.kinds.polygon import ShownVector
+from drawings.kinds.scheme import nearest
 from drawings.kinds.vector_plan import LEAST, letter_images
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment, merging
@@ -94,16 +95,11 @@ def _downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:
     turns = sorted((math.remainder(math.tau * k / STANDS, math.tau) for k in range(STANDS)), key=abs)
 
     def clear(turn: float) -> float:
-        return min((_distance(pole - 1j * depth * cmath.rect(1.0, turn), line) for line in lines), default=math.inf)
+        foot = pole - 1j * depth * cmath.rect(1.0, turn)
+        return min((abs(foot - nearest(*line, foot)) for line in lines if line[0] != line[1]), default=math.inf)
 
     free = [turn for turn in turns if clear(turn) > (STAND[1] + STAND[2]) * hand.symbol]
     return -1j * cmath.rect(1.0, free[0] if free else max(turns, key=clear))
-
-
-def _distance(spot: complex, line: Segment) -> float:
-    start, along = line[0], line[1] - line[0]
-    share = ((spot - start) * along.conjugate()).real / abs(along) ** 2 if along else 0.0
-    return abs(spot - start - along * min(max(share, 0.0), 1.0))
 
 
 QUARTER = -1j  # the plan is turned clockwise
@@ -129,7 +125,10 @@ class Hanging(NamedTuple):
 def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
     """Read the lever from its record, and from that of the velocity plan which lines join its images."""
     base = diagram(plan.velocities, column)
-    rods = {(arrow.start, arrow.end): (_turned(arrow.ends), arrow.absolute) for arrow in base.arrows}
+    rods = {
+        (arrow.start, arrow.end): ((QUARTER * arrow.ends[0], QUARTER * arrow.ends[1]), arrow.absolute)
+        for arrow in base.arrows
+    }
     images = {mark.name: (_letters_of(plan, mark), QUARTER * at(mark.point, column)) for mark in base.letters}
     joined = list(rods.values())
     for mark in (*(load.at for load in lever.loads), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
@@ -154,10 +153,6 @@ def _letters_of(plan: ForcePlan, image: Mark) -> str:
     """Give all letters of an image, its own first."""
     letters = [plan.velocities.letter(name) for name, mark in plan.velocities.letters.items() if mark is image]
     return " ".join(dict.fromkeys((image.name, *letters)))
-
-
-def _turned(ends: tuple[complex, complex]) -> Segment:
-    return QUARTER * ends[0], QUARTER * ends[1]
 
 
 def _hung_forces(lever: Lever, column: int) -> Iterator[ShownVector]:
@@ -206,7 +201,10 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
     place, hand = room.place(*spot), drafting.hand
     subject = Subject(PLAN, SYMBOL, shown.column)
-    rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
+    rods = [
+        (Line(place.on(start), place.on(end), hand.other if thin else hand.relative))
+        for (start, end), thin in shown.rods
+    ]
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
     arrows = placed_forces(shown.forces, place, taken, drafting)
@@ -245,10 +243,6 @@ def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterat
         said = f"−{name}" if name in names else name
         names.add(name)
         yield stating(Statement(Kind.DIRECTION, PLAN, said, subject.position), arrow.draw(hand))
-
-
-def _style(thin: bool, hand: Hand) -> LineStyle:
-    return hand.other if thin else hand.relative
 
 
 def _dot(at: complex, hand: Hand) -> Circle:

@@ -158,14 +158,10 @@ class SchemeLayout:
         return not_to_scale(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
 
     def _reach(self, force: ShownVector) -> float:
-        """Give how far from a force's point symbols reach."""
-        pressing = force.kind == PRESSING and self._on_block(force)
-        return BLOCK[1] / 2 * self.hand.symbol if pressing else self._rim(force.spot)
-
-    def _on_block(self, force: ShownVector) -> bool:
-        """Tell whether a guide's reaction meets its slider's block."""
-        at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
-        return any(abs(at - spot) <= reach for spot in self._blocks)
+        """Give how far from a force's point symbols reach: its slider's block, where a guide's reaction meets that."""
+        (length, width), at = (size / 2 * self.hand.symbol for size in BLOCK), self.place.on(force.at)
+        pressing = force.kind == PRESSING and any(abs(at - spot) <= length for spot in self._blocks)
+        return width if pressing else self._rim(force.spot)
 
     @property
     def _blocks(self) -> list[complex]:
@@ -220,17 +216,14 @@ class SchemeLayout:
             before = [other for other in arcs if abs(other.at - at) < RADIUS]
             least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
             radius = (least + APART * len(before)) * self.hand.symbol
-            choices = self._facing(CoupleArc(self.letter(moment.name), at, moment.sense, radius))
-            arcs.append(min(choices, key=lambda arc: (arc.crowded(before), self._crossing(arc, ink))))
+            arc = CoupleArc(self.letter(moment.name), at, moment.sense, radius)
+            ways = product((THREE_QUARTERS, HALF), (2 * math.pi * k / FACINGS for k in range(FACINGS)))
+            choices = (arc._replace(facing=facing, sweep=sweep) for sweep, facing in ways)
+            arcs.append(min(choices, key=partial(self._crossing, before, ink)))
         return arcs
 
-    def _facing(self, arc: CoupleArc) -> Iterator[CoupleArc]:
-        """Turn an arc all ways, of three quarters of a turn and of half a turn."""
-        for sweep, k in product((THREE_QUARTERS, HALF), range(FACINGS)):
-            yield arc._replace(facing=2 * math.pi * k / FACINGS, sweep=sweep)
-
-    def _crossing(self, arc: CoupleArc, ink: Ink) -> float:
-        return ink.crossed_by([arc.draw(self.hand)]) + NARROW * (arc.sweep == HALF)
+    def _crossing(self, before: Sequence[CoupleArc], ink: Ink, arc: CoupleArc) -> tuple[int, float]:
+        return arc.crowded(before), ink.crossed_by([arc.draw(self.hand)]) + NARROW * (arc.sweep == HALF)
 
     def _hidden(self, spot: complex) -> bool:
         """Tell whether a block would hide the arrowhead of an arm that ends at a place."""
@@ -329,7 +322,7 @@ def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Strok
         yield arm.letter_beside(labels, hand)
     for shift in layout.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
-    lines = [*_lines(layout.links), *(arrow.shaft for arrow in layout.arrows)]
+    lines = [line for line in layout.links if isinstance(line, Line)] + [arrow.shaft for arrow in layout.arrows]
     for name, value in layout.shown.named.items():
         spot, gap = layout.place.on(value), layout.clear(name) + 1.0
         yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
@@ -341,7 +334,3 @@ def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Strok
         middle, turn = layout.gear.angle(layout.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)
     yield from link_numbers(layout.joints, layout.shown.links.links, labels, hand)
-
-
-def _lines(strokes: list[Stroke]) -> Iterator[Line]:
-    return (stroke for stroke in strokes if isinstance(stroke, Line))

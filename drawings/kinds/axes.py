@@ -100,14 +100,11 @@ class Pole(NamedTuple):
         """Draw the pole, and rays to values that lie apart, each value carried to where it belongs."""
         at, (letter, text) = axes.zero - self.distance, self.letters
         size = Dimension(text, at, axes.zero, self.off)
-        rays = (line for k in self._drawn(axes) for line in self._ray(k, at, axes, hand))
+        kept = spaced((self.values / axes.up.mu).tolist(), self.apart)  # those whose ends lie apart
+        rays = (line for k in kept for line in self._ray(k, at, axes, hand))
         base = Line(at, axes.zero, hand.drafted)
         letters = (Letter(at, letter, hand.letter, LEFT), Letter(size.middle, text, hand.letter, self.side))
         return Part(name, (base, *rays, *size.draw(hand), pole(at)), letters)
-
-    def _drawn(self, axes: "Axes") -> tuple[int, ...]:
-        """Choose the values whose rays are drawn: those whose ends lie apart."""
-        return spaced((self.values / axes.up.mu).tolist(), self.apart)
 
     def _ray(self, k: int, at: complex, axes: "Axes", hand: Hand) -> Iterator[Stroke]:
         """Draw the ray of a value, and what it cuts off carried from the axis to where it belongs."""

@@ -193,7 +193,11 @@ def _slotted(
     bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
 ) -> tuple[list[Bar], list[RigidCorner]]:
     """Lengthen the bar on a slot's line, or lay one along it, so that it reaches from `low` to `high` along it."""
-    on_line = [bar for bar in bars if _flat(bar, way, high - low)]
+    on_line = [
+        bar
+        for bar in bars
+        if all(abs(along(way, end).imag) <= FLAT * max(abs(bar[1] - bar[0]), high - low) for end in bar)
+    ]
     rest = [bar for bar in bars if bar not in on_line]
     if not on_line:
         return _crossing(bars, spots, way, low, high)
@@ -241,11 +245,6 @@ def _holds(bar: Bar, spot: complex) -> bool:
 def along(way: Way, spot: complex) -> complex:
     """Measure where a spot lies from a line's point: along the line, and to its left."""
     return (spot - way.through) * way.direction.conjugate()
-
-
-def _flat(bar: Bar, way: Way, length: float) -> bool:
-    """Tell whether a bar lies on a line."""
-    return all(abs(along(way, end).imag) <= FLAT * max(abs(bar[1] - bar[0]), length) for end in bar)
 
 
 def _piece(way: Way, low: float, high: float) -> Bar:

@@ -247,12 +247,8 @@ class RowFrame(ABC, Generic[Shown]):
 
     def _taken(self, scales: Sequence[Scale]) -> list[float]:
         """Give what the rows take at some scales, mm."""
-        return [span / scale.mu for span, scale in zip(self._spans, scales, strict=True)]
-
-    @cached_property
-    def _spans(self) -> list[float]:
-        """What the rows reach over, in their own units."""
-        return [high - low for low, high in (row.span for row in self.plate.rows)]
+        spans = (high - low for low, high in (row.span for row in self.plate.rows))  # in their own units
+        return [span / scale.mu for span, scale in zip(spans, scales, strict=True)]
 
     @cached_property
     def scales(self) -> dict[str, Scale]:

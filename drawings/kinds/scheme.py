@@ -13,13 +13,13 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.kinds.outlines import Bones, LinkOutline, is_centre, offset_foot, outlines, places
-from drawings.layout.ink import LETTERED
+from drawings.layout.ink import LETTERED, padded
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import bounds
 from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Box, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols import symbols
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, HINGE, MASS, POINT, STONE
@@ -362,7 +362,7 @@ def _number(content: str, spots: list[NumberPlace], labels: Labels, hand: Hand) 
 
     def covered(spot: NumberPlace) -> int:
         through = labels.ink.along(spot.middle, spot.foot)[0] // LETTERED if spot.off > LED else 0
-        return labels.ink.under(_square(spot.middle, radius + 0.4)) + through
+        return labels.ink.under(padded((0.0, 0.0, 0.0, 0.0), spot.middle, radius + 0.4)) + through
 
     spot = next((spot for spot in spots if not covered(spot)), None) or min(spots, key=covered)
     left, bottom, right, top = bounds(Text(0j, content, hand.text, "middle"))
@@ -377,7 +377,3 @@ def _leader(spot: NumberPlace, radius: float, hand: Hand) -> tuple[Stroke, ...]:
     """Lead from a circle's rim to a dot on its link."""
     rim = spot.middle + (spot.foot - spot.middle) / abs(spot.foot - spot.middle) * radius
     return Line(rim, spot.foot, hand.drafted), Circle(spot.foot, DOT * hand.symbol, INK)
-
-
-def _square(middle: complex, half: float) -> Box:
-    return middle.real - half, middle.imag - half, middle.real + half, middle.imag + half

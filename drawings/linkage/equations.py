@@ -325,13 +325,10 @@ def _scale(scale: Scale, formula: Formula) -> str:
 def _numbers(study: LinkageStudy, written: VectorEquations) -> Iterator[str]:
     drive = study.mechanism.drive
     yield word(written.language, "report.primary", link=drive.link)
-    lines = written.of_point(drive.end) if drive.pushed else chain(*map(written.crank, _primary(study, written.sums)))
+    vectors = (one for one in PRIMARIES[drive.kind].vectors(study.mechanism) if isinstance(one, Turning))
+    turned = chain(*(written.crank(written.sums.turning(vector)) for vector in vectors))
+    lines = written.of_point(drive.end) if drive.pushed else turned
     yield from map("- {}".format, lines)
     for group in study.groups:
         yield word(written.language, "report.numbers_of_group", group=group.label)
         yield from map("- {}".format, written.numbers(cast(Dyad, group)))
-
-
-def _primary(study: LinkageStudy, sums: VectorSums) -> Iterator[VectorSum]:
-    vectors = PRIMARIES[study.mechanism.drive.kind].vectors(study.mechanism)
-    return (sums.turning(vector) for vector in vectors if isinstance(vector, Turning))

@@ -98,15 +98,12 @@ def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> TurningArrow:
 
 def _turning_places(letter: str, sense: int, pairs: Pairs) -> Iterator[TurningArrow]:
     centre, factor = pairs.bones.pivot(pairs.place), pairs.hand.symbol
-    for radius in _radii(pairs.bones.crank(pairs.place), factor):
+    # Inside the crank circle where it has room, else outside its numbers
+    crank = pairs.bones.crank(pairs.place)
+    inside = [radius * factor for radius in (INNER, OUTER) if radius * factor <= crank - RIM]
+    for radius in inside or [crank + NUMBERS]:
         for k in range(STARTS):
             yield TurningArrow(letter, TurnArrow(centre, radius, 2 * math.pi * k / STARTS, sense * SWEEP))
-
-
-def _radii(crank: float, factor: float) -> list[float]:
-    """Give the radii of an arrow: inside the crank circle where it has room, else outside its numbers."""
-    inside = [radius * factor for radius in (INNER, OUTER) if radius * factor <= crank - RIM]
-    return inside or [crank + NUMBERS]
 
 
 BEYOND = 16.0  # mm of a guide's axis past the block's outermost places

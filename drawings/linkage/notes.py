@@ -47,7 +47,9 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
         if low != high:
             ends = {end: slotted("", f"{end} {group.label}", angle) for end, angle in (("low", low), ("high", high))}
             said.append(phrase(language, "pressure", group=group.label, **ends))
-    return [*said, *_gaps(comparison, language), *_why(study, comparison)]
+    said += _gaps(comparison, language)
+    # Without any position, what would mend the mechanism
+    return [*said, worded(comparison.construction.gaps[0].advice, language)] if study.lost.all() else said
 
 
 def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
@@ -89,11 +91,6 @@ def _gaps(comparison: MotionComparison, language: str) -> list[str]:
         word(language, "gap", positions=runs(positions), reason=word(language, reason), where=where)
         for (reason, where), positions in reasons.items()
     ]
-
-
-def _why(study: LinkageStudy, comparison: MotionComparison) -> list[str]:
-    """Say on a sheet without any position what would mend the mechanism."""
-    return [worded(comparison.construction.gaps[0].advice, study.scene.sheet.language)] if study.lost.all() else []
 
 
 def _extremes_said(study: LinkageStudy, language: str) -> str:

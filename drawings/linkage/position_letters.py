@@ -97,24 +97,18 @@ def clearest(
     points = [place.on(value) for value in bones.points]
     xs, ys = [point.real for point in points], [point.imag for point in points]
     room = min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
-    best: list[Stroke] = []
-    cheapest = math.inf
+    best, cheapest, up = list[Stroke](), math.inf, 1j * (last - first) / abs(last - first)
     for distance in DISTANCES:
         if distance >= cheapest:
             break  # no place further off can be better
-        for strokes in _candidates(first, last, distance, text, hand):
+        for side, share in product((1, -1), DIMENSION_SHARES):
+            strokes = _dimension(first, last, side * distance * up, share, text, hand)
             letters, dimension, *extensions = strokes[:4]
             struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
             cost = tied(distance + (STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)))
             if cost < cheapest:
                 best, cheapest = strokes, cost
     return best
-
-
-def _candidates(first: complex, last: complex, distance: float, text: str, hand: Hand) -> Iterator[list[Stroke]]:
-    up = 1j * (last - first) / abs(last - first)
-    for side, share in product((1, -1), DIMENSION_SHARES):
-        yield _dimension(first, last, side * distance * up, share, text, hand)
 
 
 def _dimension(first: complex, last: complex, off: complex, share: float, text: str, hand: Hand) -> list[Stroke]:

@@ -14,7 +14,7 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.linkage.guides import PushArrow, TurningArrow, arrows, axes, grounds
+from drawings.linkage.guides import arrows, axes, grounds
 from drawings.linkage.numbering import apart, crank_numbers, crank_places, same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
@@ -132,6 +132,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     body, stands = list(pairs.bars()), list(pairs.stands())
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_path(bones, place, hand), *_positions(pairs)]
+    senses = arrows(pairs)
     extremes, lines, notches = list(_extremes(pairs)), axes(bones, place, hand), list(_notches(bones, place, hand))
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
@@ -148,21 +149,16 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group((*stands, *pairs.marks(subject, reference(bones.mechanism))), "pairs"),
         Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
         Group((_around(pairs),) if apart(bones) else (), "detail"),
-        Group(tuple(_sense(arrow, pairs) for arrow in arrows(pairs)), ROTATION),
+        Group(tuple(stating(Statement(Kind.DIRECTION, NAME, a.letter), *a.strokes(pairs)) for a in senses), ROTATION),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
         Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),
     ]
     return [group for group in groups if group.strokes]
 
 
-def _sense(arrow: TurningArrow | PushArrow, pairs: Pairs) -> Stroke:
-    return stating(Statement(Kind.DIRECTION, NAME, arrow.letter), *arrow.strokes(pairs))
-
-
 def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw the way of the primary link's end: the crank's circle, or the stroke of a slider."""
-    draw = stroke_line if bones.mechanism.drive.pushed else _circle
-    return draw(bones, place, hand)
+    return (stroke_line if bones.mechanism.drive.pushed else _circle)(bones, place, hand)
 
 
 def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:

@@ -339,13 +339,10 @@ def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence
     missing = [term(linkage.language, "plan", plan) for plan in (EXTREMES, *PLANS) if plan not in shown]
     if missing:
         yield say("report.not_made", plans=", ".join(missing))
-    still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in _turning(linkage)]
+    turning = linkage.drafts().velocities.readings if "velocities" in linkage.made else linkage.mechanism.links
+    still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in turning]
     if still:
         yield say("report.still", links=", ".join(still), count=len(still))
-
-
-def _turning(study: LinkageStudy) -> set[int]:
-    return set(study.drafts().velocities.readings) if "velocities" in study.made else set(study.mechanism.links)
 
 
 REPORT = Report(chapters, headline, remarks, subject, concluded, equations_of)

@@ -119,7 +119,8 @@ class _KinematicsSheet:
             why = self.drafting.word("no plan", plan=plan, position=k, reason=reason)
             absent = vector_plan.measure_missing(why, name, self.drafting)
             return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
-        return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=self._shared(subject))
+        shared = subject if self.study.scene.sheet.scales == "common" else ""
+        return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=shared)
 
     def _workings(self) -> Iterator[Workings]:
         """How the plans are laid off and read: beside them, where paper would stay bare."""
@@ -140,10 +141,6 @@ class _KinematicsSheet:
             return []
         room = rows.measure(self.output, self.drafting)
         return [Exhibit(Panel(room), partial(rows.draw, self.output, drafting=self.drafting))]
-
-    def _shared(self, subject: str) -> str:
-        """Name the common scale of all plans of a kind; each has its own where the scene asks for that."""
-        return subject if self.study.scene.sheet.scales == "common" else ""
 
     @cached_property
     def _shown_plans(self) -> dict[tuple[str, int], VectorDiagram]:

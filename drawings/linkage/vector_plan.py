@@ -178,10 +178,15 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
     """Draw the plan in its spot, with its title and its written scale above it."""
     kind, place, hand = shown.plan.board.subject, room.place(*spot), drafting.hand
     subject = Subject(kind, VECTOR[kind].symbol, shown.column)
-    title = _heading(shown, spot, drafting)
+    under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
+    title = heading(spot.box, drafting.word(shown.plan.board.subject, position=shown.column), under, hand)
     sides = (Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.sides)
     lines = Group((*directions(shown.rays, place, hand), *(s for s in sides if abs(s.end - s.start) >= LEAST)))
-    styles = {arrow: _style(shown, arrow, hand) for arrow in shown.arrows if _visible(arrow, place)}
+    styles = {
+        arrow: _style(shown, arrow, hand)
+        for arrow in shown.arrows
+        if place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
+    }
     arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
     strokes = (title, *([lines] if lines.strokes else []), *arrows, dot)
@@ -209,16 +214,6 @@ def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[L
             part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), letter, said)
             least = text_width(Text(0j, letter, drafting.hand.number, "start", True))
             yield from (part,) if part.length >= least + ARROW_LENGTH * drafting.hand.symbol else ()
-
-
-def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:
-    title = drafting.word(shown.plan.board.subject, position=shown.column)
-    under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
-    return heading(spot.box, title, under, drafting.hand)
-
-
-def _visible(arrow: PlanArrow, place: Place) -> bool:
-    return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
 
 
 def _style(shown: VectorDiagram, arrow: PlanArrow, hand: Hand) -> LineStyle:

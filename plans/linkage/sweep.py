@@ -14,7 +14,6 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Mark
 from geometry.meet import UNBORNE, Sizes
 from plans.linkage.assembly import SAME, Barrier, BarrierEdge, margins, meeting, of_arcs
 from plans.linkage.dyads import KINDS
@@ -278,12 +277,11 @@ class Sweep:
             ends = [BarrierEdge(phi, beyond, CHANGE_POINT, group, marks[group].name) for phi, beyond in (start, end)]
             return Barrier((ends[0], ends[1]), 0.0)
         groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
-        ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
+        kinds = [OUT_OF_REACH if of_arcs(marks[group]) else PARALLEL_GUIDES for group in groups]
+        edges = zip((start, end), kinds, groups, strict=True)
+        ends = [BarrierEdge(*edge, kind, group, marks[group].name) for edge, kind, group in edges]
         misses = [float(np.nanmax(np.asarray(marks[g].miss, dtype=float))) for g in set(groups) if of_arcs(marks[g])]
         return Barrier((ends[0], ends[1]), max(misses, default=0.0))
-
-    def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> BarrierEdge:
-        return BarrierEdge(phi, beyond, OUT_OF_REACH if of_arcs(mark) else PARALLEL_GUIDES, group, mark.name)
 
 
 def _least(before: float, middle: float, after: float) -> float:

@@ -10,7 +10,6 @@ from itertools import combinations
 from geometry.errors import DraftError
 from plans.forces.reading.fields import Ends, EndTable, holders, point_of
 from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, ForceTable, LoadsTable, MomentTable, PairTable
-from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.linkage import check_numbers, mechanism_of
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
@@ -246,7 +245,8 @@ def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
     """Find indicator diagrams whose two strokes do not meet at their ends."""
     for index, force in enumerate(form.loads.forces if form.loads else ()):
         table, path = force.diagram, ("loads", "forces", index, "diagram", "back")
-        for share, there, back in _diagram_ends(table) if table and table.back else ():
+        ends = ((table.shares[k], table.there[k], table.back[k]) for k in (0, -1)) if table and table.back else ()
+        for share, there, back in ends:
             if there != back:
                 name, unit = ("pressure", "Pa") if table and table.pressure else ("force", "N")
                 details = {"travel": f"{share:f}", "jump": f"{abs(there - back):f}", "name": name, "unit": unit}
@@ -283,8 +283,3 @@ def _uneven(scene: Scene, path: Path, force: ForceTable) -> Iterator[Fault]:
     least, most = min(sizes, key=sizes.__getitem__, default=None), max(sizes.values(), default=Decimal(0))
     if least is not None and most >= UNEVEN * sizes[least]:
         yield scene.fault(least, "uneven_pressures", size=f"{float(sizes[least]):.6g}", most=f"{float(most):.6g}")
-
-
-def _diagram_ends(table: DiagramTable) -> Iterator[tuple[Decimal, Decimal, Decimal]]:
-    """Give the two ends of a diagram: share of the stroke, force, and force on the idle stroke."""
-    yield from ((table.shares[end], table.there[end], table.back[end]) for end in (0, -1))
