@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -111,7 +110,8 @@ def cut_links(plan: ForcePlan, cut: CutGroup, column: int) -> CutLinks:
     links = {FRAME: Link(FRAME, still), **({AWAY: Link(AWAY, away)} if away else {}), **cut_off}
     turns = {link: all_poses.turns.get(link, all_poses.turns[FRAME]) for link in links}
     kept = Poses(links, {name: all_poses.points[name] for name in places}, turns)
-    travels = {slide: _travel(all_poses, slide) for slide in whole.slides if slide.owner in cut_off}
+    ways = {slide: all_poses.along(slide) for slide in whole.slides if slide.owner in cut_off}
+    travels = {slide: (float(np.nanmin(way)), float(np.nanmax(way))) for slide, way in ways.items()}
     reduced = replace(whole, links=links, slides=tuple(slides))
     return CutLinks(reduced, list(cut.links), kept, column, _masses(plan, cut), travels)
 
@@ -120,11 +120,6 @@ def _held(slide: Slide, all_poses: Poses, column: int) -> Slide:
     """Hold a slide's line where the link that was taken away has it."""
     through = complex(all_poses.of(slide.owner, slide.on_owner.through)[column])
     return slide._replace(owner=FRAME, on_owner=Way(through, complex(all_poses.line(slide)[column])))
-
-
-def _travel(all_poses: Poses, slide: Slide) -> tuple[float, float]:
-    along = [float(place) for place in all_poses.along(slide) if not math.isnan(place)]
-    return min(along), max(along)
 
 
 def _masses(plan: ForcePlan, cut: CutGroup) -> dict[str, tuple[int, complex]]:
@@ -178,7 +173,10 @@ def acting(plan: ForcePlan, cut: CutGroup, links: CutLinks, column: int) -> Sche
     shifts: list[GuideShift] = []
     for support in cut.supports:
         if support.slide is None:
-            forces += _hinge(support, column)
+            # A hinge's by its parts, or whole where it has none
+            place, name = at(support.at.point, column), support.at.name
+            parts = support.parts or (support.force,)
+            forces += (ShownVector(part.name, UNKNOWN, place, at(part.point, column), name) for part in parts)
         else:
             pressed = _guide(support, links, column, least)
             forces.append(pressed[0])
@@ -204,13 +202,6 @@ def _couples(plan: ForcePlan, cut: CutGroup, links: CutLinks, column: int) -> It
         size = at(plan.balancing.point, column).real
         shaft = at(plan.positions.point(plan.mechanism.drive.pivot).point, column)
         yield ShownMoment(BALANCING, shaft, 1 if size > 0 else -1)
-
-
-def _hinge(support: Support, column: int) -> Iterator[ShownVector]:
-    """Give the reaction of a hinge by its parts, or whole where it has none."""
-    place = at(support.at.point, column)
-    for part in support.parts or (support.force,):
-        yield ShownVector(part.name, UNKNOWN, place, at(part.point, column), support.at.name)
 
 
 def _guide(

@@ -111,13 +111,9 @@ def _lead(plan: ForcePlan, equation: MomentEquation, spot: Mark, bare: Leverage)
 
 def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
     """Letter an arm by a number: forces on one line of action have one."""
-    same = next((other.letter for other in known if _one_line(other, bare)), "")
+    alike = (one for one in known if one.about == bare.about and one.dimensioned)
+    same = next((o.letter for o in alike if abs(o.foot - bare.foot) <= NOTHING * abs(o.at - o.pivot)), "")
     return same or f"h_{{{start + len({other.letter for other in known if other.dimensioned}) + 1}}}"
-
-
-def _one_line(arm: Leverage, other: Leverage) -> bool:
-    near = NOTHING * abs(arm.at - arm.pivot)
-    return arm.about == other.about and abs(arm.foot - other.foot) <= near and arm.dimensioned
 
 
 BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most

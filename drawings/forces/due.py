@@ -196,15 +196,13 @@ class _Sheet:
             for bearing in bill.bearings:
                 yield from self._bearing(plan, bearing)
             mu = self.scales.get(f"scheme-{label}", 0.0)
+            # Places of a scheme are told from its first point
+            points = (self.acting.statics.study.mechanism.links[link].points for link in bill.links)
+            zero = self.acting.position.place(min(chain(*points)))
             for arm in (arm for arm in self.acting.lettered_arms(label) if arm.letter.startswith("h")):
                 row = self._arm(plan, arm, mu)
                 off = math.inf if self.acting.doubtful else 2 * self.acting.off
-                yield from (row, row._replace(kind=Kind.POINT, value=arm.pivot - self._zero(bill), allowed=off))
-
-    def _zero(self, bill: ForceBill) -> complex:
-        """Give the place from which those of a scheme are told: that of its first point."""
-        links = self.acting.statics.study.mechanism.links
-        return self.acting.position.place(min(name for link in bill.links for name in links[link].points))
+                yield from (row, row._replace(kind=Kind.POINT, value=arm.pivot - zero, allowed=off))
 
     def _arrow(self, plan: str, force: ActingForce, lost: bool = False) -> Expected:
         """Give the direction of a force; of one that is none rounding decides."""

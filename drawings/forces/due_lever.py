@@ -116,7 +116,10 @@ class _DrawnLever:
     def hung(self) -> list[_Hung]:
         """All that hangs on the lever, what balances it first, then by links: inertia, weight, loads, then couples."""
         bills = {link: bill for bill in self.acting.bills.values() for link in bill.links}
-        forces = [force for link in sorted(bills) for force in _given(bills[link].known, link)]
+        # Of each link what acts beside reactions: inertia, weight, loads
+        own = [(one, k) for k in sorted(bills) for one in bills[k].known if one.link == k]
+        own.sort(key=lambda pair: (pair[1], pair[0].name != f"Φ_{pair[1]}", pair[0].name != f"G_{pair[1]}"))
+        forces = [force for force, _ in own if not REACTION.match(force.name)]
         found = [self._force(force) for force in (self._balancing(), *forces)]
         return [*found, *(couple for link in sorted(bills) for couple in self._couples(link))]
 
@@ -259,9 +262,3 @@ class _DrawnLever:
             return "p"
         here = [name for name in self.names if abs(self.images[name] - place) <= near]
         return with_index(here[0]) if len(here) == 1 else ""
-
-
-def _given(known: tuple[ActingForce, ...], link: int) -> list[ActingForce]:
-    """Give what acts on a link beside reactions: inertia, weight, loads."""
-    given = [force for force in known if force.link == link and not REACTION.match(force.name)]
-    return sorted(given, key=lambda force: (force.name != f"Φ_{link}", force.name != f"G_{link}"))

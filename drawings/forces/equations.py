@@ -27,7 +27,7 @@ from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, Field
 from drawings.paper.strokes import Group, Kind, Statement
 from geometry.board import Mark, at
-from plans.forces.cut import CLOSING, INERTIA, REACTION, WEIGHT, Couple, CutGroup, ForcePlan, MomentEquation
+from plans.forces.cut import CLOSING, INERTIA, REACTION, WEIGHT, CutGroup, ForcePlan, MomentEquation
 from plans.forces.drive import BALANCING, DRIVING
 from plans.model.motion import NOTHING
 
@@ -92,7 +92,9 @@ class SheetEquations:
         named = {load.name for load in equation.loads} | {unknown}
         armed = [arm for arm in self.arms if arm.about == equation.about.name and arm.name in named]
         terms = {arm.name: self._term(arm) for arm in armed if arm.name != unknown}
-        terms |= {couple.name: self._turning(couple) for couple in equation.couples if self._size(couple.moment) > 0}
+        for couple in (couple for couple in equation.couples if self._size(couple.moment) > 0):
+            sign = "+" if at(couple.moment.point, self.column).real > 0 else "−"
+            terms[couple.name] = sign, f"|{self.letter(couple.name)}|"
         force = next((arm for arm in armed if arm.name == unknown), None)
         if equation.line is None:
             value, unit, first = self._value(equation.found).real, "N*m", ("+", self.letter(unknown))
@@ -119,10 +121,6 @@ class SheetEquations:
 
     def _term(self, arm: Leverage) -> tuple[str, str]:
         return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"
-
-    def _turning(self, couple: Couple) -> tuple[str, str]:
-        """Write a moment by its size, its sense in the sign."""
-        return "+" if at(couple.moment.point, self.column).real > 0 else "−", f"|{self.letter(couple.name)}|"
 
     def _forces(self) -> Iterator[WrittenEquation]:
         """Write that the forces of the cut balance: known ones underlined twice, of known direction once."""

@@ -215,7 +215,9 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     terms = balance(shown, drafting)
     kept = placed_arms(terms, place, taken, shown.column, hand)
     under = ";  ".join((drafting.scale(spot.scale), *([drafting.word("lever arms")] if terms else [])))
-    dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
+    mark = Circle(0j, POINT * hand.symbol, LineStyle(hand.thin, fill="#ffffff"))
+    spots = ((name, true, mark._replace(centre=place.on(true))) for name, _, true in shown.images)
+    dots = [point(subject, name, true, place, dot) for name, true, dot in spots]
     lines = (
         heading(spot.box, _title(shown, drafting), under, hand),
         *([Group(tuple(stroke for arm in kept for stroke in arm.draw(hand)))] if kept else []),
@@ -243,10 +245,6 @@ def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterat
         said = f"−{name}" if name in names else name
         names.add(name)
         yield stating(Statement(Kind.DIRECTION, PLAN, said, subject.position), arrow.draw(hand))
-
-
-def _dot(at: complex, hand: Hand) -> Circle:
-    return Circle(at, POINT * hand.symbol, LineStyle(hand.thin, fill="#ffffff"))
 
 
 def _title(shown: Hanging, drafting: Drafting) -> str:

@@ -121,15 +121,12 @@ class CutEquations:
         where = f"{about}({min(links)})" if len(cut.equations) > 1 and links else about
         yield rf"$$\sum M_{{{where}}} = {total([first, *letters])} = 0$$"
         sign = -1 if lever_arm is None else -lever_arm.sense
-        numbers = [_signed(sign * arm.sense, self._product(arm, equation)) for arm in others]
+        sizes = {load.name: formula.number(abs(self.value(load.force))) for load in equation.loads}
+        products = (rf"{sizes[arm.name]} \cdot {formula.number(arm.length)}" for arm in others)
+        numbers = [_signed(sign * arm.sense, product) for arm, product in zip(others, products, strict=True)]
         moments = [sign * self.value(couple.moment).real for couple in couples]
         numbers += [formula.number(value) for value in moments]
         yield f"- {inline(found, self._solved(numbers, lever_arm), self._found(equation))}"
-
-    def _product(self, arm: Leverage, equation: MomentEquation) -> str:
-        load = next(load for load in equation.loads if load.name == arm.name)
-        size = abs(self.value(load.force))
-        return rf"{self.formula.number(size)} \cdot {self.formula.number(arm.length)}"
 
     def _solved(self, numbers: list[str], arm: Leverage | None) -> str:
         whole = total(numbers)

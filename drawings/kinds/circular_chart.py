@@ -69,7 +69,9 @@ class CircleFigure(ChartFigure):
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole chart: positions numbered outside, what is too long for its ring lettered beside it."""
-        numbers, names = tuple(self._numbers(labels)), tuple(self._names(labels))
+        stations = enumerate(self.chart.numbered)
+        numbers = [self._beside(labels, str(k), self._outer, turned, TICK) for k, turned in stations]
+        names = tuple(self._names(labels))
         beside = [Group(names, BESIDE_RINGS)] if names else []
         return *self.lines, Group((*numbers, *beside, *self._long(labels), self._speed(labels)), f"{NAME}-letters")
 
@@ -141,10 +143,6 @@ class CircleFigure(ChartFigure):
         ray = self._ray(turned)
         spot = self.place.on(radius * ray) + off * ray
         return labels.beside(spot, text, self.hand.number, BESIDE, self.chart.sense * turned)
-
-    def _numbers(self, labels: Labels) -> Iterator[Stroke]:
-        for number, turned in enumerate(self.chart.numbered):
-            yield self._beside(labels, str(number), self._outer, turned, TICK)
 
     def _names(self, labels: Labels) -> Iterator[Stroke]:
         """Name the rings that have no room for their names where they begin."""

@@ -117,12 +117,13 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Pa
     scales = drafting.scale(spot.scale, axes.up)
     scales += "" if curve.before is None else f";  {drafting.word('thin before')}"
     (ordinates, numbers), jumps = _ordinates(curve, graph), leaps(curve.values)
+    before = None if curve.before is None else graph.curve(curve.angles, curve.before, hand.other)
     lines = (
         heading(spot.box, curve.title, scales, hand, *curve.under),
         *axes.lines((0.0, curve.length), curve.span, hand, room.name if curve.states else ""),
         graph.tick(curve.length, hand.other),
         *ordinates,
-        *_before(curve, graph),
+        *([Group(tuple(_said(curve, graph, f"{curve.states}, {BEFORE}", before)), BEFORE)] if before else []),
         *_said(curve, graph, curve.states, graph.curve(curve.angles, curve.values, hand.result, jumps)),
         *dashed(graph.places(curve.angles, curve.values), jumps, hand),
     )
@@ -182,12 +183,6 @@ def _ordinates(curve: GraphCurve, graph: Graph) -> tuple[list[Stroke], list[Lett
             strokes += graph.ordinate(x, value, str(number), number, style)
         strokes.append(graph.dot(x, value))
     return strokes, letters
-
-
-def _before(curve: GraphCurve, graph: Graph) -> Iterator[Stroke]:
-    if curve.before is not None:
-        lines = graph.curve(curve.angles, curve.before, graph.hand.other)
-        yield Group(tuple(_said(curve, graph, f"{curve.states}, {BEFORE}", lines)), BEFORE)
 
 
 def _said(curve: GraphCurve, graph: Graph, name: str, lines: Iterator[Stroke]) -> Iterator[Stroke]:

@@ -115,14 +115,11 @@ def _point(shown: Hodograph, k: int, lettered: bool, subject: Subject, place: Pl
 def _lettered(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """Choose the positions that bear their numbers, and those that have their points: as many as have room."""
     spots = [place.on(complex(value)) for value in shown.ends]
-    length = sum(_length([place.on(complex(shown.values[k])) for k in run]) for run in stretches(shown.values.real))
+    runs = ([place.on(complex(shown.values[k])) for k in run] for run in stretches(shown.values.real))
+    length = sum(float(np.abs(np.diff(run)).sum()) for run in runs)
     wide = text_width(Text(0j, str(len(spots) - 1), hand.number))
     numbers = numbered(spots, length, wide + SPARE * hand.number, (shown.shown,))
     return numbers, numbered(spots, length, DOTTED * DOT * hand.symbol, numbers)
-
-
-def _length(places: list[complex]) -> float:
-    return float(np.abs(np.diff(places)).sum())
 
 
 def _title(shown: Hodograph, drafting: Drafting) -> str:

@@ -193,9 +193,6 @@ class _ExpectedMotion:
 def named(findings: Sequence[Quantity], language: str) -> dict[str, Quantity]:
     """Give findings of velocities and accelerations by their letters as they are read."""
     plans = [order.plan for order in ORDERS[1:]]
-    return {_letter(finding, language): finding for finding in findings if finding.plan in plans}
-
-
-def _letter(finding: Quantity, language: str) -> str:
-    symbol, _, index = finding.name.partition("_")
-    return Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain
+    names = ((finding.name.partition("_"), finding) for finding in findings if finding.plan in plans)
+    marked = ((f"{symbol}_{{{index}}}", finding) for (symbol, _, index), finding in names)
+    return {Text(0j, letter(language, markup)).plain: finding for markup, finding in marked}

@@ -88,9 +88,14 @@ class _KinematicsSheet:
         title = self.drafting.word("sheet title")
         figures: tuple[Exhibit, ...] = (*shown_positions(self.bones, self.drafting), *self._plans(), *self._diagrams())
         shows: tuple[Exhibit | Caption, ...] = (*figures, *captions(self._workings()))
-        tables, remarks = self._tables(), self._remarks if self.study.scene.sheet.scales == "common" else None
+        course = (output_table(self.output, self.drafting),) if self.output and self.output.shown else ()
+        tables, remarks = (*self._values(), *course), self._remarks if self._common else None
         facts, later = self._facts, lambda scales: self.by_hand.on_sheet(self.positions, scales)
         return Draft("kinematics", title, shows, tables, tuple(words), facts, later=later, remarks=remarks)
+
+    @property
+    def _common(self) -> bool:
+        return self.study.scene.sheet.scales == "common"
 
     @cached_property
     def shown(self) -> int:
@@ -119,8 +124,7 @@ class _KinematicsSheet:
             why = self.drafting.word("no plan", plan=plan, position=k, reason=reason)
             absent = vector_plan.measure_missing(why, name, self.drafting)
             return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
-        shared = subject if self.study.scene.sheet.scales == "common" else ""
-        return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=shared)
+        return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=subject if self._common else "")
 
     def _workings(self) -> Iterator[Workings]:
         """How the plans are laid off and read: beside them, where paper would stay bare."""
@@ -161,11 +165,6 @@ class _KinematicsSheet:
         """Say why a plan has another scale than the others of its kind."""
         plans = (exhibit.panel.item for exhibit in self._plans())
         return tuple(vector_plan.remarks([plan for plan in plans if isinstance(plan, Picture)], spots, self.drafting))
-
-    def _tables(self) -> tuple[RuledTable, ...]:
-        """The table of values, without what the scene states, and that of the output's course."""
-        course = (output_table(self.output, self.drafting),) if self.output and self.output.shown else ()
-        return (*self._values(), *course)
 
     def _values(self) -> tuple[RuledTable, ...]:
         """The table of values, if there is anything to tell."""

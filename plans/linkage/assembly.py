@@ -228,7 +228,9 @@ def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions
         kind, shown = KINDS[group.kind], sorted(points & set(mechanism.sketch))
         if (side := untold(mechanism, group)) is not None:
             kind.positions(plan, group, side)
-            choices.append(_given(plan, side, len(turn)))
+            places, ones = _places(plan, [], len(turn))[0], np.ones(len(turn))
+            # A side that is given is clear, and fits any sketch
+            choices.append(SideChoice(side * ones, ones, np.where(np.isfinite(places), 0.0, np.nan)))
             continue
         trials = [plan.trial(), plan.trial()]
         for trial, side in zip(trials, (1.0, -1.0), strict=True):
@@ -256,12 +258,6 @@ def untold(mechanism: Mechanism, group: Assur) -> float | None:
         return None
     slots = [pair.joint.owner for pair in group.inner_pairs if isinstance(pair.joint, Slide)]
     return 1.0 if group.links[-1] in slots else -1.0
-
-
-def _given(plan: Plan, side: float, count: int) -> SideChoice:
-    """Take a side that is given: it is clear, and fits any sketch."""
-    places = _places(plan, [], count)[0]
-    return SideChoice(np.full(count, side), np.ones(count), np.where(np.isfinite(places), 0.0, np.nan))
 
 
 def _places(plan: Plan, shown: list[str], count: int) -> Complexes:

@@ -3,29 +3,18 @@
 from __future__ import annotations
 
 import re
-from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-import drawings
 from drawings.linkage.notes import greatest
 from drawings.report.report import headlines
-from plans.scene.scene import parse_scene
-from plans.study import Study
-
-GALLERY = Path(drawings.__file__).parent / "gallery"
+from tests.drawings.test_linkage_note import study
 
 
-@cache
 def said(name: str, *changes: tuple[str, str]) -> str:
     """Say first what a scene of the gallery is told by, with parts of it changed."""
-    text = (GALLERY / f"{name}.toml").read_text("utf-8")
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    return "\n".join(headlines(Study(parse_scene(text))))
+    return "\n".join(headlines(study(name, *changes)))
 
 
 def number(text: str, letter: str) -> tuple[float, int]:

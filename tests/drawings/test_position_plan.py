@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +17,8 @@ from drawings.layout.picture import Margins, Place, picture
 from drawings.linkage.position_plan import layers
 from drawings.linkage.sheet import leaves, position
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
-from drawings.page.page import Field
+from drawings.linkage.trajectories import phases
+from drawings.page.page import Field, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, texts
@@ -27,6 +29,7 @@ from plans.study import Study
 from tests.drawings import mechanisms
 from tests.drawings.collisions import ink
 from tests.gallery import LINKAGES
+from tests.plans.test_loading import AGAINST
 
 A1 = Hand(0.7, 0.35, 0.25)
 ROOM = Field(40, 40, 400, 400)
@@ -147,3 +150,15 @@ def test_a_tiny_crank_circle_is_numbered_on_a_detail() -> None:
     (detail,) = (group for group in leaf.groups if group.name == "crank")
     assert {str(k) for k in range(12)} <= {text.plain for text in texts([detail])}
     assert not any(text.plain == "7" for group in leaf.groups if group.name == "positions" for text in texts([group]))
+
+
+AS_LONG = '[[loads.forces]]\non = 3\npoint = "B"\nname = "F_us"\nvalue = 900\nduring = "working stroke"\n' + AGAINST
+
+
+@pytest.mark.parametrize("load", ["", AS_LONG])
+def test_two_halves_of_a_turn_are_not_shown_also_where_a_load_tells_which_is_the_working_one(load: str) -> None:
+    """Of a piston in line with its shaft both strokes take 180 degrees, and none is asked for."""
+    text = (Path(__file__).parents[1] / "cases/kinematics/v-compressor.toml").read_text("utf-8")
+    study = LinkageStudy(parse_scene(f"{text}\n{load}"))
+    pairs = Pairs(skeletons(study, study.motion(), 2), Place(100 + 100j, 0j, Scale(0.001, "l", "m")), A1)
+    assert phases(pairs, "en") == ()
