@@ -80,7 +80,7 @@ def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _CamC
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
         size_view.sizes(ours, theirs, by_hand, drafting),
-        CamNotes(drawing.found, drafting).all,
+        (*CamNotes(drawing.found, drafting).all, *([drafting.word("cam chord")] if drawing.sizing.chord else [])),
     )
 
 
@@ -190,7 +190,7 @@ def _lies(scene: Scene) -> bool:
 
 
 def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
-    title = drafting.word("cam profile sheet title") + (f" {shown.cam.name}" if several else "")
+    title = drafting.word("cam profile sheet title" + (" of" if several else ""), name=shown.cam.name)
     figure = exhibit(manufacturing, shown, drafting)
     table = manufacturing.radii(shown, every, drafting)
     return Draft(
