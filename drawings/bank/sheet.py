@@ -102,7 +102,7 @@ def _cells(values: Sequence[float | None], drafting: Drafting) -> tuple[str, ...
 
 
 AFTER = "'"  # behind the letter of what is left
-LARGEST = 3.0  # times the least size at which it is legible: no graph or hodograph dwarfs the polygons
+LARGEST = 3.0  # times the least size at which it is legible: no hodograph dwarfs the polygons
 LIKE = 0.3  # of the force before: what is left is drawn to the same scale, unless it is much less
 
 
@@ -153,7 +153,7 @@ def _force_graph(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     force = TurnCurve(ACTING, FORCE, balance.force.real, "relative" if compensated else "result")
     left = (TurnCurve(LEFT, FORCE + AFTER, balance.left.real),) if compensated else ()
     graph = TurnGraph("force_graph", drafting.word("bank force title"), FORCE, "N", (force, *left))
-    yield exhibit(TurnGraph, graph, drafting, LARGEST)
+    yield exhibit(TurnGraph, graph, drafting)
 
 
 def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
@@ -162,7 +162,7 @@ def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
         return _hodograph(ROCKING, M, "N*m", shown.on_sheet(values), drafting)
     curve = TurnCurve(ROCKING, M, values.real)
     graph = TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (curve,))
-    return exhibit(TurnGraph, graph, drafting, LARGEST)
+    return exhibit(TurnGraph, graph, drafting)
 
 
 def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
