@@ -130,9 +130,7 @@ def axes(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     return lines
 
 
-def travel(
-    bones: Skeletons, slide: Slide, place: Place, hand: Hand, beyond: float = BEYOND
-) -> tuple[complex, complex]:
+def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand, beyond: float = BEYOND) -> tuple[complex, complex]:
     """Give the ends of a guide's axis on paper; a guide that no block comes to is where the scene puts it."""
     way = slide.on_owner
     low, high = bones.travels.get(slide, (0.0, 0.0))
