@@ -53,7 +53,9 @@ def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, draft
         f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
     lines = [TableRow(counterweight(w.link, drafting.language), _weight(w, mechanism, drafting)) for w in weights]
-    return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
+    return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(
+        name=WEIGHTS, least=6
+    )
 
 
 def _weight(weight: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
@@ -103,7 +105,7 @@ def costs(before: State, after: State | None, none: Nothing, drafting: Drafting,
     words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
     lines = [TableRow(cost.name, cells(cost, before, after, drafting)) for cost in costs]
     heading = drafting.word("largest value", count=before.count)
-    return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS)
+    return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS, least=6)
 
 
 def quantities(

@@ -12,6 +12,7 @@ from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quanti
 from drawings.balance.notes import BalanceNotes
 from drawings.forces.report import drafting_of_forces, mass_table
 from drawings.lettering.words import CENTRE, FORCE, MOMENT, counterweight
+from drawings.linkage.report import ROUNDED
 from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.report import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
@@ -29,7 +30,7 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
     before, after = notes.balance.before, notes.balance.loaded
     drafting, states = notes.drafting, {"": before} if after is None else {"": before, "'": after}
     heads = ["φ, °"]
-    columns: list[Any] = [np.degrees(notes.balance.before.centre.phi)]
+    columns: list[Any] = [np.round(np.degrees(notes.balance.before.centre.phi), ROUNDED) % 360]
     for mark, state in states.items():
         heads += [f"{CENTRE}{mark}, m", f"{FORCE}{mark}, N", f"{MOMENT}{mark}, N*m"]
         least = (NOTHING * notes.equations.reach, *notes.balance.before.forces.nothing)

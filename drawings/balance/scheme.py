@@ -168,6 +168,7 @@ def _shifts(segment: Segment, toward: complex, apart: float) -> Iterator[complex
 
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
+PAST = 11.0  # mm of a guide's axis past its block's outermost places: within the margins, clear of the heading
 LETTERS = 22.0  # it is drawn at least so many of its letters large
 PATH, RIM = "path-", "rim-"  # before a state, before a link: how names of groups of lines end
 
@@ -236,7 +237,7 @@ class SchemeFigure:
 
     def _axes(self) -> Iterator[Stroke]:
         for slide in frame_slides(self.shown.bones):
-            yield Line(*travel(self.shown.bones, slide, self.place, self.pairs.hand), self._hand.axis)
+            yield Line(*travel(self.shown.bones, slide, self.place, self.pairs.hand, PAST), self._hand.axis)
 
     def _holders(self) -> Iterator[Stroke]:
         """Draw what holds counterweights: the line from their link's beginning."""

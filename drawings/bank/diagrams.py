@@ -133,8 +133,9 @@ def number(curve: TurnCurve, k: int) -> str:
 
 
 def _letters(shown: TurnGraph, graph: Graph) -> Iterator[Letter]:
-    """Letter each of several curves where it is farthest from zero."""
+    """Letter each of several curves where it is farthest from zero, clear of the axis of ordinates."""
     for curve in shown.curves if len(shown.curves) > 1 else ():
-        k = int(np.abs(curve.values).argmax())
+        clear = (len(curve.values) - 1) // (2 * STATIONS)
+        k = clear + int(np.abs(curve.values[clear:-clear]).argmax())
         spot = graph.axes.on(float(curve.angles[k]), float(curve.values[k]))
         yield Letter(spot, curve.letter, graph.hand.letter, math.copysign(math.pi / 2, curve.values[k]))

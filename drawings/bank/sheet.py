@@ -48,7 +48,7 @@ def order_table(balance: BankBalance, drafting: Drafting) -> RuledTable:
     """Tell of each order what one mechanism and the bank come to."""
     lines = [TableRow(*row) for row in order_rows(balance, drafting, DIGITS)]
     heads = tuple(drafting.word(head) for head in ORDER_HEADS)
-    return table(lines, drafting.word("order"), heads, drafting.hand.text)._replace(name=ORDERS)
+    return table(lines, drafting.word("order"), heads, drafting.hand.text)._replace(name=ORDERS, least=6)
 
 
 def compensator_table(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
@@ -57,7 +57,7 @@ def compensator_table(balance: BankBalance, drafting: Drafting) -> RuledTable | 
     heads = tuple(drafting.word(head) for head in COMPENSATOR_HEADS)
     if not lines:
         return None
-    return table(lines, drafting.word("mass number"), heads, drafting.hand.text)._replace(name=COMPENSATORS)
+    return table(lines, drafting.word("mass number"), heads, drafting.hand.text)._replace(name=COMPENSATORS, least=6)
 
 
 def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledTable | None:
@@ -73,7 +73,7 @@ def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledT
     lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     if not lines:
         return None
-    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS, least=6)
 
 
 def _result(quantity: Quantity, drafting: Drafting) -> TableRow:
@@ -102,6 +102,7 @@ def _cells(values: Sequence[float | None], drafting: Drafting) -> tuple[str, ...
 
 
 AFTER = "'"  # behind the letter of what is left
+LARGEST = 3.0  # times the least size at which it is legible: no hodograph dwarfs the polygons
 LIKE = 0.3  # of the force before: what is left is drawn to the same scale, unless it is much less
 
 
@@ -176,7 +177,7 @@ def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: D
     turn = values[:-1]
     ends, title = turn[:: len(turn) // STATIONS], drafting.word(f"hodograph of {name}")
     figure = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)
-    return exhibit(hodograph, figure, drafting, scale=scale)
+    return exhibit(hodograph, figure, drafting, LARGEST, scale=scale)
 
 
 def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:

@@ -127,7 +127,7 @@ class _ExpectedCam:
     def pressure(self) -> Iterator[Expected]:
         """Give the graph of the pressure angle: curve, ordinates, extremes, limits."""
         values, cam, found = self.values, self.values.cam, self.values.found
-        if cam.flat and not cam.rocks:
+        if not cam.pressed:
             return
 
         def angle(turned: Floats) -> Floats:
@@ -260,7 +260,7 @@ class _ExpectedCam:
                 yield self._at(mark, extreme.turned)
         for k, (side, far) in enumerate(zip(("back", "front"), found.face if cam.flat else (), strict=False), 1):
             yield f"b_{k}", "mm", (MM * abs(far), MM * self.numbers.slack(f"face_{side}")), False
-        for kind in (RISE, RETURN) if cam.rocks or not cam.flat else ():
+        for kind in (RISE, RETURN) if cam.pressed else ():
             if kind in found.pressure:
                 mark, extreme = f"α_{{{kind}}}", found.pressure[kind]
                 yield mark, "°", (DEGREES * extreme.value, DEGREES * self.numbers.slack(f"α_{kind}")), False

@@ -17,11 +17,11 @@ from drawings.kinds.graph import LEAST, Graph
 from drawings.kinds.row_frame import RowFrame
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Picture, Spot
-from drawings.lettering.lettering import every, spaced
+from drawings.lettering.lettering import every, spaced, text_width
 from drawings.lettering.words import Slot, telling
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
+from drawings.paper.strokes import Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import apart, stating
 from drawings.symbols.figure import Dimension
 from drawings.symbols.symbols import arrowhead, fit_dashes
@@ -35,8 +35,8 @@ APART = 1.9  # sizes of a number from one numbered edge to the next
 MARKED = 72  # strips: of more only the numbered edges have a point and a tick
 INFINITE = "∞"
 CLEAR = 1.5  # mm around a caption
-ABOVE = 1.0  # mm from a dimension line to its letters
-TALLER = 1.6  # times the height that the rows may have where there is room
+ABOVE = 1.4  # mm from a dimension line to its letters: they are felt free of it
+TALLER = 2.1  # times the height that the rows may have where there is room
 
 
 @dataclass(frozen=True)
@@ -173,6 +173,10 @@ def draw(shown: LawDiagrams, room: Picture, spot: Spot, drafting: Drafting) -> P
 
 
 def _lettered(sizes: Sequence[Dimension], name: str, hand: Hand, labels: Labels) -> Iterator[Stroke]:
-    """Letter the dimensions of the phases along their lines."""
+    """Letter the dimensions of the phases over their lines, or under those that are shorter than their letters."""
     for size in sizes:
-        yield telling(name, labels.along(*size.lines[0], size.letter, hand.number, ABOVE, 1.5))
+        if text_width(Text(0j, size.letter, hand.number)) <= size.length:
+            label = labels.along(*size.lines[0], size.letter, hand.number, ABOVE, 1.5)
+        else:
+            label = labels.beside(size.middle, size.letter, hand.number, ABOVE, -math.pi / 2)
+        yield telling(name, label)

@@ -159,8 +159,7 @@ class CamNotes(NamedTuple):
 
     def pressure(self) -> Iterator[str]:
         """Say how large the pressure angle grows on each kind of phase, and where."""
-        pressed = self.cam.rocks or not self.cam.flat  # under a flat face that translates it is 0 throughout
-        for kind, found in self.found.pressure.items() if pressed else ():
+        for kind, found in self.found.pressure.items() if self.cam.pressed else ():
             permitted = interval_of(self.cam, kind)
             parts = {"phase": self.drafting.word(f"cam on {kind}"), "phi": self.place(f"α {kind}", found.turned)}
             numbers = {"angle": self._slot(f"α {kind}", math.degrees(found.value)), **parts}

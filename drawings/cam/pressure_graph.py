@@ -104,7 +104,8 @@ def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> P
     if view.law is None:
         return _graph(view, room, spot, drafting)
     law, low, (box, scale) = law_diagrams.measure(view.law, drafting), _room(view, drafting), spot
-    level = box.top - law.size(scale)[1]
+    spare = (box.height - room.size(scale)[1]) * law.high / room.high  # each is as much taller as the other
+    level = box.top - law.size(scale)[1] - spare
     middle = box.left + LawPlate.proportions.left * drafting.hand.letter + law.wide / scale.mu / 2
     half = low.size(scale)[0] / 2
     under = Spot(Field(middle - half, box.bottom, middle + half, level), scale)

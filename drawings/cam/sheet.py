@@ -65,7 +65,7 @@ class _CamContents(NamedTuple):
 
 def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
     """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
-    ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
+    ways = (JOINED, TURN, "") if drawing.cam.pressed else ("",)
     contents = _contents(drawing, exact, drafting)
     first, *further = (_variant(contents, drafting, way) for way in ways)
     return first._replace(instead=tuple(further))
@@ -80,7 +80,7 @@ def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _CamC
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
         size_view.sizes(ours, theirs, by_hand, drafting),
-        CamNotes(drawing.found, drafting).all,
+        (*CamNotes(drawing.found, drafting).all, *([drafting.word("cam chord")] if drawing.sizing.chord else [])),
     )
 
 
@@ -107,13 +107,8 @@ def _shows(contents: _CamContents, way: str, drafting: Drafting) -> Iterator[Exh
         yield exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
     if not drawing.cam.translates:
         yield exhibit(size_diagram, SizeView(drawing.sizing), drafting, scale=LENGTHS)
-    if _pressed(drawing.cam) and way != JOINED:
+    if drawing.cam.pressed and way != JOINED:
         yield exhibit(pressure_graph, angle, drafting, scale=way)
-
-
-def _pressed(cam: Cam) -> bool:
-    """Tell whether a cam has a pressure angle: under a flat face that translates there is none."""
-    return cam.rocks or not cam.flat
 
 
 def charts(scene: Scene, cams: Sequence[Cam]) -> list[tuple[Scene, Draft]]:
@@ -190,7 +185,7 @@ def _lies(scene: Scene) -> bool:
 
 
 def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
-    title = drafting.word("cam profile sheet title") + (f" {shown.cam.name}" if several else "")
+    title = drafting.word("cam profile sheet title" + (" of" if several else ""), name=shown.cam.name)
     figure = exhibit(manufacturing, shown, drafting)
     table = manufacturing.radii(shown, every, drafting)
     return Draft(

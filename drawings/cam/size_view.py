@@ -196,7 +196,7 @@ def sizes(ours: Sequence[Result], exact: Sequence[Result], by_hand: bool, drafti
     heads = tuple(drafting.word(key) for key in (COLUMNS if by_hand else COLUMNS[:-1]))
     lines = [_line(result, true, drafting) for result, true in zip(ours, exact, strict=True)]
     lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
-    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=NAME)
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=NAME, least=6)
 
 
 def title(result: Result, drafting: Drafting) -> str:

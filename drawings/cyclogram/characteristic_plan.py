@@ -59,13 +59,13 @@ def draw(study: CyclogramStudy, bones: Skeletons, room: Picture, spot: Spot, dra
     pairs = Pairs(bones, room.place(*spot), drafting.hand)
     layers = [layer for layer in position_plan.layers(pairs, drafting.language) if layer.name not in (NOTCHES, STROKE)]
     notches = Group(tuple(fit_dashes(trim(_notches(study, pairs), pairs.masks))), NOTCHES)
-    ink = Ink()
-    ink.draw([line for layer in layers for line in layer.strokes])
+    ink, head = Ink(), position_plan.headed(TITLE, spot, drafting)
+    ink.draw([line for layer in (head, *layers) for line in layer.strokes])
     overruns = Group(tuple(_overruns(study.cyclogram, pairs, drafting, ink)), OVERRUNS)
     whole = Group(tuple(stroke(bones, pairs.place, pairs.hand, drafting.language, ink)), STROKE)
     pins = Group(tuple(_pins(bones, pairs)), PINS)  # under the hinges
     lines = Group((notches, pins, *layers, overruns, whole), NAME)
-    return PositionFigure(pairs, (position_plan.headed(TITLE, spot, drafting), lines))
+    return PositionFigure(pairs, (head, lines))
 
 
 def _notches(study: CyclogramStudy, pairs: Pairs) -> Iterator[Stroke]:

@@ -63,6 +63,7 @@ class RuledTable(NamedTuple):
     heads: tuple[str, ...] = ("", "", "")  # of the columns of a band
     name: str = "values"  # what its bands are named by, and numbered
     start: int = 0  # the number of its first row in the whole table
+    least: int = 1  # rows of each of its parts: it is not torn in smaller ones
 
     @property
     def row(self) -> float:
@@ -118,7 +119,8 @@ class RuledTable(NamedTuple):
     def settings(self) -> list[Setting]:
         """List the ways to set the table, in bands or in parts side by side, that no other beats both ways."""
         across = sorted({math.ceil(self.bands / bands) for bands in range(1, self.bands + 1)}, reverse=True)
-        ways = [Setting(wide, parts) for parts in range(1, MOST_PARTS + 1) for wide in across]
+        most = max(min(MOST_PARTS, len(self.lines) // self.least), 1)
+        ways = [Setting(wide, parts) for parts in range(1, most + 1) for wide in across]
         sizes = [self.size(way) for way in ways]
         larger = [any(w <= wide and h <= high and (w, h) != (wide, high) for w, h in sizes) for wide, high in sizes]
         return [way for way, worse in zip(ways, larger, strict=True) if not worse]

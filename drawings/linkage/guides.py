@@ -127,12 +127,12 @@ def axes(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     return lines
 
 
-def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand) -> tuple[complex, complex]:
+def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand, beyond: float = BEYOND) -> tuple[complex, complex]:
     """Give the ends of a guide's axis on paper; a guide that no block comes to is where the scene puts it."""
     way = slide.on_owner
     low, high = bones.travels.get(slide, (0.0, 0.0))
     first, last = (place.on(way.through + along * way.direction) for along in (low, high))
-    more = BEYOND * hand.symbol * way.direction
+    more = beyond * hand.symbol * way.direction
     return first - more, last + more
 
 

@@ -271,6 +271,9 @@ def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
     return word(language, "report.barrier_miss", **parts, miss=number(barrier.miss, language, DIGITS))
 
 
+ROUNDED = 6  # decimals of a degree: a rounding below zero is no whole turn
+
+
 def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
     language, letters = study.language, Formula(drafting_of(study.scene))
     yield chapter(language, "values")
@@ -284,7 +287,7 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             drive = study.mechanism.drive
             station = word(language, "table.way") if drive.pushed else "φ, °"
             phi = study.turn.phi
-            stations = 1000 * drive.unit * phi if drive.pushed else np.degrees(phi)
+            stations = 1000 * drive.unit * phi if drive.pushed else np.round(np.degrees(phi), ROUNDED) % 360
             heads = [station, *(_heading(group, letters) for group in same)]
             yield from tabled(heads, [stations, *map(_settled, findings)], language)
             yield ""

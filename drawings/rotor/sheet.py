@@ -85,7 +85,7 @@ def _line(finding: Quantity, drafting: Drafting) -> TableRow:
 
 def _table(name: str, lines: list[TableRow], first: str, heads: tuple[str, ...], drafting: Drafting) -> RuledTable:
     words = tuple(drafting.word(head) for head in heads)
-    return table(lines, drafting.word(first), words, drafting.hand.text)._replace(name=name)
+    return table(lines, drafting.word(first), words, drafting.hand.text)._replace(name=name, least=6)
 
 
 TOGETHER = "polygons"  # what stands in one column

@@ -239,8 +239,8 @@ def _curvature(found: CamFound) -> Iterator[Result]:
 
 
 def _pressure_rows(found: CamFound) -> Iterator[Result]:
-    """Give the largest pressure angles; under a flat face that does not rock there is none."""
-    for kind in () if found.cam.flat and not found.cam.rocks else (RISE, RETURN):
+    """Give the largest pressure angles, where there is any."""
+    for kind in (RISE, RETURN) if found.cam.pressed else ():
         if kind in found.pressure:
             letter = f"α_{{{kind}}}"
             yield Result(letter, "°", math.degrees(found.pressure[kind].value))

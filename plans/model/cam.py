@@ -210,6 +210,11 @@ class Cam:
         return self.follower.end == FLAT
 
     @property
+    def pressed(self) -> bool:
+        """Whether it has a pressure angle: a flat face that translates, or goes through its pivot, is met square."""
+        return not self.flat or (self.rocks and self.follower.face != 0.0)
+
+    @property
     def rising(self) -> int:
         """The sense in which a rocker turns on the rise: +1 counter-clockwise."""
         return self.sense * self.follower.sense

@@ -150,6 +150,8 @@ class _PhrasePart:
         if wish == "number":
             minus, decimal = (word(self.language, f"number.{sign}") for sign in ("minus", "decimal"))
             return re.sub("^-", minus, str(value)).replace(".", decimal)
+        if wish == "quoted":  # a name of the scene's own; a number needs no quotes
+            return str(value) if str(value).isdigit() else word(self.language, "quoted", name=value)
         return term(self.language, wish, str(value))
 
 

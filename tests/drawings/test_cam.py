@@ -303,4 +303,4 @@ def test_what_cannot_be_made_is_told_with_its_place(run: Run, tmp_path: Path) ->
     scene.write_text(one("flat", "[cam.limits]\nrise = 30\n").replace("30 mm", "0 mm"), "utf-8")
     code, _, err = run("solve", scene)
     assert code == 3
-    assert f"{scene}:4:1: cam[0].follower: cam K1: its follower does not move" in err
+    assert f"{scene}:4:1: cam[0].follower: cam “K1”: its follower does not move" in err
