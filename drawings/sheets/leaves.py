@@ -123,7 +123,12 @@ def _chosen(scene: Scene, draft: Draft, followed: bool) -> "_Leaves":
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:
         return _Leaves(scene, draft, followed).settled
-    return min((_Leaves(scene, way, followed) for way in (draft, *draft.instead)), key=lambda way: way.cost)
+    best, *others = (_Leaves(scene, way, followed) for way in (draft, *draft.instead))
+    for way in others:
+        lack, sheets = best.cost
+        if lack or (sheets > 1 and way.fits(sheets - 1)):
+            best = min(best, way, key=lambda leaves: leaves.cost)
+    return best
 
 
 class _Inked(NamedTuple):
@@ -197,6 +202,13 @@ class _Leaves:
         lack = sum(1 - size / least for size, least in sizes if 0 < size < least * SMALLER)
         return lack, len(self.composed)
 
+    def fits(self, count: int) -> bool:
+        """Tell whether so many sheets keep every figure readable; none do where one has no room."""
+        try:
+            return fits(self.contents, self.page, self.cuts, count)
+        except SheetError:
+            return False
+
     @cached_property
     def spots(self) -> Mapping[str, Spot]:
         """Where the figures of all sheets stand."""
@@ -224,7 +236,7 @@ class _Leaves:
         """Tell whether room for remarks is worth it: no further sheet, where they can be read without that room."""
         notes, boxes = self.contents.notes, (composition.notes for composition in other.composed)
         tight = any(notes and box and box.height < TIGHT * notes.height(box.width) for box in boxes)
-        return tight or fits(self.contents, self.page, self.cuts, len(other.composed))
+        return tight or self.fits(len(other.composed))
 
     @property
     def sheets(self) -> Sequence[Composition]:
