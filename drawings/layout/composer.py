@@ -194,7 +194,8 @@ class _Composer:
     def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)
-            return self._stood(tree, rungs_of(self.asked.steps, grown), last).fault
+            stood = self._stood(tree, rungs_of(self.asked.steps, grown), last)
+            return stood.fault + stood.torn
 
         return _least(cutting.trees(*run), fault)
 
@@ -220,7 +221,7 @@ class _Composer:
         sheets = tuple(self._stood(tree, rungs, self._ends(0 < k == last)) for k, tree in enumerate(trees))
         size = size_of([step.sizes[k] for step, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
-        return _Set(sheets, tied(math.log(size) - late))
+        return _Set(sheets, tied(math.log(size) - late - math.fsum(sheet.torn for sheet in sheets)))
 
 
 def _with_others(sheet: Stood) -> Composition:

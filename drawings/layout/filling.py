@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import product
 from typing import NamedTuple
 
 from drawings.layout.arrangement import Arrangement, sizes_of
@@ -19,10 +20,12 @@ from drawings.layout.standing import Occupant, Standing, bareness, natural
 from drawings.layout.table import RuledTable
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import Group
+from drawings.paper.walk import tied
 
 STOOD_BARE = 0.11  # share of a sheet that may be bare before it counts; the last sheet of a set may be barer
 STOOD_LAST = 0.22
 COSTS = 6.0  # what a share more counts, against the logarithm of the figures' sizes
+TORN = 0.03  # what each piece of a table beyond the first counts, likewise
 HEAD = 16.0  # mm of a heading and the scale under it
 WIDER = 1.5  # times its width that a table may be set: wider cells are hard to read along
 LETTERED = 0.25  # share of the margins of a figure that its letters and symbols fill
@@ -78,12 +81,13 @@ class Stood:
 
     @cached_property
     def stands(self) -> Mapping[int, Field]:
-        """The boxes at last: lettering is set wider where paper beside it is free, and the sheet is no barer for it."""
+        """The boxes at last: where paper is free, lettering is wider and tables whole; the sheet is no barer for it."""
         boxes = dict(self.arranged)
         most = max(bareness(self.ink(boxes), self.page.field), self.most)
-        for k in (k for k in boxes if isinstance(self.stock.shown[k], TextBlock | Notes)):
+        for k in (k for k in boxes if not isinstance(self.stock.shown[k], Picture)):
             taken = [*(box for n, box in boxes.items() if n != k), *self.page.taken]
-            free = (box for box in self._wider(k, boxes[k]) if _free(box, taken, room_of(self.page)))
+            ways = self._whole(k, boxes[k]) if self.stock.pieces(k) else self._wider(k, boxes[k])
+            free = (box for box in ways if _free(box, taken, room_of(self.page)))
             fair = (box for box in free if bareness(self.ink({**boxes, k: box}), self.page.field) <= most)
             boxes[k] = next(fair, boxes[k])
         return boxes
@@ -93,6 +97,14 @@ class Stood:
         for wide, high in (size for size in self._sizes(k)[::-1] if size[0] > box.width + SAME):
             low = box._replace(bottom=box.top - high)
             yield from (low._replace(right=box.left + wide), low._replace(left=box.right - wide))
+
+    def _whole(self, k: int, box: Field) -> Iterator[Field]:
+        """Give the boxes of a table in fewer pieces at a corner of its own, the fewest first."""
+        ways = [*zip(self.stock.pieces(k), self._sizes(k), strict=True)]
+        now, _ = min(ways, key=lambda way: tied(abs(way[1][1] - box.height)))
+        for _, (wide, high) in sorted(way for way in ways if way[0] < now):
+            for left, low in product((box.left, box.right - wide), (box.top - high, box.bottom)):
+                yield Field(left, low, left + wide, low + high)
 
     def _sizes(self, k: int) -> Sequence[Size]:
         """Give the sizes that lettering may be broken to where it stands, and tables set."""
@@ -112,6 +124,12 @@ class Stood:
     def left(self) -> float:
         """What its bareness counts that is left when all is moved."""
         return COSTS * max(bareness(self.ink(self.arranged), self.page.field) - self.most, 0.0)
+
+    @property
+    def torn(self) -> float:
+        """What its tables count that stand in pieces."""
+        tables = ((self.stock.pieces(piece.unit), piece.choice) for piece in pieces(self.tree) if piece.unit >= 0)
+        return TORN * sum(torn[choice] - 1 for torn, choice in tables if torn)
 
     @property
     def notes(self) -> bool:
@@ -160,7 +178,9 @@ class Stood:
 
 def _free(box: Field, others: Sequence[Field], room: Field) -> bool:
     """Tell whether a box is in a room and as far from all others as things on a sheet are."""
-    if box.left < room.left - SAME or box.right > room.right + SAME or box.bottom < room.bottom - SAME:
+    if box.left < room.left - SAME or box.right > room.right + SAME:
+        return False
+    if box.bottom < room.bottom - SAME or box.top > room.top + SAME:
         return False
     left, bottom, right, top = box.inset(SAME - GAP)
     return not any(box.left < right and left < box.right and box.bottom < top and bottom < box.top for box in others)

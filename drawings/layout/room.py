@@ -80,6 +80,13 @@ class Stock:
             return [item.size(setting) for setting in item.settings()]
         return item.sizes(self.room[0])
 
+    def pieces(self, k: int) -> Sequence[int]:
+        """Give into how many pieces a table is torn at each of its sizes, nothing for what is no table."""
+        item = self.shown[k]
+        if isinstance(item, RuledTable):
+            return [item.pieces(setting) for setting in item.settings()]
+        return item.pieces if isinstance(item, TextBlock) else ()
+
     def close(self, unit: tuple[Unit, ...]) -> bool:
         """Tell whether all lettering of a unit belongs to its picture."""
         return all(isinstance(part, int) and isinstance(self.shown[part], TextBlock) for part in unit[1:])

@@ -303,7 +303,7 @@ class _Leaves:
         """Draw the lines of a sheet, and workings where it would stay bare."""
         still, figures = list(self._still(composed, number, count)), list(self._figures(composed))
         ink = Ink(*self.page.size)
-        ink.bar(self.page.field.inset(KEPT))
+        ink.bar(self.page.field.inset(KEPT), self.page.taken)
         ink.draw([*still, *(stroke for figure in figures for stroke in figure.lines)])
         still += fill(ink, self.page, 1 < number == count, list(self._loose(composed)))
         bare = ink.bare(self.page.field)
