@@ -23,7 +23,7 @@ from drawings.paper.strokes import Group
 from drawings.paper.walk import tied
 
 STOOD_BARE = 0.11  # share of a sheet that may be bare before it counts; the last sheet of a set may be barer
-STOOD_LAST = 0.22
+STOOD_LAST = 0.15
 COSTS = 6.0  # what a share more counts, against the logarithm of the figures' sizes
 TORN = 0.03  # what each piece of a table beyond the first counts, likewise
 HEAD = 16.0  # mm of a heading and the scale under it
@@ -126,6 +126,14 @@ class Stood:
         return COSTS * max(bareness(self.ink(self.arranged), self.page.field) - self.most, 0.0)
 
     @property
+    def full(self) -> float:
+        """The share of the room that all boxes take."""
+        sizes = (
+            self.stock.sizes(piece.unit, self.rungs)[piece.choice] for piece in pieces(self.tree) if piece.unit >= 0
+        )
+        return math.fsum(wide * high for wide, high in sizes) / math.prod(self.stock.room)
+
+    @property
     def torn(self) -> float:
         """What its tables count that stand in pieces."""
         tables = ((self.stock.pieces(piece.unit), piece.choice) for piece in pieces(self.tree) if piece.unit >= 0)
@@ -200,7 +208,7 @@ def size_of(extents: list[float]) -> float:
     return len(sizes) / sum(1 / size for size in sizes) if sizes else 1.0
 
 
-BARE, LAST = 0.13, 0.22  # shares of a sheet that may stay bare, of the last one of a set more
+BARE, LAST = 0.13, 0.17  # shares of a sheet that may stay bare, of the last one of a set more
 APART = 2.0  # mm between workings in a column: they read on
 
 
