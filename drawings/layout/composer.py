@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from drawings.layout.arrangement import Growth, State, rungs_of
 from drawings.layout.contents import Composition, Contents
-from drawings.layout.filling import Stood, filled, size_of
+from drawings.layout.filling import Stood, size_of
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.request import Request, SheetRun, fewest, partings, request
 from drawings.layout.room import Order, Shape, corner_of, ends_of, head_of, nested, size_of_room
@@ -108,7 +108,7 @@ class _Composer:
         count = self._fewest(self.asked.orders)
         if not count:
             raise SheetError(message("refused.figure", format=self.page.name))
-        return tuple(_with_others(sheet) for sheet in self._among(count).sheets)
+        return tuple(sheet.composition() for sheet in self._among(count).sheets)
 
     def _among(self, count: int) -> _Set:
         """Find the best set: in the further orders where they need fewer sheets, or leave less of them bare."""
@@ -227,10 +227,6 @@ class _Composer:
         torn, full = math.fsum(sheet.torn for sheet in sheets), [sheet.full for sheet in sheets]
         uneven = EVEN * (math.fsum(full) / len(full) - min(full))
         return _Set(sheets, tied(math.log(size) - late - torn - uneven))
-
-
-def _with_others(sheet: Stood) -> Composition:
-    return sheet.composition()._replace(others=lambda: [filled(sheet).composition()])
 
 
 def _settled(sets: Sequence[_Set]) -> _Set:

@@ -1,22 +1,22 @@
 """Filling: workings are written beside their figures where paper would stay bare (заполнение листа выкладками).
 
-What is bare of the lines of all figures takes a column of them; or a cell is cut off for one before anything is drawn.
+What is bare of the lines of all figures takes a column of them.
 """
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
-from drawings.layout.arrangement import Arrangement, sizes_of
+from drawings.layout.arrangement import Arrangement
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Notes, Picture, Rung, Spot, TextBlock
 from drawings.layout.room import Shown, Stock, ends_of, room_of
-from drawings.layout.slicing import GAP, SAME, Cut, Piece, Size, Tree, pieces
-from drawings.layout.standing import Occupant, Standing, bareness, natural
+from drawings.layout.slicing import GAP, SAME, Size, Tree, pieces
+from drawings.layout.standing import Occupant, Standing, bareness
 from drawings.layout.table import RuledTable
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import Group
@@ -219,15 +219,10 @@ class Loose(NamedTuple):
     write: Callable[[Field], Group]
 
 
-def most_bare(page: Page, last: bool) -> float:
-    """Give how much of a sheet may stay bare in one rectangle, mm2."""
-    return page.field.width * page.field.height * (LAST if last else BARE)
-
-
 def fill(ink: Ink, page: Page, last: bool, loose: Sequence[Loose]) -> Iterator[Group]:
     """Write workings where most is bare, until no more is than may be or none of them fits; the ink knows of them."""
     left, room = {entry.block.name: entry for entry in loose}, room_of(page)
-    most = most_bare(page, last)
+    most = page.field.width * page.field.height * (LAST if last else BARE)  # mm2, of one rectangle
     while left:
         bare = ink.bare(page.field)
         if bare.width * bare.height <= most:
@@ -285,43 +280,3 @@ def _spread(sizes: dict[str, Size], bare: Field, most: float) -> Iterator[tuple[
 
 def _common(first: Field, other: Field) -> Field:
     return Field(*map(max, first[:2], other[:2]), *map(min, first[2:], other[2:]))
-
-
-def filled(sheet: Stood) -> Stood:
-    """Write workings beside their figures until no more of a sheet is bare than may be, or none is left that helps."""
-    for k in _workings(sheet):
-        if not sheet.left:
-            break
-        sheet = min((sheet, *_beside(sheet, k)), key=lambda candidate: candidate.left)
-    return sheet
-
-
-def _workings(sheet: Stood) -> list[int]:
-    """Give the workings of the figures on a sheet, by their numbers."""
-    figures = (sheet.stock.shown[k] for k in sheet.boxes)
-    return [k for item in figures if isinstance(item, Picture) for k in sheet.stock.workings.get(item.name, ())]
-
-
-def _beside(sheet: Stood, k: int) -> Iterator[Stood]:
-    """Cut a cell off for a working, where that leaves the least bare."""
-    ends, room = ends_of(sheet.page), sheet.stock.room
-    ways = []
-    for choice in range(len(sheet.stock.sizes(k, sheet.rungs))):
-        for tree in _cut_off(sheet, sheet.tree, Piece(k, choice), ends):
-            wide, high = natural(tree, sizes_of(sheet.stock, tree, sheet.rungs, ends))
-            if wide <= room[0] + SAME and high <= room[1] + SAME:
-                ways.append(replace(sheet, tree=tree))
-    yield from (min(ways, key=lambda way: way.bare),) if ways else ()
-
-
-def _cut_off(sheet: Stood, tree: Tree, figure: Piece, ends: Mapping[int, Size]) -> Iterator[Tree]:
-    """Give the trees in which a working is cut off from a part of a tree that shows its figure."""
-    numbers = [piece.unit for piece in pieces(tree)]
-    shown = [sheet.stock.shown[k] for k in numbers if k not in ends]
-    if not any(isinstance(item, Picture) and figure.unit in sheet.stock.workings.get(item.name, ()) for item in shown):
-        return
-    if len(shown) == len(numbers):
-        yield from (Cut(True, tree, figure), Cut(True, figure, tree), Cut(False, tree, figure))
-    if isinstance(tree, Cut) and not tree.tied:
-        yield from (tree._replace(first=part) for part in _cut_off(sheet, tree.first, figure, ends))
-        yield from (tree._replace(second=part) for part in _cut_off(sheet, tree.second, figure, ends))

@@ -29,15 +29,11 @@ class Shape(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Stock:
-    """All that a set of sheets shows, by its numbers, and the room mm of a sheet.
-
-    `workings` are the numbers of what may be written beside a figure, by its name.
-    """
+    """All that a set of sheets shows, by its numbers, and the room mm of a sheet."""
 
     shown: tuple[Shown, ...]
     room: Size
     cuts: Cuts = field(compare=False, repr=False)
-    workings: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
 
     def shapes(self, unit: Unit, rungs: Mapping[str, Rung]) -> list[Shape]:
         """Give what sizes a unit can take where pictures have some scales."""
