@@ -229,6 +229,7 @@ DOT, RING = 0.6, 1.0  # mm, radii: of a point by chords, of one by the plans
 APART = 0.8  # sizes of a number between two numbers
 MARKED = 72  # positions: of more only the numbered ones have a point and a tick
 TALLER = 2.2  # times the height that the rows may have where there is room
+SHORTER = 12, 0.8  # positions: the axis of fewer has room for their numbers in a share of the usual least length
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -330,7 +331,9 @@ def _course(row: DiagramRow, curves: Collection[Plot], name: str, graph: Graph, 
 def measure(diagrams: DiagramsStudy, drafting: Drafting) -> Picture:
     """Measure the room of the diagrams."""
     head = text_width(Text(0j, title(diagrams, drafting), drafting.hand.title))
-    return DiagramsPlate(diagrams, drafting).room(NAME, ("φ", "rad"), head)._replace(taller=TALLER)
+    plate = DiagramsPlate(diagrams, drafting)
+    room, (many, share) = plate.room(NAME, ("φ", "rad"), head), SHORTER
+    return room._replace(taller=TALLER, least=room.least * (share if len(plate.axis.turned) < many else 1.0))
 
 
 def draw(diagrams: DiagramsStudy, spot: Spot, drafting: Drafting) -> Parts:

@@ -191,9 +191,9 @@ class PlateFrame:
         top = max(field.top for field in self.fields.values())
         bottom = self.fields[SURPLUS].top + self.plate.over + self.plate.under
         high = top - bottom
-        room = max(high - 2 * BEYOND, high / 2)  # on an A4 it is hardly higher than the ends of its axis
+        room = max(high - BEYOND, high / 2)  # on an A4 it is hardly higher than the end of its axis
         down = self._fitting((0.0, TURN), room, "φ", "rad")
-        return Axes(complex(self.loop_axes.zero.real, top - BEYOND), down, self.inertia_scale, -1j, 1 + 0j)
+        return Axes(complex(self.loop_axes.zero.real, top), down, self.inertia_scale, -1j, 1 + 0j)
 
     @property
     def figure(self) -> Parts:

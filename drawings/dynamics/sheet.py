@@ -158,6 +158,7 @@ def _others(exact: Account, methods: Methods | None, drafting: Drafting) -> Sequ
 
 
 TOLD = (MOST, 12, 8)  # positions that the table of values tells at most, as the paper takes them
+SIZES = 2  # of graphs and loop in line that are tried: the largest, and the next where all then takes fewer sheets
 LARGEST = 2.0  # times the least size at which it is legible: a load is not drawn larger than the graphs
 
 
@@ -192,6 +193,7 @@ class _DynamicsSheet:
 
     scene: Scene
     machine: MachineMotion
+    smaller: int = 0  # steps by which graphs and loop in line are smaller than the largest
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -203,8 +205,10 @@ class _DynamicsSheet:
 
     @property
     def draft(self) -> Draft:
-        """The draft that tells most positions, and those that need less room."""
-        first, *further = map(self._drafted, TOLD)
+        """The draft of the largest graphs that tells most positions, and those that need less room."""
+        sizes = [replace(self, smaller=k) for k in range(SIZES)]
+        drawn = [size for size in sizes if size._in_line or not size.smaller]
+        first, *further = (size._drafted(most) for size in drawn for most in TOLD)
         return first._replace(instead=tuple(further))
 
     @cached_property
@@ -250,15 +254,15 @@ class _DynamicsSheet:
 
     @cached_property
     def _least(self) -> float | None:
-        """The size mm of graphs and loop in line as large as they stand clear of the title block; None: not legible."""
+        """The size mm at which graphs and loop in line stand clear of the title block; None: not legible."""
         return self._largest(self._whole)
 
     def _largest(self, shown: Plate) -> float | None:
         room, picture, block = room_of(self.page), plate.measure(shown), self.page.block
         beside, above = (room.width - block.width - GAP, room.height), (room.width, room.height - block.height - GAP)
-        ladders = [picture.rungs(*free, self.page.standard) for free in (beside, above)]
-        largest = max((rungs[0].extent for rungs in ladders if rungs), default=0.0)
-        return largest if largest >= picture.least else None
+        rungs = (rung for free in (beside, above) for rung in picture.rungs(*free, self.page.standard))
+        sizes = sorted({rung.extent for rung in rungs if rung.extent >= picture.least}, reverse=True)
+        return sizes[self.smaller] if self.smaller < len(sizes) else None
 
     def _loads(self) -> Iterator[Exhibit]:
         """Show each load that changes over a stroke."""

@@ -47,7 +47,7 @@ class LoadCourse(NamedTuple):
     overrun: tuple[float, float]
     out: Branch
     back: Branch
-    places: tuple[complex, ...] = ()  # way + load * i in each position of a scene, NaN at gaps; those of `back` below
+    places: tuple[complex, ...] = ()  # way + load * i in each position of a scene, NaN at gaps
     returning: tuple[int, ...] = ()  # the positions of the idle stroke
     shown: tuple[int, ...] = ()  # those that always bear their numbers
     card: bool = False
@@ -57,6 +57,12 @@ class LoadCourse(NamedTuple):
         """The least and the greatest load, zero among them."""
         sizes = [corner.imag for corner in (*self.out, *self.back)]
         return min(0.0, *sizes), max(0.0, *sizes)
+
+    @property
+    def higher(self) -> bool:
+        """Whether the branch of the working stroke lies over the other: a gas that is compressed idly lies over it."""
+        parts = [*pairwise(self.out), *pairwise(self.back)]
+        return math.fsum((end - start).real * (start + end).imag for start, end in parts) >= 0
 
     @property
     def corners(self) -> tuple[complex, ...]:
@@ -242,7 +248,7 @@ def _positions(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[Iterator[Let
     length, wide = 2 * abs(axes.on(course.length) - axes.zero), text_width(Text(0j, str(len(spots)), hand.number))
     numbers = numbered(spots, length, wide + SPARE * hand.number, course.shown)
     dots = numbered(spots, length, 3 * DOT * hand.symbol, numbers)
-    letters = (_corner(str(k), spots[k], k not in course.returning, hand) for k in numbers)
+    letters = (_corner(str(k), spots[k], (k in course.returning) != course.higher, hand) for k in numbers)
     return letters, (Circle(spots[k], DOT * hand.symbol, INK) for k in dots)
 
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from drawings.layout.arrangement import Growth, State, rungs_of
 from drawings.layout.contents import Composition, Contents
-from drawings.layout.filling import Stood, filled, size_of
+from drawings.layout.filling import Stood, size_of
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.request import Request, SheetRun, fewest, partings, request
 from drawings.layout.room import Order, Shape, corner_of, ends_of, head_of, nested, size_of_room
@@ -28,6 +28,7 @@ from plans.words.words import message
 LOOKS = 3  # levels at which compositions are looked at: the highest and those below it
 POINTS = 6  # sizes of a sheet that are looked at
 LATE = 0.5  # what notes count that do not stand on the first sheet, against the logarithm of the figures' sizes
+EVEN = 2.0  # what a share of the room counts that the emptiest sheet has less than the sheets have on average, likewise
 SETTLED = 4  # sets, the best as they are cut, that are looked at when all on them is moved
 PARTINGS = 6  # ways to part a set into sheets that are looked at
 
@@ -43,7 +44,8 @@ def compose(contents: Contents, page: Page, cuts: Cuts | None = None) -> tuple[C
 def fits(contents: Contents, page: Page, cuts: Cuts, count: int) -> bool:
     """Tell whether so many sheets keep every figure of contents readable."""
     asked = request(contents, page, cuts)
-    return _Composer(asked, page).fits(asked.floors, count)
+    every = asked._replace(orders=(*asked.orders, *asked.further))
+    return _Composer(every, page).fits(asked.floors, count)
 
 
 class _Cutting(NamedTuple):
@@ -103,26 +105,27 @@ class _Composer:
 
     def composed(self) -> tuple[Composition, ...]:
         """Find the best set."""
-        count = self._fewest()
+        count = self._fewest(self.asked.orders)
         if not count:
             raise SheetError(message("refused.figure", format=self.page.name))
+        return tuple(sheet.composition() for sheet in self._among(count).sheets)
+
+    def _among(self, count: int) -> _Set:
+        """Find the best set: in the further orders where they need fewer sheets, or leave less of them bare."""
+        further = self.asked.further if count > 1 else ()
+        fewer = self._fewest(further) if further else count
+        if fewer < count:
+            self.orders = further
+            return self._found(fewer)
         best = self._found(count)
-        if count > 1 and self.asked.further and any(sheet.left for sheet in best.sheets):
-            best = self._better(best)
-        return tuple(_with_others(sheet) for sheet in best.sheets)
-
-    def _better(self, best: _Set) -> _Set:
-        """Try the further orders: they may need fewer sheets, or leave less of them bare."""
-        self.orders, count = self.asked.further, len(best.sheets)
-        fewer = self._fewest()
-        if fewer > count:
+        if not further or fewer > count or not any(sheet.left for sheet in best.sheets):
             return best
-        found = self._found(fewer)
-        return max(best, found, key=lambda candidate: (-len(candidate.sheets), candidate.settled))
+        self.orders = further
+        return max(best, self._found(count), key=lambda candidate: candidate.settled)
 
-    def _fewest(self) -> int:
+    def _fewest(self, orders: Sequence[Order]) -> int:
         """Count the sheets that are needed at the least scales."""
-        cuttings = [self._cutting(order, self.asked.floors) for order in self.orders]
+        cuttings = [self._cutting(order, self.asked.floors) for order in orders]
         if any(cutting.number(1) for cutting in cuttings):
             return 1
         counts = []
@@ -194,7 +197,8 @@ class _Composer:
     def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)
-            return self._stood(tree, rungs_of(self.asked.steps, grown), last).fault
+            stood = self._stood(tree, rungs_of(self.asked.steps, grown), last)
+            return stood.fault + stood.torn
 
         return _least(cutting.trees(*run), fault)
 
@@ -220,11 +224,9 @@ class _Composer:
         sheets = tuple(self._stood(tree, rungs, self._ends(0 < k == last)) for k, tree in enumerate(trees))
         size = size_of([step.sizes[k] for step, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
-        return _Set(sheets, tied(math.log(size) - late))
-
-
-def _with_others(sheet: Stood) -> Composition:
-    return sheet.composition()._replace(others=lambda: [filled(sheet).composition()])
+        torn, full = math.fsum(sheet.torn for sheet in sheets), [sheet.full for sheet in sheets]
+        uneven = EVEN * (math.fsum(full) / len(full) - min(full))
+        return _Set(sheets, tied(math.log(size) - late - torn - uneven))
 
 
 def _settled(sets: Sequence[_Set]) -> _Set:

@@ -4,7 +4,7 @@ A sheet says what it shows, what is weighty, what belongs together and what want
 not know.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
@@ -34,26 +34,17 @@ class Panel(NamedTuple):
     share: float = 0.0
 
 
-class Working(NamedTuple):
-    """Lettering that belongs to a figure, by its name, and is written only where paper beside it would stay bare."""
-
-    block: TextBlock
-    of: str
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Contents:
     """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets.
 
-    Its last sheet may be barer than the others, unless sheets of other contents follow in the same set. What would stay
-    bare of a sheet is filled with the `workings` of its figures.
+    Its last sheet may be barer than the others, unless sheets of other contents follow in the same set.
     """
 
     panels: tuple[Panel, ...] = ()
     tables: tuple[RuledTable, ...] = ()
     notes: Notes | None = None
     followed: bool = False
-    workings: tuple[Working, ...] = ()
 
     @cached_property
     def foremost(self) -> Panel | None:
@@ -79,13 +70,9 @@ class TableSpot(NamedTuple):
 
 
 class Composition(NamedTuple):
-    """One composed sheet: where each figure, by its name, stands, each piece of lettering, the tables, the notes.
-
-    `others` gives what else it may be composed to, with workings beside its figures: all at the same scales.
-    """
+    """One composed sheet: where each figure, by its name, stands, each piece of lettering, the tables, the notes."""
 
     spots: Mapping[str, Spot]
     blocks: Mapping[str, Field]
     tables: tuple[TableSpot, ...] = ()
     notes: Field | None = None
-    others: "Callable[[], Iterable[Composition]]" = tuple

@@ -1,28 +1,31 @@
 """Filling: workings are written beside their figures where paper would stay bare (заполнение листа выкладками).
 
-What is bare of the lines of all figures takes a column of them; or a cell is cut off for one before anything is drawn.
+What is bare of the lines of all figures takes a column of them.
 """
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import NamedTuple
 
-from drawings.layout.arrangement import Arrangement, sizes_of
+from drawings.layout.arrangement import Arrangement
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Notes, Picture, Rung, Spot, TextBlock
 from drawings.layout.room import Shown, Stock, ends_of, room_of
-from drawings.layout.slicing import GAP, SAME, Cut, Piece, Size, Tree, pieces
-from drawings.layout.standing import Occupant, Standing, bareness, natural
+from drawings.layout.slicing import GAP, SAME, Size, Tree, pieces
+from drawings.layout.standing import Occupant, Standing, bareness
 from drawings.layout.table import RuledTable
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import Group
+from drawings.paper.walk import tied
 
 STOOD_BARE = 0.11  # share of a sheet that may be bare before it counts; the last sheet of a set may be barer
-STOOD_LAST = 0.22
+STOOD_LAST = 0.15
 COSTS = 6.0  # what a share more counts, against the logarithm of the figures' sizes
+TORN = 0.03  # what each piece of a table beyond the first counts, likewise
 HEAD = 16.0  # mm of a heading and the scale under it
 WIDER = 1.5  # times its width that a table may be set: wider cells are hard to read along
 LETTERED = 0.25  # share of the margins of a figure that its letters and symbols fill
@@ -78,12 +81,13 @@ class Stood:
 
     @cached_property
     def stands(self) -> Mapping[int, Field]:
-        """The boxes at last: lettering is set wider where paper beside it is free, and the sheet is no barer for it."""
+        """The boxes at last: where paper is free, lettering is wider and tables whole; the sheet is no barer for it."""
         boxes = dict(self.arranged)
         most = max(bareness(self.ink(boxes), self.page.field), self.most)
-        for k in (k for k in boxes if isinstance(self.stock.shown[k], TextBlock | Notes)):
+        for k in (k for k in boxes if not isinstance(self.stock.shown[k], Picture)):
             taken = [*(box for n, box in boxes.items() if n != k), *self.page.taken]
-            free = (box for box in self._wider(k, boxes[k]) if _free(box, taken, room_of(self.page)))
+            ways = self._whole(k, boxes[k]) if self.stock.pieces(k) else self._wider(k, boxes[k])
+            free = (box for box in ways if _free(box, taken, room_of(self.page)))
             fair = (box for box in free if bareness(self.ink({**boxes, k: box}), self.page.field) <= most)
             boxes[k] = next(fair, boxes[k])
         return boxes
@@ -93,6 +97,14 @@ class Stood:
         for wide, high in (size for size in self._sizes(k)[::-1] if size[0] > box.width + SAME):
             low = box._replace(bottom=box.top - high)
             yield from (low._replace(right=box.left + wide), low._replace(left=box.right - wide))
+
+    def _whole(self, k: int, box: Field) -> Iterator[Field]:
+        """Give the boxes of a table in fewer pieces at a corner of its own, the fewest first."""
+        ways = [*zip(self.stock.pieces(k), self._sizes(k), strict=True)]
+        now, _ = min(ways, key=lambda way: tied(abs(way[1][1] - box.height)))
+        for _, (wide, high) in sorted(way for way in ways if way[0] < now):
+            for left, low in product((box.left, box.right - wide), (box.top - high, box.bottom)):
+                yield Field(left, low, left + wide, low + high)
 
     def _sizes(self, k: int) -> Sequence[Size]:
         """Give the sizes that lettering may be broken to where it stands, and tables set."""
@@ -112,6 +124,20 @@ class Stood:
     def left(self) -> float:
         """What its bareness counts that is left when all is moved."""
         return COSTS * max(bareness(self.ink(self.arranged), self.page.field) - self.most, 0.0)
+
+    @property
+    def full(self) -> float:
+        """The share of the room that all boxes take."""
+        sizes = (
+            self.stock.sizes(piece.unit, self.rungs)[piece.choice] for piece in pieces(self.tree) if piece.unit >= 0
+        )
+        return math.fsum(wide * high for wide, high in sizes) / math.prod(self.stock.room)
+
+    @property
+    def torn(self) -> float:
+        """What its tables count that stand in pieces."""
+        tables = ((self.stock.pieces(piece.unit), piece.choice) for piece in pieces(self.tree) if piece.unit >= 0)
+        return TORN * sum(torn[choice] - 1 for torn, choice in tables if torn)
 
     @property
     def notes(self) -> bool:
@@ -160,7 +186,9 @@ class Stood:
 
 def _free(box: Field, others: Sequence[Field], room: Field) -> bool:
     """Tell whether a box is in a room and as far from all others as things on a sheet are."""
-    if box.left < room.left - SAME or box.right > room.right + SAME or box.bottom < room.bottom - SAME:
+    if box.left < room.left - SAME or box.right > room.right + SAME:
+        return False
+    if box.bottom < room.bottom - SAME or box.top > room.top + SAME:
         return False
     left, bottom, right, top = box.inset(SAME - GAP)
     return not any(box.left < right and left < box.right and box.bottom < top and bottom < box.top for box in others)
@@ -180,7 +208,7 @@ def size_of(extents: list[float]) -> float:
     return len(sizes) / sum(1 / size for size in sizes) if sizes else 1.0
 
 
-BARE, LAST = 0.13, 0.22  # shares of a sheet that may stay bare, of the last one of a set more
+BARE, LAST = 0.13, 0.17  # shares of a sheet that may stay bare, of the last one of a set more
 APART = 2.0  # mm between workings in a column: they read on
 
 
@@ -191,15 +219,10 @@ class Loose(NamedTuple):
     write: Callable[[Field], Group]
 
 
-def most_bare(page: Page, last: bool) -> float:
-    """Give how much of a sheet may stay bare in one rectangle, mm2."""
-    return page.field.width * page.field.height * (LAST if last else BARE)
-
-
 def fill(ink: Ink, page: Page, last: bool, loose: Sequence[Loose]) -> Iterator[Group]:
     """Write workings where most is bare, until no more is than may be or none of them fits; the ink knows of them."""
     left, room = {entry.block.name: entry for entry in loose}, room_of(page)
-    most = most_bare(page, last)
+    most = page.field.width * page.field.height * (LAST if last else BARE)  # mm2, of one rectangle
     while left:
         bare = ink.bare(page.field)
         if bare.width * bare.height <= most:
@@ -257,43 +280,3 @@ def _spread(sizes: dict[str, Size], bare: Field, most: float) -> Iterator[tuple[
 
 def _common(first: Field, other: Field) -> Field:
     return Field(*map(max, first[:2], other[:2]), *map(min, first[2:], other[2:]))
-
-
-def filled(sheet: Stood) -> Stood:
-    """Write workings beside their figures until no more of a sheet is bare than may be, or none is left that helps."""
-    for k in _workings(sheet):
-        if not sheet.left:
-            break
-        sheet = min((sheet, *_beside(sheet, k)), key=lambda candidate: candidate.left)
-    return sheet
-
-
-def _workings(sheet: Stood) -> list[int]:
-    """Give the workings of the figures on a sheet, by their numbers."""
-    figures = (sheet.stock.shown[k] for k in sheet.boxes)
-    return [k for item in figures if isinstance(item, Picture) for k in sheet.stock.workings.get(item.name, ())]
-
-
-def _beside(sheet: Stood, k: int) -> Iterator[Stood]:
-    """Cut a cell off for a working, where that leaves the least bare."""
-    ends, room = ends_of(sheet.page), sheet.stock.room
-    ways = []
-    for choice in range(len(sheet.stock.sizes(k, sheet.rungs))):
-        for tree in _cut_off(sheet, sheet.tree, Piece(k, choice), ends):
-            wide, high = natural(tree, sizes_of(sheet.stock, tree, sheet.rungs, ends))
-            if wide <= room[0] + SAME and high <= room[1] + SAME:
-                ways.append(replace(sheet, tree=tree))
-    yield from (min(ways, key=lambda way: way.bare),) if ways else ()
-
-
-def _cut_off(sheet: Stood, tree: Tree, figure: Piece, ends: Mapping[int, Size]) -> Iterator[Tree]:
-    """Give the trees in which a working is cut off from a part of a tree that shows its figure."""
-    numbers = [piece.unit for piece in pieces(tree)]
-    shown = [sheet.stock.shown[k] for k in numbers if k not in ends]
-    if not any(isinstance(item, Picture) and figure.unit in sheet.stock.workings.get(item.name, ()) for item in shown):
-        return
-    if len(shown) == len(numbers):
-        yield from (Cut(True, tree, figure), Cut(True, figure, tree), Cut(False, tree, figure))
-    if isinstance(tree, Cut) and not tree.tied:
-        yield from (tree._replace(first=part) for part in _cut_off(sheet, tree.first, figure, ends))
-        yield from (tree._replace(second=part) for part in _cut_off(sheet, tree.second, figure, ends))

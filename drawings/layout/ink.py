@@ -38,9 +38,9 @@ class Ink:
         self._pieces, self._unpieced = _Pieces(), list[tuple[Stroke, float]]()
         self._bare = dict[Field, Field]()  # what was found since the last stroke
 
-    def bar(self, field: Box) -> None:
-        """Keep labels inside a field: what lies outside counts as lettered over."""
-        self._cells.bar(field)
+    def bar(self, field: Box, taken: Iterable[Box] = ()) -> None:
+        """Keep lettering inside a field and off what is taken of it: all else counts as lettered over."""
+        self._cells.bar(field, taken)
         self._bare.clear()
 
     def draw(self, strokes: Iterable[Stroke], weight: float = 1.0) -> None:
@@ -83,7 +83,9 @@ class _Cells:
     def __init__(self, width: float, height: float) -> None:
         self._map = np.zeros((int(height / CELL) + 2, int(width / CELL) + 2), dtype=np.int32)
 
-    def bar(self, field: Box) -> None:
+    def bar(self, field: Box, taken: Iterable[Box]) -> None:
+        for place in taken:
+            self._map[self._covered(place)] += LETTERED
         rows, columns = self._covered(field)
         for outside in (np.s_[: rows.start], np.s_[rows.stop :]):
             self._map[outside] += LETTERED

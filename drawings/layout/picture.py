@@ -75,10 +75,14 @@ WIDTHS = 8  # in which notes are tried, from their least to the width of the she
 
 
 class TextBlock(NamedTuple):
-    """Lettering that is kept together: the sizes that it may have, width and height in mm, the narrowest first."""
+    """Lettering that is kept together: the sizes that it may have, width and height in mm, the narrowest first.
+
+    Of a table `pieces` tells into how many it is torn at each of its sizes.
+    """
 
     name: str
     sizes: tuple[tuple[float, float], ...]
+    pieces: tuple[int, ...] = ()
 
 
 class Notes(NamedTuple):

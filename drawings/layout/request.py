@@ -99,10 +99,6 @@ class _Fitting:
         self.names = {panel.item.name: k for k, panel in enumerate(contents.panels)}
         notes = () if contents.notes is None else (contents.notes,)
         self.shown = [*(panel.item for panel in contents.panels), *contents.tables, *notes]
-        self.workings: dict[str, tuple[int, ...]] = {}
-        for working in contents.workings:
-            self.workings[working.of] = (*self.workings.get(working.of, ()), len(self.shown))
-            self.shown.append(working.block)
 
     def request(self) -> Request:
         read, every = (steps_of(self.contents.panels, self.room, self.page.standard, clear) for clear in (True, False))
@@ -120,7 +116,7 @@ class _Fitting:
 
     @property
     def _stock(self) -> Stock:
-        return Stock(tuple(self.shown), self.room, self.cuts, self.workings)
+        return Stock(tuple(self.shown), self.room, self.cuts)
 
     def _readable(self, read: Steps, every: Steps) -> tuple[Steps, int]:
         """Give the steps at which figures can be read, or else all, from the largest on at which each fits a sheet."""

@@ -29,15 +29,11 @@ class Shape(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Stock:
-    """All that a set of sheets shows, by its numbers, and the room mm of a sheet.
-
-    `workings` are the numbers of what may be written beside a figure, by its name.
-    """
+    """All that a set of sheets shows, by its numbers, and the room mm of a sheet."""
 
     shown: tuple[Shown, ...]
     room: Size
     cuts: Cuts = field(compare=False, repr=False)
-    workings: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
 
     def shapes(self, unit: Unit, rungs: Mapping[str, Rung]) -> list[Shape]:
         """Give what sizes a unit can take where pictures have some scales."""
@@ -79,6 +75,13 @@ class Stock:
         if isinstance(item, RuledTable):
             return [item.size(setting) for setting in item.settings()]
         return item.sizes(self.room[0])
+
+    def pieces(self, k: int) -> Sequence[int]:
+        """Give into how many pieces a table is torn at each of its sizes, nothing for what is no table."""
+        item = self.shown[k]
+        if isinstance(item, RuledTable):
+            return [item.pieces(setting) for setting in item.settings()]
+        return item.pieces if isinstance(item, TextBlock) else ()
 
     def close(self, unit: tuple[Unit, ...]) -> bool:
         """Tell whether all lettering of a unit belongs to its picture."""

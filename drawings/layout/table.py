@@ -111,6 +111,10 @@ class RuledTable(NamedTuple):
         width, rows = self.width(setting.across), math.ceil(len(self.lines) / setting.parts) + self.over
         return setting.parts * width + (setting.parts - 1) * APART, bands * rows * self.row + (bands - 1) * APART
 
+    def pieces(self, setting: Setting) -> int:
+        """Count the pieces into which it is torn: bands one above another, parts side by side."""
+        return math.ceil(self.bands / setting.across) * setting.parts
+
     def widened(self, setting: Setting, width: float) -> "RuledTable":
         """Give the table set as wide as a box, mm: its columns alike."""
         more = (width - (setting.parts - 1) * APART) / (setting.parts * self.width(setting.across))
@@ -127,7 +131,8 @@ class RuledTable(NamedTuple):
 
     def block(self, name: str) -> TextBlock:
         """Give the sizes that it may have where it stands among figures."""
-        return TextBlock(name, tuple(sorted(self.size(setting) for setting in self.settings())))
+        ways = sorted((self.size(setting), self.pieces(setting)) for setting in self.settings())
+        return TextBlock(name, tuple(size for size, _ in ways), tuple(pieces for _, pieces in ways))
 
     def setting(self, box: Field) -> Setting:
         """Give the way to set it whose size a box has."""

@@ -10,8 +10,8 @@ from functools import cache, cached_property, partial
 from typing import Any, NamedTuple
 
 from drawings.layout.composer import compose, fits
-from drawings.layout.contents import Composition, Contents, Working
-from drawings.layout.filling import Loose, fill, most_bare
+from drawings.layout.contents import Composition, Contents
+from drawings.layout.filling import Loose, fill
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import NARROW, SMALLER, Figure, Notes, Picture, Spot, TextBlock
@@ -123,16 +123,20 @@ def _chosen(scene: Scene, draft: Draft, followed: bool) -> "_Leaves":
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:
         return _Leaves(scene, draft, followed).settled
-    return min((_Leaves(scene, way, followed) for way in (draft, *draft.instead)), key=lambda way: way.cost)
+    best, *others = (_Leaves(scene, way, followed) for way in (draft, *draft.instead))
+    for way in others:
+        lack, sheets = best.cost
+        if lack or (sheets > 1 and way.fits(sheets - 1)):
+            best = min(best, way, key=lambda leaves: leaves.cost)
+    return best
 
 
 class _Inked(NamedTuple):
-    """A sheet before its letters are placed: what stands still, its figures, their ink, what is bare of it, mm2."""
+    """A sheet before its letters are placed: what stands still, its figures, their ink."""
 
     still: list[Group]
     figures: list[Figure]
     ink: Ink
-    bare: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -167,13 +171,7 @@ class _Leaves:
         shown = [part.panel for part in self.draft.shows if isinstance(part, Exhibit) or not part.working]
         panels = self.scales.panels(shown)
         notes = measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
-        return Contents(panels, self.draft.tables, notes, self.followed, tuple(self._workings()))
-
-    def _workings(self) -> Iterator[Working]:
-        """Give the lettering that is written only where paper would stay bare."""
-        for part in self.draft.shows:
-            if isinstance(part, Caption) and part.working and isinstance(part.panel.item, TextBlock):
-                yield Working(part.panel.item, part.of)
+        return Contents(panels, self.draft.tables, notes, self.followed)
 
     @cached_property
     def composed(self) -> Sequence[Composition]:
@@ -196,6 +194,13 @@ class _Leaves:
         sizes = ((picture.extent(spots[picture.name].scale), picture.least) for picture in pictures)
         lack = sum(1 - size / least for size, least in sizes if 0 < size < least * SMALLER)
         return lack, len(self.composed)
+
+    def fits(self, count: int) -> bool:
+        """Tell whether so many sheets keep every figure readable; none do where one has no room."""
+        try:
+            return fits(self.contents, self.page, self.cuts, count)
+        except SheetError:
+            return False
 
     @cached_property
     def spots(self) -> Mapping[str, Spot]:
@@ -224,7 +229,7 @@ class _Leaves:
         """Tell whether room for remarks is worth it: no further sheet, where they can be read without that room."""
         notes, boxes = self.contents.notes, (composition.notes for composition in other.composed)
         tight = any(notes and box and box.height < TIGHT * notes.height(box.width) for box in boxes)
-        return tight or fits(self.contents, self.page, self.cuts, len(other.composed))
+        return tight or self.fits(len(other.composed))
 
     @property
     def sheets(self) -> Sequence[Composition]:
@@ -249,7 +254,7 @@ class _Leaves:
     def leaf(self, composed: Composition, number: int, count: int) -> Leaf:
         """Draw one sheet: the lines of all its figures first, then the letters among them."""
         page, draft = self.page, self.draft
-        stood = self._stood(composed, number, count)
+        stood = self._inked(composed, number, count)
         labels = Labels(stood.ink, page.hand.drafted)
         letters = (group for figure in stood.figures for group in figure.letter(labels))
         facts = draft.facts(composed.spots.keys())
@@ -279,23 +284,14 @@ class _Leaves:
             if 0 < 2 * picture.extent(composed.spots[picture.name].scale) < picture.least:
                 yield picture.name
 
-    def _stood(self, composed: Composition, number: int, count: int) -> _Inked:
-        """Draw the lines of a sheet in that of its ways to stand which leaves the least bare, where much would be."""
-        inked = self._inked(composed, number, count)
-        if inked.bare <= most_bare(self.page, 1 < number == count):
-            return inked
-        others = (self._inked(self._counted(other), number, count) for other in composed.others())
-        return min((inked, *others), key=lambda candidate: candidate.bare)
-
     def _inked(self, composed: Composition, number: int, count: int) -> _Inked:
         """Draw the lines of a sheet, and workings where it would stay bare."""
         still, figures = list(self._still(composed, number, count)), list(self._figures(composed))
         ink = Ink(*self.page.size)
-        ink.bar(self.page.field.inset(KEPT))
+        ink.bar(self.page.field.inset(KEPT), self.page.taken)
         ink.draw([*still, *(stroke for figure in figures for stroke in figure.lines)])
         still += fill(ink, self.page, 1 < number == count, list(self._loose(composed)))
-        bare = ink.bare(self.page.field)
-        return _Inked(still, figures, ink, bare.width * bare.height)
+        return _Inked(still, figures, ink)
 
     def _still(self, composed: Composition, number: int, count: int) -> Iterator[Group]:
         """Draw what no letter is added to: the title block, tables, notes, lettering among the figures."""
@@ -316,9 +312,8 @@ class _Leaves:
         """Give the workings of the figures of a sheet that have no place on it yet."""
         for part in self.draft.shows:
             if isinstance(part, Caption) and part.working and part.of in composed.spots:
-                item, spot = part.panel.item, composed.spots[part.of]
-                if isinstance(item, TextBlock) and item.name not in composed.blocks:
-                    yield Loose(item, partial(part.write, spot=spot))
+                assert isinstance(part.panel.item, TextBlock)
+                yield Loose(part.panel.item, partial(part.write, spot=composed.spots[part.of]))
 
     def _awaited(self, caption: Caption, composed: Composition) -> Iterator[Any]:
         """Give what lettering is written by beside its box."""
