@@ -164,7 +164,8 @@ def _sheets(study: Study, folder: Path, trace: TracedMark) -> SheetSet:
         withheld = {path: said for path, said in wrong.items() if said}
         right = {path: content for path, content in contents.items() if path not in withheld}
         if sheets.keys() <= withheld.keys():
-            raise SelfCheckFailed(message("check.sheet", marks=first(chain(*withheld.values()))))
+            why = message("check.sheet", marks=first(chain(*withheld.values())))
+            raise SelfCheckFailed(_withheld(tuple(path.name for path in withheld), why))
         manifest = manifest_of(scene.file, scene.content, right, (path.name for path in withheld))
         for path in publish(folder, manifest, {path: beside[path] for path in right}):
             _say(scene, placed(path, message("file.surplus")))
