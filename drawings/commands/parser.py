@@ -199,7 +199,7 @@ def _orders(text: str) -> list[str]:
     from plans.scene.forms import PLANS, called  # only this option asks for the table
 
     given = [name.strip() for name in text.split(",")]
-    names = [called(name, "plan", PLANS) for name in given]
+    names = [called(name, PLANS, "plan") for name in given]
     wrong = [name for name, plan in zip(given, names, strict=True) if not plan]
     if wrong:
         raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(PLANS)}")

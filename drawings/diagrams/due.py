@@ -23,7 +23,7 @@ TALLEST = 2.0  # times the largest at a position that a course may go
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale
 FINE = 7201  # places of a turn at which a greatest value is sought
 TIED = 1e-4  # of the largest: values that are as high
-DRAWN = math.radians(0.5)  # the curve on paper has a place in each degree: so far off may the one at a greatest value be
+DRAWN = math.radians(0.5)  # the drawn curve has a place in each degree: so far off one may be
 NEAR = math.radians(2.0)  # how far off the angle of a greatest value may be told where it is flat
 AFTER = 2  # values beyond either end of a turn that a smooth curve looks at
 

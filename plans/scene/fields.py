@@ -11,7 +11,7 @@ from typing import TypeVar
 
 from geometry.errors import LimitError
 from plans.scene import forms, units
-from plans.scene.faults import suggestion, wrong
+from plans.scene.faults import wrong
 from plans.scene.forms import ENTRIES_LIMIT
 from plans.scene.readers import Check, FieldReader, many, one
 from plans.scene.units import type_name
@@ -62,14 +62,11 @@ def flag(value: object) -> bool:
 def choice(
     value: object, choices: tuple[str, ...], kind: str = "choice", likely: Callable[[object], str] | None = None
 ) -> str:
-    """Read one of the words that are allowed; `likely` gives the one that another value is nearest to, or ""."""
-    if isinstance(value, str) and value in choices:
-        return value
-    meant = likely(value) if likely else ""
-    if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="text", found=type_name(value), example=sample(meant or choices[0]))
-    advice = message("advice.write", name=meant or choices[0])
-    advice = advice if meant else suggestion(value, choices, advice)
+    """Read one of the words that are allowed, or what a language calls it; `likely` gives what else it may mean."""
+    if isinstance(value, str) and (found := forms.called(value, choices)):
+        return found
+    near = [meant] if likely and (meant := likely(value)) else forms.likely(value, choices)
+    advice = message("advice.meant", names=tuple(f'"{name}"' for name in near)) if near else message("advice.choose")
     raise wrong(kind, choices=", ".join(choices), suggestion=advice)
 
 

@@ -82,14 +82,14 @@ def read_source(path: FilePath) -> Source:
 
 def language_of(path: FilePath) -> str:
     """Give the language that a scene asks for, however faulty the rest of the file is; English where it names none."""
-    try:
-        text = (
-            regular_bytes(path, SIZE_LIMIT + 1).replace(b"\0", b"").decode("utf-8", errors="replace")
-        )  # UTF-16 too: keys are ASCII
+    from plans.scene.forms import called, likely  # noqa: PLC0415  (it imports much, and a faulty scene alone needs it)
+
+    try:  # UTF-16 too: keys are ASCII
+        text = regular_bytes(path, SIZE_LIMIT + 1).replace(b"\0", b"").decode("utf-8", errors="replace")
     except (OSError, ValueError):
         return ENGLISH
     asked = next(_asked(text), ENGLISH) if "language" in text else ENGLISH
-    return asked if asked in languages() else ENGLISH
+    return called(asked, languages()) or next(iter(likely(asked, languages())), ENGLISH)
 
 
 def _asked(text: str) -> Iterator[str]:
