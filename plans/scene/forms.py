@@ -107,8 +107,8 @@ PLANS = tuple(plan for technique in techniques().values() for plan in technique.
 def called(name: object, own: tuple[str, ...] = SHEETS, group: str = "kind") -> str:
     """Give which of some words, of sheets or plans, a text is in any language, however it is cased; else nothing.
 
-    >>> called("силы"), called("Force"), called("Силовой расчет"), called("план скоростей", PLANS, "plan"), called("speed")
-    ('forces', 'forces', 'forces', 'velocities', '')
+    >>> called("Force"), called("Силовой расчет"), called("план скоростей", PLANS, "plan"), called("speed")
+    ('forces', 'forces', 'velocities', '')
     """
     return str(name) if name in own else natural(own, group).get(_plain(name), "")
 

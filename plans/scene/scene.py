@@ -67,9 +67,9 @@ class Scene(Table):
         return self._source.content
 
     @property
-    def marked(self) -> bool:
-        """Whether the file began with a byte order mark, which was left aside."""
-        return self._source.marked
+    def read_as(self) -> Iterable[Fault]:
+        """What of the file was left aside, or read as what it looks like."""
+        return self._source.notes()
 
     @property
     def forms(self) -> Iterable[TechniqueForm]:
