@@ -80,13 +80,10 @@ def whole(value: object, least: int) -> int:
 
 
 def check_pair(value: object, what: str = "[x, y]") -> object:
-    """See that a list has two entries; four or three of them are mostly decimal commas."""
-    if not isinstance(value, list):
-        raise wrong("pair", what=what, found=type_name(value), advice=message("advice.two", what=what))
-    if len(value) != 2:
-        commas = len(value) in (3, 4) and any(isinstance(entry, int) for entry in value)
-        advice = message("advice.decimal_comma") if commas else message("advice.two", what=what)
-        raise wrong("pair", what=what, found=len(value), advice=advice)
+    """See that a list has two entries."""
+    if not isinstance(value, list) or len(value) != 2:
+        found = len(value) if isinstance(value, list) else type_name(value)
+        raise wrong("pair", what=what, found=found, advice=message("advice.two", what=what))
     return value
 
 

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
 from plans.scene.forms import needing
 from plans.scene.readers import Refusal, Refused
-from plans.scene.source import Source
+from plans.scene.source import Source, with_points
 from plans.scene.tables import Kinds, Missing, holders_of, tables_of
 from plans.scene.units import type_name
 from plans.words.words import Message, message
@@ -81,6 +81,10 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
         several = message("example.list", name=dotted(path)) if (*path, "*") in tables else f"{path[-1]} = [...]"
         shown = {"found": type_name(refusal.value), "example": lines if wanted == "a table" else several}
         return source.fault(path, "wrong_type", wanted=wanted, **shown)
+    if refusal.kind == "pair" and (pointed := with_points(source.places.written(path))).count(",") == 1:
+        return source.fault(
+            path, "pair", **refusal.details | {"advice": message("advice.decimal_comma", written=pointed)}
+        )
     return source.fault(path, refusal.kind, **refusal.details)
 
 

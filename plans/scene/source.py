@@ -66,6 +66,10 @@ class Source:
         if other := dict.fromkeys(letter for letter, latin in pairs if letter != latin):
             place = line_column(self.text, min(map(self.text.index, other)))
             yield Fault(self.file, *place, (), "", "one_alphabet", {"letters": ", ".join(other)})
+        for row in re.finditer(r"\[[^\[\]\"'#]*\]", self.text):
+            if (pointed := with_points(row[0])) != row[0]:
+                place = line_column(self.text, row.start())
+                yield Fault(self.file, *place, (), "", "mixed_commas", {"row": row[0], "pointed": pointed})
 
     @cached_property
     def _lines(self) -> list[int]:
@@ -112,6 +116,15 @@ def _asked(text: str) -> Iterator[str]:
             table = written.partition("]")[0].strip("[ \t")
         elif found := IN_SHEET.match(written) if table == "sheet" else None if table else SHEET.match(written):
             yield found[1]
+
+
+def with_points(row: str) -> str:
+    """Give a list with points for the commas that no space follows, where others have one: decimal commas.
+
+    >>> with_points("[0, 0,25]"), with_points("[1,5]"), with_points("[0,5, 1,5]")
+    ('[0, 0.25]', '[1,5]', '[0.5, 1.5]')
+    """
+    return re.sub(r"(?<=\d),(?=\d)", ".", row) if re.search(r"\d,\s", row) else row
 
 
 def in_one_alphabet(text: str) -> str:
