@@ -82,9 +82,8 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
         shown = {"found": type_name(refusal.value), "example": lines if wanted == "a table" else several}
         return source.fault(path, "wrong_type", wanted=wanted, **shown)
     if refusal.kind == "pair" and (pointed := with_points(source.places.written(path))).count(",") == 1:
-        return source.fault(
-            path, "pair", **refusal.details | {"advice": message("advice.decimal_comma", written=pointed)}
-        )
+        advice = message("advice.decimal_comma", written=pointed)
+        return source.fault(path, "pair", **{**refusal.details, "advice": advice})
     return source.fault(path, refusal.kind, **refusal.details)
 
 

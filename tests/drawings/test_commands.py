@@ -52,6 +52,9 @@ def edited(tmp_path: Path, old: str, new: str) -> Path:
         ["explain", SHAPER],
         ["explain", SHAPER, "B", "--position", "two"],
         ["measure"],
+        ["explain", "B", SHAPER],
+        ["grade", "any.svg", SHAPER],
+        ["check", SHAPER],
     ],
     ids=lambda arguments: " ".join(str(getattr(part, "name", part)) for part in arguments) or "nothing",
 )
