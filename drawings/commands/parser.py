@@ -84,9 +84,7 @@ def _compare(commands: Commands) -> None:
 
 def _explain(commands: Commands) -> None:
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
-    explain.add_argument(
-        "mark", type=_mark, metavar="MARK", help="a letter of a sheet, such as B, v_B, ω_3, R_12, K, K2:P"
-    )
+    explain.add_argument("mark", type=_mark, metavar="MARK", help="a letter of a sheet, such as B, v_B, R_12, K, K2:P")
     explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
     explain.add_argument(
         "--all", action="store_true", help="every step, of a force also those of the plans that it rests on"
