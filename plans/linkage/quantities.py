@@ -155,7 +155,7 @@ def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> Motio
 
 
 def _flat(study: LinkageStudy, comparison: MotionComparison, extremes: Extremes) -> Floats:
-    """Tell how many times less the output's acceleration is in each extreme than its greatest velocity would have it."""
+    """Tell how many times less the output's acceleration is in each extreme than its greatest velocity tells."""
     road, solved, omega = comparison.road, comparison.analysis, abs(study.mechanism.drive.omega)
     there = road.around(np.append(solved.phi[0], extremes.phi))
     speeds, rises = (output_rates(study.mechanism, study.output, motion) for motion in (solved, there))
