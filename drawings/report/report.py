@@ -293,7 +293,7 @@ def summary(comparisons: Iterable[Comparison], language: str) -> str:
     listed = list(comparisons)
     wide = plan_width((finding.plan for finding in together(listed)), language)
     heads = [word(language, f"table.{head}") for head in ("plan", "difference", "percent", "allowed", "in")]
-    lines = [f"{heads[0]:<{wide}} {heads[1]:>18} {heads[2]:>18} {heads[3]:>15}   {heads[4]}"]
+    lines = [f"{heads[0]:<{wide}} {heads[1]:>18} {heads[2]:>21} {heads[3]:>15}   {heads[4]}"]
     for comparison in listed:
         for plan in dict.fromkeys(finding.plan for finding in comparison.findings):
             lines.append(f"{term(language, 'plan', plan):<{wide}} {_worst(comparison.of(plan), language)}")
@@ -308,8 +308,8 @@ def plan_width(plans: Iterable[str], language: str) -> int:
 def _worst(findings: Sequence[Quantity], language: str) -> str:
     worst = _worst_of(findings)
     per_cent = max(finding.per_cent for finding in findings)
-    unit, name = term(language, "text_unit", worst.unit), quantity(worst.name, language)
-    numbers = f"{peak(worst.difference):>13.2e} {unit:<4} {per_cent:>18.2e} {peak(worst.excess):>15.3f}"
+    unit, name = term(language, "unit", worst.unit), quantity(worst.name, language)
+    numbers = f"{peak(worst.difference):>13.2e} {unit:<7} {per_cent:>18.2e} {peak(worst.excess):>15.3f}"
     return f"{decimal(numbers, language)}   {name}"
 
 

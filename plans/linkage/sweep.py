@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from geometry.board import Mark
 from geometry.meet import UNBORNE, Sizes
-from plans.linkage.assembly import SAME, Barrier, BarrierEdge, margins, meeting, of_arcs
+from plans.linkage.assembly import SAME, Barrier, BarrierEdge, margins, meeting, met_at, of_arcs
 from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import UNIT, PlanTemplate, accelerations, positions, resting, velocities
 from plans.linkage.plan import Plan, angle, rate
@@ -275,7 +275,7 @@ class Sweep:
             failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well
         if not missing.any():
             group = int(np.nanargmin(np.nanmin(field, axis=1)))
-            ends = [BarrierEdge(phi, beyond, CHANGE_POINT, group, marks[group].name) for phi, beyond in (start, end)]
+            ends = [BarrierEdge(phi, beyond, CHANGE_POINT, group, met_at(marks[group])) for phi, beyond in (start, end)]
             return Barrier((ends[0], ends[1]), 0.0)
         groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
         ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
@@ -283,7 +283,7 @@ class Sweep:
         return Barrier((ends[0], ends[1]), max(misses, default=0.0))
 
     def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> BarrierEdge:
-        return BarrierEdge(phi, beyond, OUT_OF_REACH if of_arcs(mark) else PARALLEL_GUIDES, group, mark.name)
+        return BarrierEdge(phi, beyond, OUT_OF_REACH if of_arcs(mark) else PARALLEL_GUIDES, group, met_at(mark))
 
 
 def _least(before: float, middle: float, after: float) -> float:
