@@ -78,7 +78,8 @@ def explained(study: Study, position: int, name: str) -> Explanation:
     found = next((answer for letters in own_names(name) if (answer := _quantity(study, letters))), None)
     if found is not None:
         return _explained(found, name, position)
-    if told := standing(study, own_names(name)):
+    of, _, bare = name.rpartition(":")
+    if told := standing(study, own_names(bare), of):
         return Explanation(message("explain.name", mark=name), (), {}, tuple(_as_it_stands(name, told)))
     raise UnknownMark(_no_mark(name, none))
 

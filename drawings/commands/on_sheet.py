@@ -39,13 +39,14 @@ def laid_out(study: Study) -> Mapping[str, Sequence[Leaf]]:
         return {}
 
 
-def standing(study: Study, names: Iterable[str]) -> list[str]:
-    """Give what sheets and report say of a letter: what it is equal to, else where it stands."""
+def standing(study: Study, names: Iterable[str], cam: str = "") -> list[str]:
+    """Give what sheets, of one cam where it is named, and report say of a letter: its value, else where it stands."""
     both = (lettered for name in names for lettered in (name, letter(study.scene.sheet.language, name)))
     plain = {Text(0j, with_index(lettered)).plain for lettered in both}
     pattern = re.compile(rf"(?<!\w)(?:{'|'.join(map(re.escape, plain))})(?![\w'′])(\s*[=≈])?")
     leaves = laid_out(study)
-    texts = [levelled(text) for leaf in chain(*leaves.values()) for text in lettering(leaf.groups)]
+    shown = [leaf for leaf in chain(*leaves.values()) if not cam or leaf.metadata.get("cam") == cam]
+    texts = [levelled(text) for leaf in shown for text in lettering(leaf.groups)]
     texts += [unmathed(line) for line in (lines(Study(study.scene), leaves) if leaves else ())]
     found = [(match, " ".join(text.split())) for text in texts if (match := pattern.search(NOT_READ.sub("", text)))]
     told = [text for match, text in found if match[1]] or [text for _, text in found]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib import import_module
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from drawings.lettering.words import decimal, fixed, number, runs, span
+from drawings.lettering.words import decimal, fixed, letter, number, runs, span
 from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS, Chapters, drawn, entry, literal, mathed
 from plans.model.mechanism import Drive
@@ -114,11 +115,15 @@ def quantity(name: str, language: str) -> str:
     ('M_bal lever', 'M_ур по рычагу')
     >>> quantity("m_cw4", "ru")
     'm_пр4'
+    >>> quantity("M_red, J_red exact", "ru")
+    'M_пр, J_пр без участков'
     """
     parts = name.split(" ")
     if len(parts) == 1:
-        return written(term(language, "quantity", name), language)
-    return " ".join(term(language, "quantity", term(language, "quantity_part", part)) for part in parts)
+        text = written(term(language, "quantity", name), language)
+    else:
+        text = " ".join(term(language, "quantity", term(language, "quantity_part", part)) for part in parts)
+    return re.sub(r"[^\s,±]+", lambda part: letter(language, part[0]), text)
 
 
 class TableSubject(NamedTuple):
