@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     """Print the steps behind a mark at one position; give the exit code."""
     study = Study.of_all(read_scene(options.scene), whole=options.all)
     noted(study)
-    explanation = explained(study, options.position, options.mark)
+    explanation = explained(study, options.position, str(options.mark))
     if options.json:
         print_json([_plain(mark, explanation) for mark in explanation.steps])
         return 0
@@ -73,7 +73,8 @@ def explained(study: Study, position: int, name: str) -> Explanation:
     for letters in (*own_names(name), *_of_sheets(study, position, name)):
         answers = [*_answers(study, position, letters)]
         if isinstance(answers[-1], Explanation):
-            return _as_asked(answers[-1], name)
+            asked = message(answers[-1].title.key, **{**dict(answers[-1].title.parts), "mark": name})
+            return answers[-1]._replace(title=asked)
         none = none or [answer for answer in reversed(answers) if isinstance(answer, NoMark)]
     found = next((answer for letters in own_names(name) if (answer := _quantity(study, letters))), None)
     if found is not None:
@@ -90,10 +91,6 @@ def _as_it_stands(name: str, told: Sequence[str]) -> Iterator[Message]:
     keys = [*names, *(letters.rstrip("0123456789") for letters in names), f"{names[0].partition('_')[0]}_"]
     yield from [message(f"letter.{key}") for key in keys if f"letter.{key}" in words(ENGLISH)][:1]
     yield from (message("explain.stands", text=text) for text in told[:TOLD])
-
-
-def _as_asked(found: Explanation, name: str) -> Explanation:
-    return found._replace(title=message(found.title.key, **{**dict(found.title.parts), "mark": name}))
 
 
 def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
@@ -154,16 +151,13 @@ def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
     if not 0 <= position < count and count > 1:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     position = position if count > 1 else 0
-    ours, theirs = (f"{_size(row[position]):.10g}" for row in (quantity.construction, quantity.analysis))
+    values = (row[position] for row in (quantity.construction, quantity.analysis))
+    ours, theirs = (f"{abs(value) if np.iscomplexobj(value) else float(value.real):.10g}" for value in values)
     value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=quantity.unit)
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
     steps = in_position(behind(*quantity.marks), position, count)
     units = {order.plan: order.point.unit for order in ORDERS} | {quantity.plan: quantity.unit}
     return Explanation(title, steps, units, (value,), POSITIONS.plan)
-
-
-def _size(value: complex | float) -> float:
-    return abs(value) if np.iscomplexobj(value) else float(value.real)
 
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -84,7 +84,7 @@ def _compare(commands: Commands) -> None:
 
 def _explain(commands: Commands) -> None:
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
-    explain.add_argument("mark", type=_mark, metavar="MARK", help="a letter of a sheet, such as B, v_B, R_12, K, K2:P")
+    explain.add_argument("mark", type=_sheet, metavar="MARK", help="a letter of a sheet, such as B, v_B, R_12, K, K2:P")
     explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
     explain.add_argument(
         "--all", action="store_true", help="every step, of a force also those of the plans that it rests on"
@@ -161,22 +161,14 @@ def _bench(commands: Commands) -> None:
     add("--json", action="store_true", help="as JSON")
 
 
-def _scene(text: str) -> Path:
-    return Path(_other_than(".svg", text, "a sheet, and the scene, a TOML file, stands here"))
-
-
-def _sheet(text: str) -> Path:
-    return Path(_other_than(".toml", text, "a scene, and a sheet, an SVG file, stands here"))
-
-
-def _mark(text: str) -> str:
-    return _other_than(".toml", text, "a scene: it stands before the mark")
-
-
-def _other_than(ending: str, text: str, told: str) -> str:
+def _other_than(ending: str, told: str, text: str) -> Path:
     if text.lower().endswith(ending):
         raise argparse.ArgumentTypeError(f"{text} is {told}")
-    return text
+    return Path(text)
+
+
+_scene = partial(_other_than, ".svg", "a sheet, and the scene, a TOML file, stands here")
+_sheet = partial(_other_than, ".toml", "a scene, and something else stands here: a sheet, or a mark")
 
 
 def _language(text: str) -> str:
