@@ -134,5 +134,5 @@ def _figure(plan: str) -> Wrong:
     """Name the figure of a group of links or a pair; any other by the word for its plan."""
     if f"plan.{plan}" in words(ENGLISH):
         return plan
-    kind, _, which = plan.partition("-")
+    kind, _, which = plan.replace(" ", "-", 1).partition("-")
     return message(f"figure.{kind}", which=which) if which and f"figure.{kind}" in words(ENGLISH) else plan

@@ -233,6 +233,7 @@ def phrase_faults(lines: Iterable[str], expected: Mapping[Key, Expected]) -> Ite
 def wrong(how: str, key: Key) -> Wrong:
     """Say what is wrong with a statement."""
     _, figure, name, position = key
+    name = name.replace("{", "").replace("}", "")
     return on(how, figure, name=name if position is None else f"{name} ({position})")
 
 

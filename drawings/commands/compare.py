@@ -66,7 +66,7 @@ def _table(comparisons: Sequence[Comparison], language: str) -> Iterator[str]:
 
 
 def _line(finding: Quantity, named: int, language: str) -> str:
-    name, unit = quantity(finding.name, language), term(language, "text_unit", finding.unit)
+    name, unit = quantity(finding.name, language), term(language, "unit", finding.unit)
     sizes = f"{finding.largest:>14.6g} {_worst(finding):>12.2e}"
     shares = f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
     return f"{name:<{named}} {decimal(sizes, language)} {unit:<6}{decimal(shares, language)}"

@@ -34,7 +34,6 @@ from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.checks.expected import Expected, Wrong
-    from drawings.files.atomic_files import Enclosure
     from drawings.paper.strokes import Key, Leaf
     from drawings.reading.sheet import SeenSheet
 
@@ -152,7 +151,8 @@ def _sheets(study: Study, folder: Path, trace: TracedMark) -> SheetSet:
         contents = {path: svg(lettered(leaf, scene.sheet.lettering)) for path, (_, leaf) in sheets.items()}
         told_lines, report = lines(study, leaves), folder / f"{stem}-report.md"
         contents[report] = text_of(told_lines).encode("utf-8")
-        enclosures = {folder / f"{stem}-{enclosure.name}": enclosure for enclosure in _enclosures(study)}
+        enclosed = (sheet_kind(kind).enclosures(study) for kind in scene.sheets)
+        enclosures = {folder / f"{stem}-{enclosure.name}": enclosure for enclosure in chain(*enclosed)}
         contents |= {path: enclosure.content for path, enclosure in enclosures.items()}
     with staged(contents) as beside:
         with trace.stage("measuring"):
@@ -164,7 +164,8 @@ def _sheets(study: Study, folder: Path, trace: TracedMark) -> SheetSet:
         withheld = {path: said for path, said in wrong.items() if said}
         right = {path: content for path, content in contents.items() if path not in withheld}
         if sheets.keys() <= withheld.keys():
-            raise SelfCheckFailed(message("check.sheet", marks=first(chain(*withheld.values()))))
+            why = message("check.sheet", marks=first(chain(*withheld.values())))
+            raise SelfCheckFailed(_withheld(tuple(path.name for path in withheld), why))
         manifest = manifest_of(scene.file, scene.content, right, (path.name for path in withheld))
         for path in publish(folder, manifest, {path: beside[path] for path in right}):
             _say(scene, placed(path, message("file.surplus")))
@@ -193,11 +194,6 @@ def _held(
     for path, sheet in held.items():
         wrong[path] += verify.scale_wrongs(sheet, sheet_kind(sheets[path][0]).scales, study.scene.sheet)
     return {path: sheet.seen for path, sheet in held.items() if not isinstance(sheet.seen, SheetRefused)}, wrong, rows
-
-
-def _enclosures(study: Study) -> Iterator[Enclosure]:
-    for kind in study.scene.sheets:
-        yield from sheet_kind(kind).enclosures(study)
 
 
 def _strangers(scene: Scene, folder: Path) -> Iterator[Message]:

@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from drawings.commands.on_sheet import OnSheet, equations
+from drawings.commands.on_sheet import OnSheet, equations, standing
 from drawings.commands.stderr import noted
 from drawings.files.atomic_files import print_json
 from drawings.lettering.words import letter, number
@@ -19,13 +19,15 @@ from geometry.board import Arc, Line, Mark, at, behind
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.motion import FORCES, ORDERS, POSITIONS
 from plans.quantity import Quantity
+from plans.scene.faults import TWINS
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.techniques import techniques
-from plans.words.words import ALONE, Message, languages, message, said, term, word, words, written
+from plans.words.words import ALONE, ENGLISH, Message, languages, message, said, term, word, words, written
 
 DOZEN = 12  # steps that are told at first sight
 DIGITS, FULL = 5, 10  # of a number on the screen, and of one in JSON
+TOLD = 3  # lines in which a letter stands
 UNIT = 1e-12  # by which a direction may be off the length 1
 LONG = re.compile(r"-?\d+\.\d{5,}(e[-+]\d+)?")
 SIGNS: Final = str.maketrans({"{": "", "}": "", "−": "-", "′": "'"})  # of lettering, and of the names of marks
@@ -35,12 +37,13 @@ def run(options: argparse.Namespace) -> int:
     """Print the steps behind a mark at one position; give the exit code."""
     study = Study.of_all(read_scene(options.scene), whole=options.all)
     noted(study)
-    explanation = explained(study, options.position, options.mark)
+    explanation = explained(study, options.position, str(options.mark))
     if options.json:
         print_json([_plain(mark, explanation) for mark in explanation.steps])
         return 0
     language, steps = study.scene.sheet.language, explanation.steps
-    print(word(language, "explain.steps", title=explanation.title, count=len(steps)))
+    heading = message("explain.steps", title=explanation.title, count=len(steps)) if steps else explanation.title
+    print(heading.worded(language))
     for line in equations(study, steps[-1], options.position) if steps else ():
         print(f"     {letter(language, line)}")
     shown, sheet = frozenset(steps if options.all else nearest(steps)), OnSheet(study, options.position)
@@ -70,16 +73,24 @@ def explained(study: Study, position: int, name: str) -> Explanation:
     for letters in (*own_names(name), *_of_sheets(study, position, name)):
         answers = [*_answers(study, position, letters)]
         if isinstance(answers[-1], Explanation):
-            return _as_asked(answers[-1], name)
+            asked = message(answers[-1].title.key, **{**dict(answers[-1].title.parts), "mark": name})
+            return answers[-1]._replace(title=asked)
         none = none or [answer for answer in reversed(answers) if isinstance(answer, NoMark)]
     found = next((answer for letters in own_names(name) if (answer := _quantity(study, letters))), None)
-    if found is None:
-        raise UnknownMark(_no_mark(name, none))
-    return _explained(found, name, position)
+    if found is not None:
+        return _explained(found, name, position)
+    of, _, bare = name.rpartition(":")
+    if told := standing(study, own_names(bare), of):
+        return Explanation(message("explain.name", mark=name), (), {}, tuple(_as_it_stands(name, told)))
+    raise UnknownMark(_no_mark(name, none))
 
 
-def _as_asked(found: Explanation, name: str) -> Explanation:
-    return found._replace(title=message(found.title.key, **{**dict(found.title.parts), "mark": name}))
+def _as_it_stands(name: str, told: Sequence[str]) -> Iterator[Message]:
+    """Tell of a letter that rests on no step what such a letter means, and what sheets and report say of it."""
+    names = own_names(name.rpartition(":")[2])
+    keys = [*names, *(letters.rstrip("0123456789") for letters in names), f"{names[0].partition('_')[0]}_"]
+    yield from [message(f"letter.{key}") for key in keys if f"letter.{key}" in words(ENGLISH)][:1]
+    yield from (message("explain.stands", text=text) for text in told[:TOLD])
 
 
 def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
@@ -99,10 +110,11 @@ def _of_sheets(study: Study, position: int, name: str) -> Iterator[str]:
 def own_names(name: str) -> list[str]:
     """Give a letter as it is asked for, then as records and tables may name what a sheet of any language letters so.
 
-    >>> own_names("M_ур"), own_names("F_−II")
-    (['M_ур', 'M_bal'], ['F_−II', 'F_-II'])
+    >>> own_names("M_ур"), own_names("F_−II"), own_names("ω3")
+    (['M_ур', 'M_bal'], ['F_−II', 'F_-II'], ['ω3', 'ω_3'])
     """
-    found = dict.fromkeys((name, name.translate(SIGNS)))
+    indexed = re.sub(r"(?<=[^\W\d_])(?=\d)", "_", name)  # ω3
+    found = dict.fromkeys((name, name.translate(SIGNS), name.translate(TWINS), indexed))
     for lettered, key in _indices():
         index = re.compile(rf"(?<=[_^]){re.escape(lettered)}(?![^\W\d_])")
         found |= dict.fromkeys(index.sub(key, letters) for letters in [*found])
@@ -139,16 +151,13 @@ def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
     if not 0 <= position < count and count > 1:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     position = position if count > 1 else 0
-    ours, theirs = (f"{_size(row[position]):.10g}" for row in (quantity.construction, quantity.analysis))
+    values = (row[position] for row in (quantity.construction, quantity.analysis))
+    ours, theirs = (f"{abs(value) if np.iscomplexobj(value) else float(value.real):.10g}" for value in values)
     value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=quantity.unit)
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
     steps = in_position(behind(*quantity.marks), position, count)
     units = {order.plan: order.point.unit for order in ORDERS} | {quantity.plan: quantity.unit}
     return Explanation(title, steps, units, (value,), POSITIONS.plan)
-
-
-def _size(value: complex | float) -> float:
-    return abs(value) if np.iscomplexobj(value) else float(value.real)
 
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:

@@ -126,7 +126,7 @@ def lines(measured: Measured, off: Collection[MarkKey], language: str) -> Iterat
     for mark in measured.marks:
         value = word(language, "measure.value", x=f"{mark.value.real:.6g}", y=f"{mark.value.imag:.6g}")
         position = "" if mark.position is None else str(mark.position)
-        name, unit = mark_name(mark.name, language), term(language, "text_unit", mark.unit)
+        name, unit = mark_name(mark.name, language), term(language, "unit", mark.unit)
         sign = _sign(mark.key, off, language)
         yield f"{names[mark.plan]:<{wide}} {position:>4}  {name:<10} {value:<26} {unit:<6} {sign}".rstrip()
     for profile in measured.profiles:

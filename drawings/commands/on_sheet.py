@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import chain
 from typing import NamedTuple
 
-from drawings.paper.strokes import Leaf
+from drawings.lettering.words import letter, with_index
+from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import groups
+from drawings.paper.walk import texts as lettering
 from drawings.report.formula import unmathed
-from drawings.report.report import report_of
+from drawings.report.report import lines, report_of
 from drawings.sheets.documents import leaves_of
 from geometry.board import Mark
 from geometry.errors import DraftError
@@ -25,14 +30,42 @@ class DrawnMark(NamedTuple):
     unit: str
 
 
+@lru_cache(maxsize=1)
+def laid_out(study: Study) -> Mapping[str, Sequence[Leaf]]:
+    """Give the sheets of a study's scene; none where they cannot be drawn."""
+    try:
+        return leaves_of(Study(study.scene))
+    except DraftError:
+        return {}
+
+
+def standing(study: Study, names: Iterable[str], cam: str = "") -> list[str]:
+    """Give what sheets, of one cam where it is named, and report say of a letter: its value, else where it stands."""
+    both = (lettered for name in names for lettered in (name, letter(study.scene.sheet.language, name)))
+    plain = {Text(0j, with_index(lettered)).plain for lettered in both}
+    pattern = re.compile(rf"(?<!\w)(?:{'|'.join(map(re.escape, plain))})(?![\w'′])(\s*[=≈])?")
+    leaves = laid_out(study)
+    shown = [leaf for leaf in chain(*leaves.values()) if not cam or leaf.metadata.get("cam") == cam]
+    texts = [levelled(text) for leaf in shown for text in lettering(leaf.groups)]
+    texts += [unmathed(line) for line in (lines(Study(study.scene), leaves) if leaves else ())]
+    found = [(match, " ".join(text.split())) for text in texts if (match := pattern.search(NOT_READ.sub("", text)))]
+    told = [text for match, text in found if match[1]] or [text for _, text in found]
+    return list(dict.fromkeys(re.sub(r"\\[lr]vert", "|", text).replace("$", "").lstrip("- ") for text in told))
+
+
+NOT_READ = re.compile(r"[{}_^$*`]|\\[a-z]+")  # of lettering, as it is read aloud
+
+
+def levelled(text: Text) -> str:
+    """Write lettering on a line, its levels by their signs: J_S3."""
+    return "".join(("_" if run.level < 0 else "^" if run.level > 0 else "") + run.text for run in text.runs)
+
+
 class OnSheet:
     """The figures of a scene's sheets, by which lengths of a record are told in mm."""
 
     def __init__(self, study: Study, position: int) -> None:
-        try:
-            leaves: Mapping[str, Sequence[Leaf]] = leaves_of(Study(study.scene))
-        except DraftError:  # what cannot be drawn has no scale
-            leaves = {}
+        leaves = laid_out(study)
         self.drawn = [*_drawn(leaf for group in leaves.values() for leaf in group)]
         self.position = str(position)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -84,7 +84,7 @@ def _compare(commands: Commands) -> None:
 
 def _explain(commands: Commands) -> None:
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
-    explain.add_argument("mark", metavar="MARK", help="a letter of a plan, such as B, v_B, omega_3, R_12, m_1D_1, K2:P")
+    explain.add_argument("mark", type=_sheet, metavar="MARK", help="a letter of a sheet, such as B, v_B, R_12, K, K2:P")
     explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
     explain.add_argument(
         "--all", action="store_true", help="every step, of a force also those of the plans that it rests on"
@@ -94,9 +94,9 @@ def _explain(commands: Commands) -> None:
 
 def _measure(commands: Commands) -> None:
     measure = commands.add_parser("measure", help="read the vectors of an SVG sheet back in true units")
-    measure.add_argument("sheet", type=Path, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")
+    measure.add_argument("sheet", type=_sheet, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")
     measure.add_argument(
-        "--scene", type=Path, metavar="SCENE", help="tell also what it has not, or must not, by its scene"
+        "--scene", type=_scene, metavar="SCENE", help="tell also what it has not, or must not, by its scene"
     )
     measure.add_argument("--json", action="store_true", help="as JSON")
 
@@ -108,15 +108,15 @@ def _schema(commands: Commands) -> None:
 
 def _check(commands: Commands) -> None:
     check = commands.add_parser("check", help="tell whether written sheets are whole and as their scene has them")
-    check.add_argument("sheets", type=Path, nargs="+", metavar="SHEET.svg", help="a sheet that plandraft drew")
-    check.add_argument("--scene", type=Path, metavar="SCENE", help="its scene (default: looked for beside the sheet)")
+    check.add_argument("sheets", type=_sheet, nargs="+", metavar="SHEET.svg", help="a sheet that plandraft drew")
+    check.add_argument("--scene", type=_scene, metavar="SCENE", help="its scene (default: looked for beside the sheet)")
     check.add_argument("--language", type=_language, metavar="LANGUAGE", help=LANGUAGES)
     check.add_argument("--json", action="store_true", help="as JSON")
 
 
 def _grade(commands: Commands) -> None:
     grade = _command(commands, "grade", "grade sheets that students hand in, quantity by quantity")
-    grade.add_argument("sheets", type=Path, nargs="+", metavar="SHEET.svg", help="a sheet that a student hands in")
+    grade.add_argument("sheets", type=_sheet, nargs="+", metavar="SHEET.svg", help="a sheet that a student hands in")
     grade.add_argument("--marks", type=Path, metavar="FILE", help="points by quantity, a TOML file (default: one each)")
     grade.add_argument(
         "--tolerance",
@@ -161,6 +161,16 @@ def _bench(commands: Commands) -> None:
     add("--json", action="store_true", help="as JSON")
 
 
+def _other_than(ending: str, told: str, text: str) -> Path:
+    if text.lower().endswith(ending):
+        raise argparse.ArgumentTypeError(f"{text} is {told}")
+    return Path(text)
+
+
+_scene = partial(_other_than, ".svg", "a sheet, and the scene, a TOML file, stands here")
+_sheet = partial(_other_than, ".toml", "a scene, and something else stands here: a sheet, or a mark")
+
+
 def _language(text: str) -> str:
     from plans.words.words import languages  # only this option asks for them
 
@@ -191,7 +201,7 @@ def _counts(text: str) -> list[int]:
 
 def _command(commands: Commands, name: str, text: str) -> argparse.ArgumentParser:
     command = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
-    command.add_argument("scene", type=Path, metavar="SCENE", help="the scene, a TOML file")
+    command.add_argument("scene", type=_scene, metavar="SCENE", help="the scene, a TOML file")
     return command
 
 
@@ -199,7 +209,7 @@ def _orders(text: str) -> list[str]:
     from plans.scene.forms import PLANS, called  # only this option asks for the table
 
     given = [name.strip() for name in text.split(",")]
-    names = [called(name, "plan", PLANS) for name in given]
+    names = [called(name, PLANS, "plan") for name in given]
     wrong = [name for name, plan in zip(given, names, strict=True) if not plan]
     if wrong:
         raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(PLANS)}")

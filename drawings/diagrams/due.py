@@ -23,6 +23,7 @@ TALLEST = 2.0  # times the largest at a position that a course may go
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale
 FINE = 7201  # places of a turn at which a greatest value is sought
 TIED = 1e-4  # of the largest: values that are as high
+DRAWN = math.radians(0.5)  # the drawn curve has a place in each degree: so far off one may be
 NEAR = math.radians(2.0)  # how far off the angle of a greatest value may be told where it is flat
 AFTER = 2  # values beyond either end of a turn that a smooth curve looks at
 
@@ -71,7 +72,8 @@ def _peaks(row: ExpectedRow, figure: str) -> Iterator[Expected]:
     for name, sense in (("Δφ greatest", 1.0), ("Δφ least", -1.0)):
         high = np.nan_to_num(sense * heights, nan=-math.inf)
         top = int(np.argmax(high))
-        ties = np.abs(turned - turned[top])[high > high[top] - TIED * np.nanmax(np.abs(heights), initial=0.0)]
+        away, lost = np.abs(turned - turned[top]), TIED * np.nanmax(np.abs(heights), initial=0.0)
+        ties = away[high >= min(high[top] - lost, high[away <= DRAWN].min())]
         slack = math.inf if row.flat or ties.max() > NEAR else math.degrees(NEAR)
         yield Expected(Kind.PHRASE, figure, name, math.degrees(turned[top]), slack, digits=DIGITS, may_lack=True)
 

@@ -55,7 +55,10 @@ class Manifest(NamedTuple):
 
     def content(self) -> bytes:
         """Give the manifest as a file: the same bytes for the same set."""
-        files = [_entry(name, digest, self.seals.get(name)) for name, digest in self.files.items()]
+        files = [
+            {"name": name, "sha256": digest} | ({"seal": self.seals[name]} if self.seals.get(name) else {})
+            for name, digest in self.files.items()
+        ]
         scene = {"name": self.scene, "sha256": self.scene_digest}
         plain = {"format": FORMAT, "plandraft": self.version, "set": self.name, "scene": scene, "files": files}
         plain |= {"withheld": list(self.withheld)} if self.withheld else {}
@@ -120,10 +123,6 @@ def existing_digest(path: Path) -> str | None:
     with contextlib.suppress(FileNotFoundError):
         return digest(regular_bytes(path, 1 << 62))
     return None
-
-
-def _entry(name: str, digest: str, seal: str | None) -> dict[str, str]:
-    return {"name": name, "sha256": digest} | ({"seal": seal} if seal else {})
 
 
 def _parsed(plain: Any) -> Manifest:

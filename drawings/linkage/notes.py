@@ -15,6 +15,7 @@ from plans.linkage.ram import law
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import interval
 from plans.linkage.travel import EQUAL, frame_slide
+from plans.model.diagrams import STILL
 from plans.model.dyad import Assur, formula, mechanism_class
 from plans.model.mechanism import Mechanism, Output, Ram
 from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates
@@ -156,9 +157,10 @@ def _of(study: LinkageStudy, motion: Motion, order: Order) -> Iterator[str]:
     values = motion.points[out.point] if out.point else motion.links[out.link]
     found = greatest(values[order.number])
     if found is not None:
-        size, unit = number(found[0], language, DIGITS), word(language, lettered.unit)
+        moves = found[0] > STILL * abs(study.mechanism.drive.omega) ** order.number  # less is rounding
+        size, unit = number(found[0] if moves else 0.0, language, DIGITS), word(language, lettered.unit)
         parts = {"letter": f"{lettered.symbol}_{out.point or out.link}", "size": size, "unit": unit}
-        yield words.word(language, "report.greatest", **parts, position=found[1])
+        yield words.word(language, "report.greatest", **parts, position=found[1] if moves else 0)
 
 
 PAIRS = {"R": "turning", "P": "sliding"}

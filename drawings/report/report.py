@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib import import_module
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from drawings.lettering.words import decimal, fixed, number, runs, span
+from drawings.lettering.words import decimal, fixed, letter, number, runs, span
 from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS, Chapters, drawn, entry, literal, mathed
 from plans.model.mechanism import Drive
@@ -114,11 +115,15 @@ def quantity(name: str, language: str) -> str:
     ('M_bal lever', 'M_ур по рычагу')
     >>> quantity("m_cw4", "ru")
     'm_пр4'
+    >>> quantity("M_red, J_red exact", "ru")
+    'M_пр, J_пр без участков'
     """
     parts = name.split(" ")
     if len(parts) == 1:
-        return written(term(language, "quantity", name), language)
-    return " ".join(term(language, "quantity", term(language, "quantity_part", part)) for part in parts)
+        text = written(term(language, "quantity", name), language)
+    else:
+        text = " ".join(term(language, "quantity", term(language, "quantity_part", part)) for part in parts)
+    return re.sub(r"[^\s,±]+", lambda part: letter(language, part[0]), text)
 
 
 class TableSubject(NamedTuple):
@@ -293,7 +298,7 @@ def summary(comparisons: Iterable[Comparison], language: str) -> str:
     listed = list(comparisons)
     wide = plan_width((finding.plan for finding in together(listed)), language)
     heads = [word(language, f"table.{head}") for head in ("plan", "difference", "percent", "allowed", "in")]
-    lines = [f"{heads[0]:<{wide}} {heads[1]:>18} {heads[2]:>18} {heads[3]:>15}   {heads[4]}"]
+    lines = [f"{heads[0]:<{wide}} {heads[1]:>18} {heads[2]:>21} {heads[3]:>15}   {heads[4]}"]
     for comparison in listed:
         for plan in dict.fromkeys(finding.plan for finding in comparison.findings):
             lines.append(f"{term(language, 'plan', plan):<{wide}} {_worst(comparison.of(plan), language)}")
@@ -308,8 +313,8 @@ def plan_width(plans: Iterable[str], language: str) -> int:
 def _worst(findings: Sequence[Quantity], language: str) -> str:
     worst = _worst_of(findings)
     per_cent = max(finding.per_cent for finding in findings)
-    unit, name = term(language, "text_unit", worst.unit), quantity(worst.name, language)
-    numbers = f"{peak(worst.difference):>13.2e} {unit:<4} {per_cent:>18.2e} {peak(worst.excess):>15.3f}"
+    unit, name = term(language, "unit", worst.unit), quantity(worst.name, language)
+    numbers = f"{peak(worst.difference):>13.2e} {unit:<7} {per_cent:>18.2e} {peak(worst.excess):>15.3f}"
     return f"{decimal(numbers, language)}   {name}"
 
 

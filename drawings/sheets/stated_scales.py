@@ -17,7 +17,7 @@ from drawings.paper.strokes import Group, SheetError
 from drawings.sheets.documents import of_scale
 from drawings.sheets.kind import sheet_kind
 from plans.scene.scene import Scene
-from plans.words.words import message
+from plans.words.words import Message, message
 
 
 class Exhibit(NamedTuple):
@@ -176,7 +176,7 @@ class StatedScales(NamedTuple):
     def _refused(self, name: str, picture: Picture, why: str, **parts: object) -> SheetError:
         mu, length = self.stated[name], picture.letter == "l"
         scales = tuple(_written(fit, length) for fit in self._fitting(picture)) or (_written(mu, length),)
-        said = message(why, name=name, scale=_written(mu, length), scales=scales, **parts)
+        said = message(why, name=name, scale=_written(mu, length), scales=scales, larger=larger(self.scene), **parts)
         return SheetError(of_scale(self.scene, name, said))
 
     def _fitting(self, picture: Picture) -> list[float]:
@@ -187,12 +187,17 @@ class StatedScales(NamedTuple):
         return sorted(sorted(fit, key=lambda size: max(size / mu, mu / size))[:NEAREST])
 
 
+def larger(scene: Scene) -> Message | str:
+    """Advise a larger format where there is one."""
+    return "" if scene.sheet.format == "A1" else message("refused.larger")
+
+
 def see_ordinates(scene: Scene, name: str, span: float, high: float) -> None:
     """See that ordinates of a span in true units stand in a graph so many mm high, at the scale that is stated."""
     mu = dict(scene.sheet.scale.stated)[name]
     if span / mu > high:
         parts = {"scale": _written(mu, False), "least": _written(_rounded(span / high, up=True), False)}
-        sizes = _millimetres(span / mu, high, ("high", "up"))
+        parts, sizes = {**parts, "larger": larger(scene)}, _millimetres(span / mu, high, ("high", "up"))
         raise SheetError(of_scale(scene, name, message("refused.scale_ordinates", name=name, **parts, **sizes)))
     if 0 < span / mu < READABLE:
         parts = {"scale": _written(mu, False), "most": _written(_rounded(span / READABLE, up=False), False)}

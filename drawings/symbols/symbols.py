@@ -137,8 +137,9 @@ class TurnArrow(NamedTuple):
         return self.centre + cmath.rect(self.radius, turn), turn
 
     def draw(self, hand: Hand, style: LineStyle | None = None) -> tuple[Stroke, ...]:
-        """Draw it with an arrowhead at its end: the sense of rotation."""
-        length, half = (size * hand.symbol for size in HEAD)
+        """Draw it with an arrowhead at its end: the sense of rotation; one that is longer than the arc is its half."""
+        run = abs(self.sweep) * self.radius / (HEAD[0] * hand.symbol)
+        length, half = (size * hand.symbol * (1.0 if run >= 1.0 else run / 2) for size in HEAD)
         end = self.start + self.sweep
         neck = end - math.copysign(length / self.radius, self.sweep)
         tip, back = self.centre + cmath.rect(self.radius, end), self.centre + cmath.rect(self.radius, neck)

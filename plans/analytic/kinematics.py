@@ -209,7 +209,7 @@ def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
     """
     axis, mechanism = far.axis, far.road.mechanism
     omega, lead = abs(mechanism.drive.omega), mechanism.drive.epsilon / mechanism.drive.omega
-    rows = far.followed(axis.turned, _rows(mechanism, far.output, motion, axis.numbers))
+    rows = far.followed(axis.turned, output_rates(mechanism, far.output, motion, axis.numbers))
     at = far.count.course(axis.turned, rows, omega)
     speeds = np.asarray(np.where(axis.joined, omega * np.diff(at.s) / np.diff(axis.turned), np.nan))
     gains = np.full(len(axis.turned), np.nan)
@@ -256,7 +256,9 @@ class ExactCourse:
         sense = -1.0 if self.road.mechanism.drive.omega < 0 else 1.0
         phi = np.append(self.first, self.axis.start + sense * turned[known])
         rows = [np.full(len(turned), np.nan) for _ in range(3)]
-        for row, values in zip(rows, _rows(self.road.mechanism, self.output, self.road.around(phi)), strict=True):
+        for row, values in zip(
+            rows, output_rates(self.road.mechanism, self.output, self.road.around(phi)), strict=True
+        ):
             row[known] = values[1:]
         return self.followed(turned, rows) if followed else rows
 
@@ -288,10 +290,10 @@ def _slide_of(mechanism: Mechanism, output: Output) -> tuple[complex, complex, s
     return None
 
 
-def _rows(
+def output_rates(
     mechanism: Mechanism, output: Output, motion: Motion, chosen: Sequence[int] | slice = slice(None)
 ) -> list[Floats]:
-    """Read the coordinate, its velocity and acceleration off a motion, (N,) each."""
+    """Read an output's coordinate, its velocity and acceleration off a motion, (N,) each."""
     numbers, guide = (list(chosen) if not isinstance(chosen, slice) else chosen), _slide_of(mechanism, output)
     if guide is None:
         return [np.asarray(row[numbers], dtype=np.float64) for row in motion.links[output.link]]

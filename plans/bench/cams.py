@@ -18,7 +18,7 @@ from plans.analytic.cam.contour import ContourValues, mirrored
 from plans.bench.trial import Demand, Errors, Timing
 from plans.cam.course import FollowerCourse
 from plans.cam.diagrams import MIDDLE, THREE, TRUE, LawDiagrams, law_diagrams
-from plans.cam.path import ProfilePath, path
+from plans.cam.path import path
 from plans.cam.profile.profile import profile
 from plans.cam.study import CamDrawing, CamStudy
 from plans.model.cam_motion import CamSizes, Points
@@ -50,17 +50,14 @@ def cams(study: Study, order: Demand) -> Iterator[Timing]:
             yield Timing(partial(law_diagrams, replace(cam, divisions=count), means), count, {name: _departures})
     for count in TURNS if order.startup else TURNS[:2]:
         yield from Judged(drawing.course, sizes, roller, count).roads()
+    size = sizes.base or cam.lift
+    judged = {PIECES: lambda found: Errors.alone(found.deviation / size)}
     for count in CUBICS:
-        judged = {PIECES: partial(_deviation, sizes.base or cam.lift)}
         yield Timing(partial(path, cam, sizes, -roller, count, exact=False), count, judged)
 
 
 def _departures(found: LawDiagrams) -> Errors | None:
     return Errors.of({"S'": found.slope_departure.share, "S": found.travel_departure.share})
-
-
-def _deviation(size: float, found: ProfilePath) -> Errors:
-    return Errors.alone(found.deviation / size)
 
 
 @dataclass(frozen=True)

@@ -83,6 +83,11 @@ def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> BarrierEdg
 NOWHERE = 8.0 * UNBORNE
 
 
+def met_at(mark: Mark) -> str:
+    """Name the point at which lines of a notch meet: of a slot's direction the pin that it holds."""
+    return mark.step.inputs[-1].name if mark.step.op == "tangent" else mark.name
+
+
 def margins(plan: Plan, groups: Sequence[Assur], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
     """Give every group's margin over the positions, (groups, positions): above 0 assembled, 0 dead, below 0 missing.
 
@@ -218,7 +223,7 @@ def _out_of_reach(
         if margin < 0 and crossing(mark) is None:
             return
         if np.isnan(mark.point).any() or _parallel(mark).any():
-            raise SketchError(message("sketch.nowhere", group=group.label, point=mark.name), ())
+            raise SketchError(message("sketch.nowhere", group=group.label, point=met_at(mark)), ())
 
 
 def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions) -> list[SideChoice]:

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
-from plans.linkage.assembly import Assembly, Barrier, BarrierEdge, bounding, crossing, margins, undefined
+from plans.linkage.assembly import Assembly, Barrier, BarrierEdge, bounding, crossing, margins, met_at, undefined
 from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
@@ -151,10 +151,10 @@ def _unplaced(
     """Name the first meeting that fails at the k-th position drawn; None: all of them are found."""
     for share, nowhere, mark, miss in zip(margin, none, marks, misses, strict=True):
         if share < 0 and crossing(mark) is None:
-            return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, mark.name, miss, _reach(mark, miss, k))
+            return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, met_at(mark), miss, _reach(mark, miss, k))
         if nowhere and crossing(mark) is None:
-            advice = message("gap.one_line", point=mark.name)
-            return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, mark.name, 0.0, advice)
+            advice = message("gap.one_line", point=met_at(mark))
+            return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, met_at(mark), 0.0, advice)
     return None
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from geometry.board import Span
 from geometry.meet import EPS
 from geometry.precision import condition, errors
-from plans.analytic.kinematics import Analysis
+from plans.analytic.kinematics import Analysis, output_rates
 from plans.linkage.assembly import SketchError, margins
 from plans.linkage.drafts import Drafts
 from plans.linkage.ram import cylinder, length_of, ram_of, ways
@@ -143,12 +143,23 @@ def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> Motio
     allowed = np.minimum(ANALYSIS * EPS * float(np.nanmax(comparison.kappa, initial=1.0)) ** 2, MOST_ALLOWED) * largest
     apart = np.abs(values[0] - values[1])
     apart[:2] = np.abs(np.angle(np.exp(1j * apart[:2])))
+    if (apart > allowed).any():
+        flat = _flat(study, comparison, extremes)
+        allowed[[0, 1, 3]] = np.minimum(allowed[0] * np.append(flat, flat.sum()), MOST_ALLOWED * 2 * np.pi)
     units = ("rad", "rad", "m" if extremes.sliding else "rad", "rad")
     added = tuple(
         Quantity("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
         for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREME_NAMES, units, strict=True), strict=True)
     )
     return replace(comparison, findings=comparison.findings + added)
+
+
+def _flat(study: LinkageStudy, comparison: MotionComparison, extremes: Extremes) -> Floats:
+    """Tell how many times less the output's acceleration is in each extreme than its greatest velocity tells."""
+    road, solved, omega = comparison.road, comparison.analysis, abs(study.mechanism.drive.omega)
+    there = road.around(np.append(solved.phi[0], extremes.phi))
+    speeds, rises = (output_rates(study.mechanism, study.output, motion) for motion in (solved, there))
+    return np.asarray(np.maximum(1.0, omega * np.nanmax(np.abs(speeds[1])) / np.abs(rises[2][1:])))
 
 
 def _stated(found: Extremes) -> Floats:

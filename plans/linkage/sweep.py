@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.meet import UNBORNE, Sizes
-from plans.linkage.assembly import SAME, Barrier, BarrierEdge, margins, meeting, of_arcs
+from plans.linkage.assembly import SAME, Barrier, BarrierEdge, margins, meeting, met_at, of_arcs
 from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import UNIT, PlanTemplate, accelerations, positions, resting, velocities
 from plans.linkage.plan import Plan, angle, rate
@@ -274,12 +274,12 @@ class Sweep:
             failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well
         if not missing.any():
             group = int(np.nanargmin(np.nanmin(field, axis=1)))
-            ends = [BarrierEdge(phi, beyond, CHANGE_POINT, group, marks[group].name) for phi, beyond in (start, end)]
+            ends = [BarrierEdge(phi, beyond, CHANGE_POINT, group, met_at(marks[group])) for phi, beyond in (start, end)]
             return Barrier((ends[0], ends[1]), 0.0)
         groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
         kinds = [OUT_OF_REACH if of_arcs(marks[group]) else PARALLEL_GUIDES for group in groups]
         edges = zip((start, end), kinds, groups, strict=True)
-        ends = [BarrierEdge(*edge, kind, group, marks[group].name) for edge, kind, group in edges]
+        ends = [BarrierEdge(*edge, kind, group, met_at(marks[group])) for edge, kind, group in edges]
         misses = [float(np.nanmax(np.asarray(marks[g].miss, dtype=float))) for g in set(groups) if of_arcs(marks[g])]
         return Barrier((ends[0], ends[1]), max(misses, default=0.0))
 

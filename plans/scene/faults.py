@@ -135,12 +135,8 @@ SPELLING = message("advice.spelling")
 
 
 def suggestion(name: str, known: Iterable[str], otherwise: Message = SPELLING) -> Message:
-    """Name the nearest of the known names, or the same letter of the other alphabet."""
-    names = list(known)
-    twins = [other for other in names if other != name and other.translate(TWINS) == name.translate(TWINS)]
-    if twins:
-        return message("advice.twin", name=twins[0])
-    found = nearest(name, names)
+    """Name the nearest of the known names."""
+    found = nearest(name, known)
     return message("advice.meant", names=tuple(f'"{other}"' for other in found)) if found else otherwise
 
 

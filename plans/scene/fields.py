@@ -11,7 +11,7 @@ from typing import TypeVar
 
 from geometry.errors import LimitError
 from plans.scene import forms, units
-from plans.scene.faults import suggestion, wrong
+from plans.scene.faults import wrong
 from plans.scene.forms import ENTRIES_LIMIT
 from plans.scene.readers import Check, FieldReader, many, one
 from plans.scene.units import type_name
@@ -62,14 +62,11 @@ def flag(value: object) -> bool:
 def choice(
     value: object, choices: tuple[str, ...], kind: str = "choice", likely: Callable[[object], str] | None = None
 ) -> str:
-    """Read one of the words that are allowed; `likely` gives the one that another value is nearest to, or ""."""
-    if isinstance(value, str) and value in choices:
-        return value
-    meant = likely(value) if likely else ""
-    if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="text", found=type_name(value), example=sample(meant or choices[0]))
-    advice = message("advice.write", name=meant or choices[0])
-    advice = advice if meant else suggestion(value, choices, advice)
+    """Read one of the words that are allowed, or what a language calls it; `likely` gives what else it may mean."""
+    if isinstance(value, str) and (found := forms.called(value, choices)):
+        return found
+    near = [meant] if likely and (meant := likely(value)) else forms.likely(value, choices)
+    advice = message("advice.meant", names=tuple(f'"{name}"' for name in near)) if near else message("advice.choose")
     raise wrong(kind, choices=", ".join(choices), suggestion=advice)
 
 
@@ -83,13 +80,10 @@ def whole(value: object, least: int) -> int:
 
 
 def check_pair(value: object, what: str = "[x, y]") -> object:
-    """See that a list has two entries; four or three of them are mostly decimal commas."""
-    if not isinstance(value, list):
-        raise wrong("pair", what=what, found=type_name(value), advice=message("advice.two", what=what))
-    if len(value) != 2:
-        commas = len(value) in (3, 4) and any(isinstance(entry, int) for entry in value)
-        advice = message("advice.decimal_comma") if commas else message("advice.two", what=what)
-        raise wrong("pair", what=what, found=len(value), advice=advice)
+    """See that a list has two entries."""
+    if not isinstance(value, list) or len(value) != 2:
+        found = len(value) if isinstance(value, list) else type_name(value)
+        raise wrong("pair", what=what, found=found, advice=message("advice.two", what=what))
     return value
 
 

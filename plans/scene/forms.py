@@ -79,8 +79,8 @@ def whole(least: int) -> Form:
 
 
 def choice(words: tuple[str, ...]) -> Form:
-    """Give the form of one of some words."""
-    return {"enum": list(words)}
+    """Give the form of one of some words, or of what a language calls it."""
+    return {"enum": list(dict.fromkeys([*words, *(said for said, _ in _said(words, "kind"))]))}
 
 
 def text(pattern: str = "", most: int | None = None) -> Form:
@@ -104,32 +104,37 @@ SHEETS = tuple(sheet for technique in techniques().values() for sheet in techniq
 PLANS = tuple(plan for technique in techniques().values() for plan in technique.plans)
 
 
-def called(name: object, group: str = "kind", own: tuple[str, ...] = SHEETS) -> str:
-    """Give the sheet or plan that a text names in any language, large or small, in singular or plural; else nothing.
+def called(name: object, own: tuple[str, ...] = SHEETS, group: str = "kind") -> str:
+    """Give which of some words, of sheets or plans, a text is in any language, however it is cased; else nothing.
 
-    >>> called("силы"), called("Force"), called("положения"), called("план скоростей", "plan", PLANS), called("speed")
-    ('forces', 'forces', 'positions', 'velocities', '')
+    >>> called("Force"), called("Силовой расчет"), called("план скоростей", PLANS, "plan"), called("speed")
+    ('forces', 'forces', 'velocities', '')
     """
-    return str(name) if name in own else _called(group, own).get(_plain(name), "")
+    return str(name) if name in own else natural(own, group).get(_plain(name), "")
 
 
-def likely_sheet(name: object) -> str:
-    """Give the sheet whose name in any language is nearest to a text, or begins alike: силовой расчёт."""
-    names, text = _called("kind", SHEETS), _plain(name)
+def likely(name: object, own: tuple[str, ...], group: str = "kind") -> tuple[str, ...]:
+    """Give those of some words whose names in any language are nearest to a text, or begin alike: силовая."""
+    names, text = natural(own, group), _plain(name)
     alike = [known for known in names if text.startswith(known[:3])]
-    return next((names[near] for near in [*nearest(text, names), *alike]), "")
+    return tuple(dict.fromkeys(names[near] for near in nearest(text, names) or alike))
 
 
 @cache
-def _called(group: str, names: tuple[str, ...]) -> Mapping[str, str]:
-    """Give names by what they are called in each language; those of the file itself go before others."""
-    said = [(term(language, group, name), name) for language in languages() for name in names]
-    return {_plain(word): name for word, name in [*said, *((name, name) for name in names)]}
+def natural(own: tuple[str, ...], group: str = "kind") -> Mapping[str, str]:
+    """Give some words by what they are called in each language; those of the file itself go before others."""
+    return {_plain(said): name for said, name in [*_said(own, group), *((name, name) for name in own)]}
+
+
+def _said(own: tuple[str, ...], group: str) -> Iterator[tuple[str, str]]:
+    for name in own:
+        terms = (term(language, part, name) for language in languages() for part in (group, "natural"))
+        yield from ((said.strip(), name) for text in terms for said in text.split(","))
 
 
 def _plain(name: object) -> str:
-    """Give a name without its case, and without the sign of a plural."""
-    return str(name).casefold().strip().removesuffix("s").rstrip("аеиоуыьэюяй")
+    """Give a name without its case and the sign of a plural, and with one letter for those that look alike."""
+    return folded(str(name).casefold().replace("ё", "е").strip().removesuffix("s").rstrip("аеиоуыьэюяй"))
 
 
 def with_sheets_named(data: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -35,8 +35,7 @@ def odd_lengths(
 
 def notes_of(scene: Scene, asked: Iterable[str] = ()) -> list[Fault]:
     """Give the notes on a scene, in the order of its file; some techniques are asked for whatever its sheets are."""
-    mark = [scene.fault((), "byte_order_mark")] if scene.marked else []
-    found = [*mark, *_unused(scene, asked), *_undesignated(scene)]
+    found = [*scene.read_as, *_unused(scene, asked), *_undesignated(scene)]
     for technique in scene.techniques:
         found += techniques()[technique].notes(scene)
     return sorted(found, key=lambda note: (note.line, note.column))

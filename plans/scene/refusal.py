@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
 from plans.scene.forms import needing
 from plans.scene.readers import Refusal, Refused
-from plans.scene.source import Source
+from plans.scene.source import Source, with_points
 from plans.scene.tables import Kinds, Missing, holders_of, tables_of
 from plans.scene.units import type_name
 from plans.words.words import Message, message
@@ -81,6 +81,9 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
         several = message("example.list", name=dotted(path)) if (*path, "*") in tables else f"{path[-1]} = [...]"
         shown = {"found": type_name(refusal.value), "example": lines if wanted == "a table" else several}
         return source.fault(path, "wrong_type", wanted=wanted, **shown)
+    if refusal.kind == "pair" and (pointed := with_points(source.places.written(path))).count(",") == 1:
+        advice = message("advice.decimal_comma", written=pointed)
+        return source.fault(path, "pair", **{**refusal.details, "advice": advice})
     return source.fault(path, refusal.kind, **refusal.details)
 
 
@@ -94,17 +97,10 @@ def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     other = next((name for name, also in stated if key.casefold() in also), "")
     near = [other] if other else nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()
-    details = {
-        "table": table_name(pattern),
-        "known": ", ".join(known),
-        "suggestion": _named_otherwise(other, path, tables) if other else _meaning(key, known, elsewhere, homes),
-    }
-    return source.fault(path, "unknown_key", **details, meant=meant)
-
-
-def _named_otherwise(name: str, path: Path, tables: Tables) -> Message:
-    """Suggest a key with a line that would do: its unit may be another than the name said."""
-    return message("advice.meant", names=(_missing((*path[:-1], name), tables).example,))
+    line = (_missing((*path[:-1], other), tables).example,) if other else ()  # its unit may be another than was said
+    hint = message("advice.meant", names=line) if other else _meaning(key, known, elsewhere, homes)
+    shown = {"table": table_name(pattern), "known": ", ".join(known), "suggestion": hint}
+    return source.fault(path, "unknown_key", **shown, meant=meant)
 
 
 def _meaning(key: str, known: list[str], elsewhere: list[Path], homes: list[Path]) -> Message:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, Protocol, TypeVar
 from geometry.errors import LimitError
 from plans.scene import fields as f
 from plans.scene.faults import Fault, Path, SceneError
-from plans.scene.forms import SHEETS, first_sheet, likely_sheet, techniques_of, with_sheets_named
+from plans.scene.forms import SHEETS, first_sheet, techniques_of, with_sheets_named
 from plans.scene.readers import Refusal, Refused, many
 from plans.scene.sheet import SheetTable
 from plans.scene.source import Source, parse_source, read_source
@@ -45,7 +45,7 @@ class Scene(Table):
 
     title: str = key(f.TEXT, "", meaning="Title of the sheet and the report; default: a word for what is drawn.")
     sheets: tuple[str, ...] = key(
-        many(f.words(*SHEETS, kind="sheet_name", likely=likely_sheet), f.NOT_EMPTY, f.NO_REPEATS, first=f.FEW),
+        many(f.words(*SHEETS, kind="sheet_name"), f.NOT_EMPTY, f.NO_REPEATS, first=f.FEW),
         (),
         meaning="The sheets that are wanted; default: the first that the tables of the file allow.",
     )
@@ -67,9 +67,9 @@ class Scene(Table):
         return self._source.content
 
     @property
-    def marked(self) -> bool:
-        """Whether the file began with a byte order mark, which was left aside."""
-        return self._source.marked
+    def read_as(self) -> Iterable[Fault]:
+        """What of the file was left aside, or read as what it looks like."""
+        return self._source.notes()
 
     @property
     def forms(self) -> Iterable[TechniqueForm]:

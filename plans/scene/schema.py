@@ -28,9 +28,6 @@ def _on_demand(technique: Technique, required: list[str]) -> Form:
     """Say which tables the sheets of a technique need, and its keys of shared tables."""
     asked = ({"sheets": {"contains": {"const": sheet}}} for sheet in technique.sheets)
     sheets = [{"properties": properties, "required": ["sheets"]} for properties in asked]
-    keys = [_with_key(table, name) for table, names in technique.shares.items() for name in names]
+    shared = [(table, name) for table, names in technique.shares.items() for name in names]
+    keys = [{"properties": {table: {"required": [name]}}, "required": [table]} for table, name in shared]
     return {"if": {"anyOf": sheets + keys}, "then": {"required": required}}
-
-
-def _with_key(table: str, name: str) -> Form:
-    return {"properties": {table: {"required": [name]}}, "required": [table]}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from plans.scene.faults import TWINS, Fault, dotted
+from plans.scene.faults import Fault, dotted
 from plans.scene.guard import GUARD, STRING, Places, line_column
 from plans.words.words import ENGLISH, Message, words
 from plans.words.words import message as said_by
@@ -113,13 +113,12 @@ def _line_hints(line: str, column: int) -> Iterator[tuple[int, str, dict[str, ob
         yield match.start(), "unseen", {"code": f"U+{ord(match[0]):04X}"}
     if "\r" in line.removesuffix("\r"):
         yield line.index("\r"), "line_ends", {}
-    if match := re.search(r"=\s*([+-]?\d+),(\d+)\s*(?=[,}]|$)", code):
-        yield match.start(1), "comma", {"written": f"{match[1]}.{match[2]}"}
+    if match := re.search(r"(?<==)\s*([+-]?\d+,\d+)\s*(?=[,}]|$)|\[[^][]*\d,0\d[^][]*\]", code):
+        written = re.sub(r"(?<=\d),(?=\d)", ".", text := match[0].strip())
+        yield match.start() + match[0].index(text), "comma", {"text": text, "written": written}
     yield from _number_hints(code)
     if match := re.match(r"\s*([^\s=\[\]\"'.]*[^\sA-Za-z0-9_=\[\]\"'.-][^\s=\[\]\".]*)\s*=", line):
-        latin = match[1].translate(TWINS)
-        twin = ("bare_twin", {"text": match[1], "twin": latin}) if latin.isascii() else None
-        yield match.start(1), *(twin or ("bare_key", {"text": match[1]}))
+        yield match.start(1), "bare_key", {"text": match[1]}
     if match := re.search(r"=\s*((?:\d+,)?\w[\w/ .-]*?)\s*$", code):
         yield match.start(1), "bare_text", {"text": match[1]}
 

@@ -13,7 +13,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from geometry.errors import LimitError, regular_bytes
-from plans.scene.faults import Fault, Path, SceneError
+from plans.scene.faults import TWINS, Fault, Path, SceneError
 from plans.scene.guard import Places, guard, line_column
 from plans.scene.units import decimal
 from plans.words.words import ENGLISH, languages, message, placed
@@ -21,6 +21,8 @@ from plans.words.words import ENGLISH, languages, message, placed
 SIZE_LIMIT = 1 << 20  # bytes of a scene file
 HEXADECIMAL = r"0[xob][0-9A-Fa-f]"  # also octal and binary: TOML takes them for numbers, no drawing does
 
+# Names of points in capitals, alone or as those of a link; a unit behind a number is none.
+CAPITALS = re.compile(r"#[^\n]*|(?<!\w)(?<!\d )[A-ZА-Я][A-ZА-Я0-9_]*(?!\w)")
 MARK = "\ufeff"  # the byte order mark that Notepad puts at the start of a file
 # A line that asks for a language, in [sheet] and at the top of the file.
 IN_SHEET = re.compile(r"""language\s*=\s*["']?([\w-]+)""")
@@ -54,7 +56,20 @@ class Source:
     @cached_property
     def places(self) -> Places:
         """Where each key stands; found when first asked for, that is when there is a fault."""
-        return Places(self.text)
+        return Places(in_one_alphabet(self.text))
+
+    def notes(self) -> Iterator[Fault]:
+        """Note what of the file was left aside, or read as what it looks like."""
+        if self.marked:
+            yield self.fault((), "byte_order_mark")
+        pairs = zip(self.text, in_one_alphabet(self.text), strict=True)
+        if other := dict.fromkeys(letter for letter, latin in pairs if letter != latin):
+            place = line_column(self.text, min(map(self.text.index, other)))
+            yield Fault(self.file, *place, (), "", "one_alphabet", {"letters": ", ".join(other)})
+        for row in re.finditer(r"\[[^\[\]\"'#]*\]", self.text):
+            if (pointed := with_points(row[0])) != row[0]:
+                place = line_column(self.text, row.start())
+                yield Fault(self.file, *place, (), "", "mixed_commas", {"row": row[0], "pointed": pointed})
 
     @cached_property
     def _lines(self) -> list[int]:
@@ -82,14 +97,14 @@ def read_source(path: FilePath) -> Source:
 
 def language_of(path: FilePath) -> str:
     """Give the language that a scene asks for, however faulty the rest of the file is; English where it names none."""
-    try:
-        text = (
-            regular_bytes(path, SIZE_LIMIT + 1).replace(b"\0", b"").decode("utf-8", errors="replace")
-        )  # UTF-16 too: keys are ASCII
+    from plans.scene.forms import called, likely  # noqa: PLC0415  (it imports much, and a faulty scene alone needs it)
+
+    try:  # UTF-16 too: keys are ASCII
+        text = regular_bytes(path, SIZE_LIMIT + 1).replace(b"\0", b"").decode("utf-8", errors="replace")
     except (OSError, ValueError):
         return ENGLISH
     asked = next(_asked(text), ENGLISH) if "language" in text else ENGLISH
-    return asked if asked in languages() else ENGLISH
+    return called(asked, languages()) or next(iter(likely(asked, languages())), ENGLISH)
 
 
 def _asked(text: str) -> Iterator[str]:
@@ -103,12 +118,38 @@ def _asked(text: str) -> Iterator[str]:
             yield found[1]
 
 
+def with_points(row: str) -> str:
+    """Give a list with points for the commas that no space follows, where others have one: decimal commas.
+
+    >>> with_points("[0, 0,25]"), with_points("[1,5]"), with_points("[0,5, 1,5]")
+    ('[0, 0.25]', '[1,5]', '[0.5, 1.5]')
+    """
+    return re.sub(r"(?<=\d),(?=\d)", ".", row) if re.search(r"\d,\s", row) else row
+
+
+def in_one_alphabet(text: str) -> str:
+    """Give a text with each Cyrillic capital among names of points by the Latin one that looks so, where that is there.
+
+    >>> in_one_alphabet('[links]\\n1 = "ОА"  # О\\nO = "5 Н"') == '[links]\\n1 = "OА"  # О\\nO = "5 Н"'
+    True
+    """
+    if text.isascii():
+        return text
+    parts = re.split(r"(?m)^(?=[ \t]*\[)", text)
+    named = [k for k, part in enumerate(parts) if k and not re.match(r"[\[ \t]*(sheet|cam)\b", part)]
+    known = {letter for k in named for name in CAPITALS.findall(parts[k]) if name[0] != "#" for letter in name}
+    twins = {code: latin for code, latin in TWINS.items() if chr(latin) in known}
+    for k in named:
+        parts[k] = CAPITALS.sub(lambda name: name[0] if name[0][0] == "#" else name[0].translate(twins), parts[k])
+    return "".join(parts)
+
+
 def parse_source(text: str, file: str) -> Source:
     """Read a scene from its text; `file` is the name that faults give."""
     marked, text = text.startswith(MARK), text.removeprefix(MARK)
     guard(text, file)
     try:
-        source = Source(file, text, tomllib.loads(text, parse_float=decimal), marked)
+        source = Source(file, text, tomllib.loads(in_one_alphabet(text), parse_float=decimal), marked)
     except ValueError as error:
         from plans.scene.slips import slip  # noqa: PLC0415  (only a refused text pays for it)
 

@@ -150,7 +150,9 @@ def table(kind: type[Table]) -> FieldReader:
 def form_of(kinds: Kinds) -> Form:
     """Give the form of a table as a JSON Schema: its keys, which of them it must have, and no others."""
     holders = holders_of(kinds)
-    properties = {name: {"description": _meaning(parts, name), **_form(parts, name)} for name, parts in holders.items()}
+    properties = {
+        name: {"description": parts[0].keys[name].meaning, **_form(parts, name)} for name, parts in holders.items()
+    }
     required = [name for name, parts in holders.items() if _required(parts, name)]
     rules = [rule for kind in kinds if (rule := kind.rules())]
     form: Form = {"type": "object", "properties": properties, "additionalProperties": False}
@@ -177,10 +179,6 @@ def holders_of(kinds: Kinds) -> Mapping[str, Kinds]:
     """Give each key of a table with the kinds that state it; of a key of several each reads a part of its table."""
     names = dict.fromkeys(name for kind in kinds for name in kind.keys)
     return {name: tuple(kind for kind in kinds if name in kind.keys) for name in names}
-
-
-def _meaning(holders: Kinds, name: str) -> str:
-    return holders[0].keys[name].meaning
 
 
 def _form(holders: Kinds, name: str) -> Form:

@@ -341,13 +341,9 @@ def _cure(kind: UnitKind, written: str, unit: str) -> Message:
 def _unit(text: str) -> str:
     """Give one spelling to a unit: kg·m², kg*m^2 and kg m2 are one, rad·s⁻¹ and rad/s another."""
     text = unicodedata.normalize("NFKC", text).translate({ord("−"): "-", ord("–"): "-", ord("^"): None}).strip()
-    text = re.sub(r"(?<=[^\W\d_])\.(?=[^\W\d_])|\*\*|[·⋅•∙×]", _sign, text).replace(".", "")
+    text = re.sub(r"(?<=[^\W\d_])\.(?=[^\W\d_])|[·⋅•∙×]", "*", text.replace("**", "")).replace(".", "")
     text = re.sub(r"\s*([*/])\s*|\s+", lambda match: match[1] or "*", text)
     return re.sub(r"\*([^\W\d_]+)-([1-9])", lambda part: f"/{part[1]}{part[2].strip('1')}", text)
-
-
-def _sign(match: re.Match[str]) -> str:
-    return "" if match[0] == "**" else "*"
 
 
 def _finite(number: Decimal, kind: UnitKind) -> Decimal:

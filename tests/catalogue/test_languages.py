@@ -23,7 +23,7 @@ MARK = "Ж"  # begins every word of the third language: a letter of the alphabet
 PART = re.compile(r"(\{[^{}]*\})")
 # What is no phrase: the grammar of a language, and names of letters and units, which a sheet must have room for.
 LIBRARIES = {*KNOWN}
-GRAMMAR = ("plural", "number", "join", "placed", "unit", "index", "text_unit")
+GRAMMAR = ("plural", "number", "join", "placed", "unit", "index")
 
 BETWEEN = "\0"  # what two commands say on stdout
 # Runs commands one after the other, up to one that fails.

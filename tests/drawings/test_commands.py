@@ -52,6 +52,9 @@ def edited(tmp_path: Path, old: str, new: str) -> Path:
         ["explain", SHAPER],
         ["explain", SHAPER, "B", "--position", "two"],
         ["measure"],
+        ["explain", "B", SHAPER],
+        ["grade", "any.svg", SHAPER],
+        ["check", SHAPER],
     ],
     ids=lambda arguments: " ".join(str(getattr(part, "name", part)) for part in arguments) or "nothing",
 )
@@ -124,7 +127,7 @@ def test_a_scene_of_megabytes_ends_with_8(run: Run, tmp_path: Path) -> None:
     "command", [["draw"], ["solve"], ["compare"], ["explain", "B"], ["measure"]], ids=lambda c: c[0]
 )
 def test_a_file_that_cannot_be_read_ends_with_7_and_its_name(run: Run, tmp_path: Path, command: list[str]) -> None:
-    for path in (tmp_path / "nowhere.toml", tmp_path):
+    for path in (tmp_path / "nowhere", tmp_path):
         code, out, err = run(command[0], path, *command[1:])
         assert (code, out) == (7, "")
         assert str(path) in err

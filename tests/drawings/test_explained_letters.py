@@ -8,9 +8,10 @@ from collections.abc import Iterator
 import pytest
 
 from drawings.commands.explain import explained
+from drawings.commands.on_sheet import levelled
 from drawings.gallery.catalogue import Entry, catalogue
 from drawings.paper.strokes import Kind, Leaf
-from drawings.paper.walk import groups
+from drawings.paper.walk import groups, texts
 from drawings.sheets.kind import sheet_kind
 from plans.explanation import UnknownMark
 from plans.scene.scene import Scene, read_scene
@@ -24,11 +25,11 @@ CELL = re.compile(r"(, [^,]+)? \[\d+\]$")  # behind the name of a row: its unit,
 # What a sheet letters, though it rests on no step and is no quantity: axes, dimensions that are given, times.
 GIVEN = ("load_diagram", "flywheel_sketch", "tachogram", "manufacturing", "bars")
 WORDLESS = {"riveter"}  # its table of the reduction has angles alone for rows
-UNEXPLAINED = {"h_{0}", "Φ_{max}", "P′_{ур}", "P′_{bal}"}  # to be added
+EQUAL = re.compile(r"(?<![\w^])([ΣΔ]*[^\W\d_][′']*(?:[_^]\w+)*)\s*=")  # what a phrase gives the value of
 
 
 def letters(leaf: Leaf) -> Iterator[tuple[int, str]]:
-    """Give position and letters of all vectors and points of a sheet, and of the rows of its tables."""
+    """Give position and letters of vectors and points of a sheet, of the rows of its tables, and in its phrases."""
     for group in groups(leaf.groups):
         kind, plan = group.data.get("kind"), group.data.get("plan", "")
         if kind in ("vector", "point") and not plan.startswith(GIVEN):
@@ -36,6 +37,7 @@ def letters(leaf: Leaf) -> Iterator[tuple[int, str]]:
         if group.states and group.states.kind == Kind.NUMBER:
             for one in CELL.sub("", group.states.name).split(" = "):
                 yield group.states.position or 0, one.partition(" (")[0]
+    yield from ((0, found) for text in texts(leaf.groups) for found in EQUAL.findall(levelled(text)))
 
 
 def asked(scene: Scene) -> Iterator[tuple[int, str]]:
@@ -46,7 +48,7 @@ def asked(scene: Scene) -> Iterator[tuple[int, str]]:
             of = f"{leaf.metadata['cam']}:" if leaf.metadata.get("cam") else ""
             for position, letter in letters(leaf):
                 ends = letter.split(" ")  # "p a": of a vector of a plan; what has more parts is said in words
-                if letter not in UNEXPLAINED and len(ends) < 3 and all(map(SYMBOL.fullmatch, ends)):
+                if len(ends) < 3 and all(map(SYMBOL.fullmatch, ends)):
                     yield position, f"{of}{letter}"
 
 

@@ -78,7 +78,7 @@ def test_a_class_is_graded_to_the_last_sheet(run: Run, class_: Path, pytester: p
     result.stdout.fnmatch_lines(
         [
             "*bob.svg: not as the analysis gives it (tolerance 2 %):*",
-            "*drawn * m/s2 at *, by the analysis * m/s2 at *",
+            "*drawn * m/s² at *, by the analysis * m/s² at *",
             "*cid.svg: cannot be read: *Fix: *",
             "plandraft: 3 handed in, 3 answered for",
         ]

@@ -114,7 +114,7 @@ def test_what_is_wrong_is_told_in_true_units_and_shown(wrong: Path, scene: Assig
     told = str(failure.value)
     assert "a^k_A3A: the Coriolis part is turned the wrong way (out by" in told
     size = abs(next(one.true for one in task("shaper").plan("accelerations", 2).vectors if one.name == "a^k_A3A"))
-    said = re.search(r"drawn (\S+) m/s2 at (\S+)°, by the analysis (\S+) m/s2 at (\S+)°", told)
+    said = re.search(r"drawn (\S+) m/s² at (\S+)°, by the analysis (\S+) m/s² at (\S+)°", told)
     assert said is not None
     assert [float(said[1]), float(said[3])] == pytest.approx([size, size], rel=1e-3)
     assert (float(said[2]) - float(said[4])) % 360 == pytest.approx(180, abs=0.2)

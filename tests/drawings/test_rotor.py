@@ -50,7 +50,7 @@ def test_what_vanishes_is_explained_as_zero(run: Run, tmp_path: Path) -> None:
     planes = "[{ place = 0.3 }, { place = 0 }]"
     star.write_text(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\nrotor.planes = {planes}\n', "utf-8")
     told = json.loads(run("explain", star, "m_ID_I", "--json")[1])
-    assert [one["value"] for one in told[-3:]] == ["(0, 0) kg*m2", "(0, 0) kg*m2", "(0, 0) kg*m"]
+    assert [one["value"] for one in told[-3:]] == ["(0, 0) kg·m²", "(0, 0) kg·m²", "(0, 0) kg·m"]
     assert [one["name"] for one in told[-3:]] == ["m_ID_Ih_I:3", "m_ID_Ih_I", "m_ID_I"]
 
 

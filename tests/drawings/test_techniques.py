@@ -57,7 +57,7 @@ def test_its_quantities_have_names_by_both_roads_and_words_in_both_languages(sho
         known = words(language)
         assert {f"plan.{one.plan}" for one in told} <= known.keys()
         lettered = {one.unit for one in told if re.search("[A-Za-z]", one.unit)}
-        assert {f"text_unit.{unit}" for unit in lettered} <= known.keys() or language == ENGLISH
+        assert {f"unit.{unit}" for unit in lettered} <= known.keys() or language == ENGLISH
 
 
 def test_its_numbers_are_told_alike_by_both_roads(shown: Shown) -> None:

@@ -161,8 +161,7 @@ def _crank_ends(survey: LinkageSurvey) -> tuple[str, str] | None:
     elif not fixed and _pushed(survey) is not None:
         _report_pushed(survey)
     elif not fixed:
-        advice = message("advice.hinge", link=link)
-        survey.report(LINK, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
+        survey.report(LINK, "no_hinge", suggestion=message("advice.hinge", link=link))
     elif not free:
         survey.report(LINK, "no_end", link=link, pivot=fixed[0])
     return (fixed[0], free[0]) if fixed and free else None

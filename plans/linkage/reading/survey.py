@@ -11,7 +11,7 @@ from typing import NamedTuple
 from plans.linkage.reading.fields import LineTable, split_line
 from plans.linkage.reading.form import LinkageForm
 from plans.model.mechanism import FRAME, Mechanism, Slide
-from plans.scene.faults import SHOWN, SPELLING, TWINS, Fault, Path, suggestion
+from plans.scene.faults import SHOWN, SPELLING, Fault, Path, suggestion
 from plans.scene.notes import odd_lengths
 from plans.scene.scene import Scene
 from plans.scene.units import WORKING
@@ -114,12 +114,6 @@ class LinkageSurvey:
         otherwise = message("advice.points", points=", ".join(sorted(self.names, key=natural)))
         return suggestion(name, self.names, otherwise)
 
-    def twin(self, names: Iterable[str], known: Iterable[str]) -> Message | None:
-        """Advise the letter of the other alphabet where a name only looks like a known one; else nothing."""
-        alike = {other.translate(TWINS): other for other in known}
-        found = [name for name in names if alike.get(name.translate(TWINS), name) != name]
-        return suggestion(found[0], alike.values()) if found else None
-
     def know_link(self, path: Path, link: int) -> bool:
         """See that a moving link exists; report it if not."""
         links = self.form.mechanism.links
@@ -183,7 +177,7 @@ RADIANS = r"""["'].*\b(?:rad|рад)\s*["']"""
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a linkage and its drive."""
     form = scene.of(LinkageForm)
-    for notes in (_lengths, _angles, _twins, _spare_points, _sketch, _rest):
+    for notes in (_lengths, _angles, _spare_points, _sketch, _rest):
         yield from notes(scene, form)
 
 
@@ -225,20 +219,6 @@ def _single(form: LinkageForm) -> Iterator[tuple[Path, Decimal]]:
         yield (*path, "angle"), slide.angle
         if isinstance(slide.along, LineTable):
             yield (*path, "along", "angle"), slide.along.angle
-
-
-def _twins(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
-    """Find two points whose names differ only in an alphabet."""
-    where: dict[str, Path] = {
-        name: ("mechanism", "links", str(link)) for link, points in form.mechanism.links.items() for name in points
-    }
-    placed = (("points", form.mechanism.points), ("frame", form.mechanism.frame))
-    where |= {name: ("mechanism", table, name) for table, names in placed for name in names}
-    plain: dict[str, str] = {}
-    for name in sorted(where):
-        other = plain.setdefault(name.translate(TWINS), name)
-        if other != name:
-            yield scene.fault(where[name], "twins", name=name, other=other)
 
 
 def _spare_points(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
