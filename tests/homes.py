@@ -55,10 +55,10 @@ def _kept(asked: Callable[..., Any]) -> Callable[..., Any]:
     def remembered(shape: Any, *given: Any) -> Any:
         key = (repr(shape.mechanism), *map(_told, given))
         if key not in known:
-            known[key] = asked(shape, *given)
-            if hasattr(known[key], "poses"):
-                known[key].poses.setflags(write=False)  # one is handed to many
-        return known[key]
+            known[key] = asked(shape, *given), shape  # kept: were it told by its place alone, another could come there
+            if hasattr(known[key][0], "poses"):
+                known[key][0].poses.setflags(write=False)  # one is handed to many
+        return known[key][0]
 
     return remembered
 

@@ -8,11 +8,12 @@ import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import pytest
 
-from tests import parts
+from tests import homes, parts
 from tests.parts import some
 
 ROOT = Path(__file__).parent.parent
@@ -133,3 +134,8 @@ def test_files_end_their_lines_with_lf_and_are_utf_8(reference: tuple[dict[str, 
     for data in reference[0].values():
         assert b"\r" not in data
         assert data.decode("utf-8").endswith("\n")
+
+
+def test_what_a_worker_keeps_of_a_mechanism_is_not_told_of_another_in_its_place_in_memory() -> None:
+    kept = homes._kept(lambda shape: shape.size)
+    assert [kept(SimpleNamespace(mechanism=object(), size=size)) for size in range(9)] == [*range(9)]

@@ -67,7 +67,6 @@ SHARED = (
     "plans.model.mechanism",
     "plans.model.motion",
     "plans.model.machine",
-    "plans.model.working_stroke",
     "plans.model.kinetostatics",
     "plans.model.run",
     "plans.model.dynamics",

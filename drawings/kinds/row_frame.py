@@ -133,7 +133,7 @@ class RowPlate(ABC, Generic[Shown]):
         """Paper under the last row, mm."""
         return 0.0
 
-    @property
+    @cached_property
     def top(self) -> float:
         """Paper over the rows and between them, mm."""
         return self.above + len(self.rows) * (self.over + self.under)

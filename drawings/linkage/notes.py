@@ -17,9 +17,8 @@ from plans.linkage.sweep import interval
 from plans.linkage.travel import EQUAL, frame_slide
 from plans.model.diagrams import STILL
 from plans.model.dyad import Assur, formula, mechanism_class
-from plans.model.mechanism import Mechanism, Output, Ram
+from plans.model.mechanism import Mechanism, Output, Ram, ways
 from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates
-from plans.model.working_stroke import ways
 from plans.study import Study
 from plans.words import words
 from plans.words.words import Message, message

@@ -55,10 +55,14 @@ def shapes() -> Mapping[Signature, tuple[LetterShape, ...]]:
 @cache
 def accented(signature: Signature) -> tuple[LetterShape, ...]:
     """Give the letters with an accent whose strokes are of these kinds."""
-    accents = [shape(accent) for accent in notations() if unicodedata.combining(accent)]
-    bases = [base for group in shapes().values() for base in group]
-    pairs = ((base, accent) for accent in accents for base in bases if base.letter.isalpha())
-    return tuple(_stacked(base, accent) for base, accent in pairs if base.signature + accent.signature == signature)
+    rests = ((accent, signature[: len(signature) - len(accent.signature)]) for accent in _accents())
+    bases = ((base, a) for a, rest in rests if rest + a.signature == signature for base in shapes().get(rest, ()))
+    return tuple(_stacked(base, accent) for base, accent in bases if base.letter.isalpha())
+
+
+@cache
+def _accents() -> tuple[LetterShape, ...]:
+    return tuple(shape(accent) for accent in notations() if unicodedata.combining(accent))
 
 
 @cache
@@ -369,11 +373,9 @@ def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[Lette
 def _stood(signature: Signature, accents: bool) -> tuple[tuple[LetterShape, Stance, complex], ...]:
     """Give the letters of a signature in all stances, and where each ends from its first point, d."""
     letters = accented(signature) if accents else shapes().get(signature, ())
-    return tuple((letter, stance, _ended(letter, stance)) for stance in STANCES for letter in letters)
-
-
-def _ended(letter: LetterShape, stance: Stance) -> complex:
-    return stance.turn * (_leaning(letter.points[-1], stance) - _leaning(letter.points[0], stance))
+    ways = [(letter, letter.points[-1] - letter.points[0]) for letter in letters]
+    turns = [(stance, stance.turn) for stance in STANCES]
+    return tuple((letter, stance, turn * _leaning(way, stance)) for stance, turn in turns for letter, way in ways)
 
 
 def _standing(letter: LetterShape, stance: Stance) -> tuple[LetterReading, tuple[complex, ...]]:

@@ -26,7 +26,6 @@ from drawings.paper.strokes import LEAN, Group, Kind, Leaf, SheetError, Statemen
 from drawings.paper.walk import stating
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, StatedScales
 from plans.scene.scene import Scene
-from plans.words.words import languages
 from plans.words.words import words as phrases
 
 KEEP = "\N{NO-BREAK SPACE}"
@@ -37,21 +36,21 @@ CLEAR = 0.5  # mm from a line of notes to the frame
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
-def measure(paragraphs: Sequence[str], size: float, least: float = 0.0) -> Notes:
+def measure(paragraphs: Sequence[str], size: float, language: str, least: float = 0.0) -> Notes:
     """Measure what notes need on paper, in columns of no less than `least` mm and none too narrow for their letters."""
-    lengths = tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs)
+    lengths = tuple(text_width(Text(0j, _marked(note, language), size)) for note in paragraphs)
     return Notes(lengths, STEP * size, max(least, NARROW * size))
 
 
-def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> Group:
+def write(paragraphs: Sequence[str], field: Field, size: float, edge: float, language: str) -> Group:
     """Write notes from the top of their field downwards, a long one broken between its parts, clear of an edge, mm."""
     width = min(field.width, edge - CLEAR - LEAN * size - field.left)  # the last letter leans beyond its width
-    broken = [_broken(_marked(note), width, size) for note in paragraphs]
+    broken = [_broken(_marked(note, language), width, size) for note in paragraphs]
     step = min(STEP * size, field.height / max(sum(map(len, broken)), 1))
     strokes, count = list[Stroke](), 0
     for note, lines in zip(paragraphs, broken, strict=True):
         feet = [complex(field.left, field.top - size - (count + k) * step) for k in range(len(lines))]
-        plain = (_before_units().sub(" ", line) for line in lines)
+        plain = (_before_units(language).sub(" ", line) for line in lines)
         rows = [Text(foot, line, size, "start", True) for foot, line in zip(feet, plain, strict=True)]
         strokes += (
             [stating(Statement(Kind.PHRASE, NOTES, shape), *rows)] if SLOT.search(shape := template_of(note)) else rows
@@ -76,15 +75,15 @@ def _reach(words: Sequence[str], size: float, count: int) -> float:
 
 
 @cache
-def _before_units() -> re.Pattern[str]:
-    """Find a space between a number and its unit, of any language, kept or not: no line ends there."""
-    units = {str(text) for each in languages() for key, text in phrases(each).items() if key.startswith("unit.")}
+def _before_units(language: str) -> re.Pattern[str]:
+    """Find a space between a number and its unit, kept or not: no line ends there."""
+    units = {str(text) for key, text in phrases(language).items() if key.startswith("unit.")}
     return re.compile(rf"(?<=\d)[ {KEEP}](?=(?:{'|'.join(map(re.escape, units - {''}))}|%)(?![^\W_]))")
 
 
-def _marked(note: str) -> str:
+def _marked(note: str, language: str) -> str:
     """Lower the kind's number in II2(4,5), and keep numbers with their units; the rest of a note stays as it is."""
-    note, out, k = _before_units().sub(KEEP, note), [], 0
+    note, out, k = _before_units(language).sub(KEEP, note), [], 0
     while k < len(note):
         if note.startswith("II", k) and k + 2 < len(note) and note[k + 2].isdigit():
             out.append(f"II_{{{note[k + 2]}}}")
@@ -170,7 +169,9 @@ class _Leaves:
         """All that the sheets must show, measured."""
         shown = [part.panel for part in self.draft.shows if isinstance(part, Exhibit) or not part.working]
         panels = self.scales.panels(shown)
-        notes = measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
+        notes = measure(
+            (*self.draft.notes, *self.reserved), self.page.hand.text, self.drafting.language, self.draft.narrow
+        )
         return Contents(panels, self.draft.tables, notes, self.followed)
 
     @cached_property
@@ -303,7 +304,7 @@ class _Leaves:
             counts[table.name] += len(pieces)
             yield from pieces
         if composed.notes is not None:
-            yield write(self.notes, composed.notes, page.hand.text, page.field.right)
+            yield write(self.notes, composed.notes, page.hand.text, page.field.right, self.drafting.language)
         for part in self.draft.shows:
             if isinstance(part, Caption) and part.panel.item.name in composed.blocks:
                 yield part.write(composed.blocks[part.panel.item.name], *self._awaited(part, composed))

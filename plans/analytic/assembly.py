@@ -184,6 +184,8 @@ def _nearer(shape: Closure, block: Block, found: Floats, rough: Floats) -> Float
 
 def _both(shape: Closure, block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a block at N crank angles: assemblies of determinants above and below zero, (2, N, links, 3)."""
+    if block.linear:
+        return _straight(block, poses, phi)
     found = np.full((len(BOTH), *poses.shape), np.nan)
     step = coarse = max(1, len(phi) // COARSE)
     done = np.arange(0, len(phi), step)
@@ -226,16 +228,19 @@ def _from_next(block: Block, found: Floats, here: Indices, done: Indices, poses:
     found[:, here] = _from_others(block, found[:, near], poses[here], phi[here])
 
 
+def _straight(block: Block, poses: Floats, phi: Floats) -> Floats:
+    """Solve a linear block from rough poses: the first step finds the turns, the next the places."""
+    there = _brought(block, poses)
+    for _ in range(2):
+        at = block.equations.place(there)
+        step = solutions(block.equations.jacobian(at), block.equations.residual(at, phi))
+        there = block.equations.moved(there, -step)
+    there, reached = close(block.equations, there, phi)
+    return _by_sign(block, there[None], reached[None])
+
+
 def _from_rough(block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a block from rough poses, with each of its links turned in all quarters."""
-    if block.linear:
-        there = _brought(block, poses)
-        for _ in range(2):  # the first step finds the turns, the next the places
-            at = block.equations.place(there)
-            step = solutions(block.equations.jacobian(at), block.equations.residual(at, phi))
-            there = block.equations.moved(there, -step)
-        there, reached = close(block.equations, there, phi)
-        return _by_sign(block, there[None], reached[None])
     turns = np.array(list(product(QUARTERS, repeat=len(block.links))))
     starts = np.repeat(_brought(block, poses)[None], len(turns), axis=0)
     starts[:, :, block.links, TURN] += turns[:, None, :]

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.points import TURN, Constraints, Indices, X, Y
+from plans.analytic.points import TURN, Constraints, Indices, TurningDrive, X, Y
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError
 from plans.model.motion import Floats
 from plans.words.words import message
@@ -20,7 +20,7 @@ from plans.words.words import message
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Guess:
     """Rough poses of all links, found link by link from the places of points known so far."""
 
@@ -136,8 +136,9 @@ class Block(NamedTuple):
 
     @property
     def linear(self) -> bool:
-        """Whether slides give all its links their directions: then it can be assembled in one way only."""
-        return len(self.equations.slide_ways[0]) == len(self.links)
+        """Whether slides, and a crank's drive, give all its links their directions: it is assembled in one way only."""
+        turned = self.equations.driven and isinstance(self.equations.drive, TurningDrive)
+        return len(self.equations.slide_ways[0]) + turned == len(self.links)
 
     def of_own(self, poses: Floats) -> Floats:
         """Differentiate the block's own equations at poses (links, 3), (k, k)."""

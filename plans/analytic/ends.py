@@ -12,8 +12,7 @@ import numpy as np
 
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, as_poses, closed, inverses
-from plans.analytic.drive import Placement
-from plans.analytic.points import Constraints
+from plans.analytic.points import Constraints, Placement
 from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, PARALLEL_GUIDES, Complexes, Floats
 
 # Less sharp than this, two assemblies of a block lie hardly farther apart than the rounding of their poses, eps over

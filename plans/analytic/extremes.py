@@ -12,9 +12,8 @@ from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.ends import Station
 from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.turn import FULL, Blocks, Marched, station, stations_at, whole_turn
-from plans.model.mechanism import FASTER, FRAME, Mechanism, Output, Slide
+from plans.model.mechanism import FASTER, FRAME, Mechanism, Output, Slide, by_time, works
 from plans.model.motion import Complexes, Extremes, Floats
-from plans.model.working_stroke import by_time, works
 
 
 class OutputCoordinate(NamedTuple):
@@ -38,10 +37,6 @@ class OutputCoordinate(NamedTuple):
         places = _OutputSpot(self.place, self.own).along(taylor)
         places[0] -= way.through / self.size
         return np.asarray((places * way.direction.conjugate()).real)
-
-    def at(self, place: Station) -> Floats:
-        """Give the coordinate and its two derivatives at one station, (3,)."""
-        return self.along(np.array((place.poses, place.first, place.second))[:, None])[:, 0]
 
 
 class _OutputSpot(NamedTuple):
@@ -86,12 +81,13 @@ class PartedCoordinate(NamedTuple):
         apart = unit * away
         return np.array((apart[0].real, apart[1].real, apart[2].real + turning * apart[1].imag))
 
-    def at(self, place: Station) -> Floats:
-        """Give the way and its two derivatives at one station, (3,)."""
-        return self.along(np.array((place.poses, place.first, place.second))[:, None])[:, 0]
-
 
 Coordinate: TypeAlias = OutputCoordinate | PartedCoordinate
+
+
+def _at(coordinate: Coordinate, place: Station) -> Floats:
+    """Give a coordinate and its two derivatives at one station, (3,)."""
+    return coordinate.along(np.array((place.poses, place.first, place.second))[:, None])[:, 0]
 
 
 def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output) -> Coordinate:
@@ -125,14 +121,14 @@ class _Rest:
 
     def __init__(self, coordinate: Coordinate, low: Station, high: Station) -> None:
         self.coordinate, self.bottom, self.top = coordinate, low.phi, high.phi
-        self.rising = coordinate.at(high)[1] >= 0.0
-        self.near = min(low, high, key=lambda end: abs(float(coordinate.at(end)[1])))
+        self.rising = _at(coordinate, high)[1] >= 0.0
+        self.near = min(low, high, key=lambda end: abs(float(_at(coordinate, end)[1])))
         self.step, self.newton = np.inf, False
 
     def aims(self) -> bool:
         """Find the next step: Newton's, or the middle where that leads out; none where only rounding is left."""
         here, last = self.near.phi, abs(self.step) if self.newton else np.inf
-        _, speed, growth = map(float, self.coordinate.at(self.near))
+        _, speed, growth = map(float, _at(self.coordinate, self.near))
         self.bottom, self.top = (self.bottom, here) if (speed >= 0.0) == self.rising else (here, self.top)
         self.step, self.newton = (-speed / growth if growth else np.inf), True
         if abs(self.step) <= ROUNDINGS * EPS * max(abs(here), 1.0):
@@ -232,7 +228,7 @@ def _refine(constraints: Constraints, blocks: Blocks, rests: list[_Rest]) -> lis
         stations = stations_at(constraints, blocks, [rest.near for rest in moving], phi)
         for rest, reached in zip(moving, stations, strict=True):
             rest.near = reached
-    return [(rest.near.phi, float(rest.coordinate.at(rest.near)[0])) for rest in rests]
+    return [(rest.near.phi, float(_at(rest.coordinate, rest.near)[0])) for rest in rests]
 
 
 def _strokes(

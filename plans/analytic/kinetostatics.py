@@ -13,9 +13,8 @@ import numpy as np
 
 from plans.analytic.assembly import unbalanced
 from plans.analytic.closure import BLUNT, inverses, rank_loss, reciprocal_condition, solutions
-from plans.analytic.drive import Placement
 from plans.analytic.kinematics import Analysis
-from plans.analytic.points import TURN, Constraints, X, Y, place
+from plans.analytic.points import TURN, Constraints, Placement, X, Y, place
 from plans.analytic.positions import blocks
 from plans.analytic.power import borne
 from plans.model.dyad import Pair

@@ -32,7 +32,7 @@ UNBORNE = 1000.0 * EPS
 NOWHERE = 8.0 * UNBORNE  # rad from a change point in which a block has any place: no true digit of its place is left
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Positions:
     """Poses (N, links, 3) at crank angles phi rad, NaN where there are none; `regular` where velocities exist."""
 

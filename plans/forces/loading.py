@@ -10,9 +10,8 @@ import numpy.typing as npt
 
 from plans.model.kinetostatics import Applied, Loading, Twist
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, OUTPUT, WORKING, Force, Machine, Moment, Spring, Track
-from plans.model.mechanism import FRAME, Mechanism, Output, Parting, StructureError, Way
+from plans.model.mechanism import FRAME, Mechanism, Output, Parting, StructureError, Way, frame_way
 from plans.model.motion import Complexes, Extremes, Floats, LinkMotion, Motion, PointMotion
-from plans.model.working_stroke import frame_way
 from plans.words.words import Message, message
 
 TURN = 2 * np.pi

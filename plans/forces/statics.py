@@ -23,7 +23,7 @@ from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
 from plans.model.machine import IDLE, WORKING, Force, Machine, Moment, Track
-from plans.model.mechanism import Output, StructureError
+from plans.model.mechanism import NoWorkingStroke, Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,
     DEAD_CENTRE,
@@ -36,7 +36,6 @@ from plans.model.motion import (
     Gap,
     Motion,
 )
-from plans.model.working_stroke import NoWorkingStroke
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed

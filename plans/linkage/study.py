@@ -21,7 +21,7 @@ from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sweep import FAN, NODES, Sweep, at_angles
 from plans.linkage.travel import ExtremePositions, extremes, output
 from plans.model.dyad import Assur, decompose
-from plans.model.mechanism import Mechanism, Output, StructureError
+from plans.model.mechanism import Mechanism, NoWorkingStroke, Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,
     OUT_OF_REACH,
@@ -34,7 +34,6 @@ from plans.model.motion import (
     rates_at,
     steady,
 )
-from plans.model.working_stroke import NoWorkingStroke
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 

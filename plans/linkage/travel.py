@@ -14,9 +14,8 @@ from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.linkage.sweep import FAN, LOOKS, NODES, Sweep, at_angles, changes_of_sign
 from plans.model.dyad import Assur
-from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output, Parting, Slide
+from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output, Parting, Slide, by_time, works
 from plans.model.motion import Complexes, Extremes, Floats, Motion, PointMotion
-from plans.model.working_stroke import by_time, works
 
 # An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
 STILL = 1e-12

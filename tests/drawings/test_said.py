@@ -13,7 +13,7 @@ import pytest
 
 from drawings.report.report import headlines, remarks, report
 from plans.linkage.study import LinkageStudy
-from plans.model.working_stroke import ways
+from plans.model.mechanism import ways
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.balance_scenes import scene as balanced

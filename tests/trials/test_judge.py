@@ -49,13 +49,8 @@ def test_a_slider_crank_is_where_its_closed_form_says():
 def test_rates_are_difference_quotients_of_places():
     h = MP.mpf(10) ** -10
     own, near = posed(shaper(omega=1.0, epsilon=0.0))
-    here, (ahead, behind) = (
-        told(own, solved(own, near)),
-        (
-            told(own._replace(e=own.e * MP.expj(step)), solved(own._replace(e=own.e * MP.expj(step)), near))
-            for step in (h, -h)
-        ),
-    )
+    turned = [own._replace(e=own.e * MP.expj(step)) for step in (0, h, -h)]
+    here, ahead, behind = (told(each, solved(each, near)) for each in turned)
     for point in "ABD":
         r = [at["r", point] for at in (behind, here, ahead)]
         assert abs((r[2] - r[0]) / (2 * h) - here["v", point]) < 1e3 * h**2, point

@@ -10,8 +10,7 @@ from typing import Any
 
 from plans.linkage.reading import fields as g
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING
-from plans.model.mechanism import FRAME, SLOWER
-from plans.model.working_stroke import STROKES
+from plans.model.mechanism import FRAME, SLOWER, STROKES
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import Wrong, wrong

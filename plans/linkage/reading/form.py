@@ -9,8 +9,7 @@ from typing import Any
 from geometry.errors import LimitError
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.fields import LineTable, Place, StrokeTable
-from plans.model.mechanism import SLOWER, THROUGH
-from plans.model.working_stroke import PARTINGS, STROKES
+from plans.model.mechanism import PARTINGS, SLOWER, STROKES, THROUGH
 from plans.scene import fields as f
 from plans.scene.faults import Path, Wrong, wrong
 from plans.scene.forms import Form

@@ -22,7 +22,7 @@ RATIO_LIMIT = Decimal(10_000_000)
 Pair = frozenset[str]
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class LinkageSurvey:
     """A scene under examination; `doubts` are paths already at fault, of which nothing more is said."""
 
