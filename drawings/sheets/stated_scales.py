@@ -197,8 +197,9 @@ def see_ordinates(scene: Scene, name: str, span: float, high: float) -> None:
     mu = dict(scene.sheet.scale.stated)[name]
     if span / mu > high:
         parts = {"scale": _written(mu, False), "least": _written(_rounded(span / high, up=True), False)}
-        parts, sizes = {**parts, "larger": larger(scene)}, _millimetres(span / mu, high, ("high", "up"))
-        raise SheetError(of_scale(scene, name, message("refused.scale_ordinates", name=name, **parts, **sizes)))
+        sizes, more = _millimetres(span / mu, high, ("high", "up")), larger(scene)
+        said = message("refused.scale_ordinates", name=name, larger=more, **parts, **sizes)
+        raise SheetError(of_scale(scene, name, said))
     if 0 < span / mu < READABLE:
         parts = {"scale": _written(mu, False), "most": _written(_rounded(span / READABLE, up=False), False)}
         sizes = _millimetres(span / mu, READABLE, ("high", "needed"))

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from decimal import Decimal
 from functools import partial
 from itertools import chain
-from typing import Any, Final, NamedTuple
+from typing import Any, NamedTuple
 
 from geometry.errors import LimitError
-from plans.model.cam import DWELL, LAWS, RETURN, RISE
+from plans.model.cam import LAWS
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -132,64 +131,6 @@ def coordinates(value: object) -> int:
     return found
 
 
-# What a law that is written otherwise is likely to mean, by letters that it has: names of other books.
-OTHERWISE: Final[Mapping[str, str]] = {
-    "modified trap": "modified trapezoid",
-    "modified sin": "modified sine",
-    "cyclo": "sine",
-    "harmonic": "cosine",
-    "parabol": "constant acceleration",
-    "accel": "constant acceleration",
-    "ускор": "constant acceleration",
-    "скорост": "constant velocity",
-    "linear": "constant velocity",
-    "uniform": "constant velocity",
-    "трапец": "trapezoid",
-    "косин": "cosine",
-    "син": "sine",
-    "4567": "4-5-6-7",
-    "345": "3-4-5",
-    "poly": "3-4-5",
-}
-
-
-def likely_law(value: object) -> str:
-    """Give the law that a text is likely to mean.
-
-    >>> likely_law("cycloidal"), likely_law("косинусоидальный"), likely_law("345"), likely_law("cosin")
-    ('sine', 'cosine', '3-4-5', '')
-    """
-    return _likely(value, OTHERWISE)
-
-
-def _likely(value: object, meant: Mapping[str, str]) -> str:
-    """Give what the first letters that a text has are meant for."""
-    written = str(value).casefold()
-    return next((name for letters, name in meant.items() if letters in written), "")
-
-
-# Beginnings of what a phase is called in other books and languages.
-KINDS: Final[Mapping[str, str]] = {
-    "удал": RISE,
-    "подъ": RISE,
-    "forward": RISE,
-    "высто": DWELL,
-    "rest": DWELL,
-    "возвр": RETURN,
-    "опуск": RETURN,
-    "fall": RETURN,
-}
-
-
-def likely_kind(value: object) -> str:
-    """Give the kind of phase that a text is likely to mean.
-
-    >>> likely_kind("дальний выстой"), likely_kind("Возвращение")
-    ('dwell', 'return')
-    """
-    return _likely(value, KINDS)
-
-
 SPEED = measure(units.SPEED, units.VELOCITY)
 PHASE_ANGLE = one(
     angle_or,
@@ -215,7 +156,7 @@ FIRST = one(first, lambda: forms.quantity(units.NUMBER, exclusiveMinimum=0, excl
 COORDINATES = one(coordinates, lambda: forms.whole(COORDINATES_LEAST) | {"maximum": COORDINATES_LIMIT}, "number")
 DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")
 SIZE = f.not_negative(units.LENGTH)
-LAW = f.words(*LAWS, likely=likely_law)
+LAW = f.words(*LAWS)
 POINT = f.pair(measure(units.ANGLE, units.LENGTH), "[turn, travel]")
 TOLERANCE = measure(units.LENGTH, units.ANGLE, least=Decimal(0))
 PRELOAD = measure(units.FORCE, units.MOMENT, least=Decimal(0))

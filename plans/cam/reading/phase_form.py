@@ -13,7 +13,7 @@ from plans.cam.reading.fields import Measure
 from plans.model.cam import CUBICS, DWELL, LAWS, LINES, RETURN, RISE, SHAPE, TABLE
 from plans.scene import fields as f
 from plans.scene.faults import Wrong, wrong
-from plans.scene.forms import Form
+from plans.scene.forms import Form, called
 from plans.scene.readers import either, many
 from plans.scene.tables import Missing, Table, key, table
 
@@ -92,7 +92,7 @@ class LawTable(Table):
     """A law of motion with what it needs beside its name."""
 
     name: str = key(
-        f.words(*LAWS, TABLE, SHAPE, likely=c.likely_law),
+        f.words(*LAWS, TABLE, SHAPE),
         meaning='Name of the law; "table": by points, "shape": by the shape of its acceleration.',
         missing=Missing("name of the law", 'name = "constant acceleration"', LAWS[0]),
     )
@@ -133,7 +133,7 @@ class PhaseTable(Table):
     """A phase of the cam: its kind, its angle, or its travel of a cam that translates, and its law."""
 
     kind: str = key(
-        f.words(RISE, DWELL, RETURN, likely=c.likely_kind),
+        f.words(RISE, DWELL, RETURN),
         meaning="Rise (удаление), dwell (выстой) or return (возвращение).",
         missing=Missing("kind of the phase", 'kind = "rise"', DWELL),
     )
@@ -166,7 +166,7 @@ class PhaseTable(Table):
             yield wrong("missing", at=("angle",))
         if {"angle", "travel"} <= value.keys():
             yield wrong("one_of_two", first="angle", second="travel", found="both", at=("travel",))
-        if value.get("kind") in (RISE, RETURN) and "law" not in value:
+        if called(value.get("kind"), (RISE, RETURN)) and "law" not in value:
             yield wrong("missing", at=("law",))
 
     @classmethod
