@@ -67,6 +67,8 @@ def test_a_pressure_is_told_as_an_indicator_card() -> None:
     assert area * 1e6 * PISTON.area == pytest.approx((1500 - 300) / 2 * 0.2)
     written = {text.plain for text in texts(exhibited([(load_diagram, found)]).groups)}
     assert "p, MPa" in written and any("Indicator card" in one for one in written)
+    pumped = CARD._replace(diagram=Diagram((0, 0.2, 1), (2500, 300, 0), (2500, 1500, 0)))
+    assert found.higher and not course_of(pumped, SLIDES).higher  # numbers of positions stand outside both branches
 
 
 def test_what_rests_at_the_ends_or_turns_over_is_a_load() -> None:
