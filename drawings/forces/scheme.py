@@ -213,7 +213,7 @@ CLEAR = 1.5  # mm from the end of an arrow at its point that are not felt: symbo
 STEP, STEPS = 4.0, 25  # mm by which an arrow may stand off its point on its line of action, and how often
 # What ending at the point costs, standing off it, and each mm of that; a crossed thin line costs 1.
 ENDING, OFF, FURTHER = 3.0, 4.0, 0.3
-# A known force whose line of action runs in a link stands beside it, so many mm, on a thin line square to it: its cost.
+# A force whose line of action runs in a link stands beside it, so many mm, on a thin line square to it: its cost.
 SIDE, PARALLEL = 8.0, 9.0
 PASSED, NEAR = 40.0, 3.0  # what a known force costs whose line to its point passes another point, so many mm near
 OUTSIDE = 10.0  # what each mm outside the figure's box costs
@@ -271,7 +271,7 @@ def fan(
 def _best(arrow: ForceArrow, reach: float, inside: bool, room: _Room, hand: Hand) -> ForceArrow:
     """Give the cheapest place of an arrow; the customary ones come first."""
     best, cheapest = None, math.inf
-    for least, ending, off, side in sorted(_places(arrow.ending, inside and not arrow.unknown)):
+    for least, ending, off, side in sorted(_places(arrow.ending, inside)):
         if least >= cheapest:
             break
         trial = _standing(arrow, reach, ending, off * hand.symbol, side)

@@ -223,8 +223,9 @@ class Arm(NamedTuple):
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beside its middle, or where its arrows stand outside beside the further one."""
         middle = sum(self.ends) / 2 if roomy(self.length, hand) else (self.ends[1] + self.reach(hand)[1]) / 2
-        across = cmath.phase(1j * (self.foot - self.about)) if self.length >= LEAST else math.pi / 4
-        return labels.beside(middle, self.letter, hand.letter, BESIDE, across)
+        across = 1j * (self.foot - self.about) if self.length >= LEAST else 1 + 1j
+        above = -across if tied(across.imag) < 0 else across  # as on any dimension line
+        return labels.beside(middle, self.letter, hand.letter, BESIDE, cmath.phase(above))
 
 
 def to_scale(letter: str, about: complex, at: complex, direction: complex, scale: Scale, subject: Subject) -> Arm:
