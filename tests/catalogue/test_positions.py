@@ -16,18 +16,11 @@ from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene
 from tests.catalogue.scenes import TEXTS
-from tests.plans.scenes import scene
+from tests.plans.scenes import changed, scene
 
 PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8")
 DOUBLE_ROCKER = TEXTS["e07_double_rocker"]
 EPS = 2.0**-52
-
-
-def changed(text: str, *changes: tuple[str, str]) -> str:
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    return text
 
 
 def motion(text: str) -> Motion:

@@ -15,6 +15,7 @@ from drawings.page.page import Scale
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import some
+from tests.plans.scenes import changed
 
 GALLERY = Path(drawings.__file__).parent / "gallery"
 SCALES = {2: {"velocities": Scale(0.01, "v", "m/s"), "accelerations": Scale(0.05, "a", "m/s2")}}
@@ -24,11 +25,7 @@ MATH = re.compile(r"\$\$(.+?)\$\$|\$(.+?)\$")
 @cache
 def study(name: str, *changes: tuple[str, str]) -> Study:
     """Study a scene of the gallery, with parts of it changed."""
-    text = (GALLERY / f"{name}.toml").read_text("utf-8")
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    return Study(parse_scene(text))
+    return Study(parse_scene(changed((GALLERY / f"{name}.toml").read_text("utf-8"), *changes)))
 
 
 @cache

@@ -21,6 +21,7 @@ from tests.drawings.bank_scenes import bank, compensator
 from tests.gallery import GALLERY
 from tests.plans.cyclograms import scene_text
 from tests.plans.dynamics_scenes import PLANING, text
+from tests.plans.scenes import changed
 from tests.plans.test_cam_marks import SIZES, TURNING, one
 from tests.plans.test_cyclogram import CAM
 from tests.plans.test_load_pressures import PUSHED, WITH_ROD
@@ -53,11 +54,7 @@ def rotor(rows: str, more: str = "") -> str:
 
 def case(name: str, *changes: tuple[str, str]) -> str:
     """Give a loaded machine with some of its words changed."""
-    scene = (CASES / f"{name}.toml").read_text("utf-8")
-    for old, new in changes:
-        assert old in scene
-        scene = scene.replace(old, new)
-    return scene
+    return changed((CASES / f"{name}.toml").read_text("utf-8"), *changes)
 
 
 class Row(NamedTuple):

@@ -15,6 +15,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.quantity import Quantity
 from plans.scene.scene import parse_scene
+from tests.plans.scenes import changed
 
 CASES = Path(__file__).parents[1] / "cases"
 WORKED: Mapping[str, Any] = json.loads((CASES / "forces.json").read_text(encoding="utf-8"))
@@ -24,11 +25,7 @@ ROADS = ("construction", "analysis")
 
 def text_of(name: str, *changes: tuple[str, str]) -> str:
     """Give the text of a worked scene with some of its words changed; each must be there."""
-    text = (CASES / "forces" / f"{name}.toml").read_text(encoding="utf-8")
-    for old, new in changes:
-        assert old in text, f"{name} has no {old}"
-        text = text.replace(old, new)
-    return text
+    return changed((CASES / "forces" / f"{name}.toml").read_text(encoding="utf-8"), *changes)
 
 
 def statics_of(text: str) -> Statics:

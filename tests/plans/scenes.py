@@ -19,6 +19,14 @@ def scene(head: str = "", /, **tables: str | Sequence[str]) -> str:
     return "".join(f"{line}\n" for line in (*entries(head), *written(tables)))
 
 
+def changed(text: str, *changes: tuple[str, str]) -> str:
+    """Change some words of a scene; each must be there."""
+    for old, new in changes:
+        assert old in text, f"there is no {old}"
+        text = text.replace(old, new)
+    return text
+
+
 def written(tables: Mapping[str, str | Sequence[str]]) -> Iterator[str]:
     """Give the lines of tables."""
     for name, told in tables.items():

@@ -19,6 +19,7 @@ from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import some
+from tests.plans.scenes import changed
 
 CASES = Path(__file__).parents[1] / "cases"
 # The arms cross in their middles, E and F are 0.5 m from it, so that EF = 2 * 0.5 sin(phi); D is at 1.6 sin(phi).
@@ -39,11 +40,7 @@ def scissor(law: str = LAW) -> Study:
 
 @cache
 def four_bar(*changes: tuple[str, str]) -> Study:
-    text = FOUR_BAR
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    return Study(parse_scene(text))
+    return Study(parse_scene(changed(FOUR_BAR, *changes)))
 
 
 def test_a_scissor_lift_stands_where_the_cosine_rule_has_it() -> None:
