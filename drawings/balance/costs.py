@@ -53,9 +53,7 @@ def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, draft
         f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
     lines = [TableRow(counterweight(w.link, drafting.language), _weight(w, mechanism, drafting)) for w in weights]
-    return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(
-        name=WEIGHTS, least=6
-    )
+    return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
 
 
 def _weight(weight: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:

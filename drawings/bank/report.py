@@ -154,7 +154,7 @@ class BankNotes(NamedTuple):
         return self.drafting.word("mirror image" if alone else "both senses")
 
     def _row(self, values: Iterable[Fraction]) -> str:
-        return "; ".join(map(self._exact, values))
+        return "; ".join(self._number(float(value)) for value in values)
 
     def sums(self) -> Iterator[str]:
         """Say what the polygons of each order come to at phi = 0."""
@@ -250,15 +250,6 @@ class BankNotes(NamedTuple):
                 moment = self._number(compensator.with_crank - compensator.against)
                 yield word("better on crank", moment=moment, angle=f"{ANGLE}{self._number(angle)}", **pair)
 
-    def members(self) -> Iterator[str]:
-        """Say where each mechanism of the bank stands."""
-        for member in self.balance.task.members:
-            parts = {"name": member.name, "crank": self._exact(member.crank), "place": self._exact(1000 * member.place)}
-            yield self.drafting.word("bank member", axis=self._exact(member.axis), **parts)
-
-    def _exact(self, value: Fraction) -> str:
-        return self._number(float(value))
-
     def _number(self, value: float) -> str:
         return self.drafting.number(value, self.digits)
 
@@ -287,7 +278,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     drafting, notes = drafting_of(study.scene), _notes(study)
     language = drafting.language
     return Chapters(
-        subject=listed(chapter(language, "bank").lstrip(), [*notes.members(), *notes.given()]),
+        subject=listed(chapter(language, "bank").lstrip(), [*notes.given()]),
         values=[chapter(language, "bank_orders"), *_orders(study.of(BankStudy).balance, drafting)],
         conditions=[
             *listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing(), *notes.slight()]),

@@ -37,9 +37,8 @@ def characteristic(comparison: CyclogramComparison, drafting: Drafting) -> Ruled
     rows = enumerate(found.positions)
     lines = [TableRow(name(k, position, drafting), cells(position, found, drafting)) for k, position in rows]
     heads = tuple(drafting.word(head) for head in (HEADS if found.sliding else SWINGS))
-    return table(lines, drafting.word("characteristic position"), heads, drafting.hand.text)._replace(
-        name=NAME, least=len(lines)
-    )
+    first = drafting.word("characteristic position")
+    return table(lines, first, heads, drafting.hand.text)._replace(name=NAME, least=len(lines))
 
 
 def cells(position: Position, found: Cyclogram, drafting: Drafting) -> tuple[str, ...]:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 MM = 1000.0  # mm in a metre
+ROUNDED = 6  # decimals of a degree: a rounding below zero is no whole turn
 
 
 def data(study: LinkageStudy) -> Iterator[str]:
@@ -269,9 +270,6 @@ def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
     if not barrier.miss:
         return word(language, "report.barrier", **parts)
     return word(language, "report.barrier_miss", **parts, miss=number(barrier.miss, language, DIGITS))
-
-
-ROUNDED = 6  # decimals of a degree: a rounding below zero is no whole turn
 
 
 def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
