@@ -9,6 +9,7 @@ import cmath
 import json
 import math
 import unicodedata
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, lru_cache
 from itertools import pairwise
@@ -361,7 +362,9 @@ def _angle(corners: Sequence[complex], trail: Trail, unit: float) -> float | Non
 
 def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[LetterReading]:
     last, off = trail.points[-1] / unit if unit and trail.points else 0j, near / unit if unit else 0.0
-    for letter, stance, end in _stood(trail.signature, accents):
+    stood, (along, order) = _stood(trail.signature, accents), _ends(trail.signature, accents)
+    here = sorted(order[bisect_left(along, last.real - off) : bisect_right(along, last.real + off)])
+    for letter, stance, end in (stood[k] for k in here):
         if abs(end - last) > off:
             continue
         found, points = _standing(letter, stance)
@@ -376,6 +379,14 @@ def _stood(signature: Signature, accents: bool) -> tuple[tuple[LetterShape, Stan
     ways = [(letter, letter.points[-1] - letter.points[0]) for letter in letters]
     turns = [(stance, stance.turn) for stance in STANCES]
     return tuple((letter, stance, turn * _leaning(way, stance)) for stance, turn in turns for letter, way in ways)
+
+
+@cache
+def _ends(signature: Signature, accents: bool) -> tuple[list[float], list[int]]:
+    """Give how far to the right those letters end, rising, and their places among them."""
+    right = [end.real for _, _, end in _stood(signature, accents)]
+    order = sorted(range(len(right)), key=right.__getitem__)
+    return [right[k] for k in order], order
 
 
 def _standing(letter: LetterShape, stance: Stance) -> tuple[LetterReading, tuple[complex, ...]]:
