@@ -106,8 +106,9 @@ class _Bearer(NamedTuple):
 def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters that stand at the place of another, and those that are missing."""
     titles = {vector.end: vector.title for vector in plan.asked.vectors if not vector.start and vector.title}
-    places = plan.places.items()
-    ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places if letter]
+    lost = {vector.end for vector in plan.lacking} - {end for _, end in plan.arrows}  # which need no letter
+    places = ((letter, spot) for letter, spot in plan.places.items() if letter and letter not in lost)
+    ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places]
     free = [
         (vector, plan.arrows[vector.letters])
         for vector in plan.asked.vectors

@@ -127,7 +127,7 @@ class Judge:
     def _each(self) -> Iterator[Verdict]:
         """Judge vector by vector: a place that is wrong costs once, at the first arrow that ends there."""
         blamed = set[str]()
-        for vector in self.drawn.asked.vectors:
+        for vector in sorted(self.drawn.asked.vectors, key=lambda vector: vector.auxiliary):
             said = self._verdict(vector)
             if not said.good and said.kind not in (verdict.MISSING, *verdict.UNGRADED):
                 places = self._places(vector)

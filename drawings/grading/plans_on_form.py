@@ -16,6 +16,7 @@ from drawings.grading.form_place import FormPlace, place_of
 from drawings.grading.onlooker import JOINED, Segment, figures, spelled
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Box, Text
+from plans.linkage.plan import POLES
 
 FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
 CLOSE = 8.0  # mm: nor one that is farther from a line without an arrowhead
@@ -58,10 +59,11 @@ def plans_on_form(
             taken[here].extend(joined)
     bare = [line for line in lines if not line.headed]
     for here, arrows in taken.items():
-        near = [line for line in bare if here.holds((line.start, line.end))]
-        drawn = _LetteredArrows(expected[here.plan], labels, scale_at(here, texts, expected[here.plan])).drawn(
-            arrows, near
-        )
+        near, due, known = [line for line in bare if here.holds((line.start, line.end))], expected[here.plan], labels
+        if here.pole is not None and any(abs(line.start - here.pole) <= JOINED for line in arrows):
+            pole = POLES.get(due.plan, "")  # of which the form tells where it stands
+            known = {**labels, spelled(pole): [Label(Text(here.pole, pole), here.pole)]}
+        drawn = _LetteredArrows(due, known, scale_at(here, texts, due)).drawn(arrows, near)
         if arrows or drawn.arrows:
             yield drawn
 
@@ -173,7 +175,7 @@ class _LetteredArrows(NamedTuple):
     def _match(self, asked: VectorAsked, arrow: Segment, reach: float) -> _Match:
         """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
         off = abs((arrow.end - arrow.start) * (self.scale or 0.0) - asked.true)
-        unsure = UNSURE if self.scale and off > SHARE * abs(asked.true) else 0.0
+        unsure = UNSURE * (asked.auxiliary + (self.scale is not None and off > SHARE * abs(asked.true)))
         if asked.letter:
             distances = (_distance(label.place, arrow) for label in self.labels.get(spelled(asked.letter), ()))
             away = min(distances, default=math.inf)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.readers import Frame
-from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, away, chains, foot, heights
+from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, away, chains, foot, heights, nearness
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.form_place import form_places
@@ -147,14 +147,19 @@ def _course(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure |
     if across is None or up is None or not lines:
         return None
     places = asked.paper.along / across
-    known = (asked.true, -asked.true, *(mistake.values for mistake in asked.mistakes))
-    dues = [(values / asked.way).real / up for values in known]
+    dues = _dues(asked, up)
     read = (np.array([_nearest(lines, spot) for spot in (places + 1j * expected).tolist()]) for expected in dues)
-    high, _ = min(zip(read, dues, strict=True), key=lambda row: float(np.nansum(np.abs(row[0] - row[1]))))
+    high, _ = min(zip(read, dues, strict=True), key=nearness)
     if not np.isfinite(high).any():
         return None
     arrows = _arrows(Frame(blank.origin, 1 + 0j, 1j, 1.0, 1.0), places, high)
     return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True)
+
+
+def _dues(asked: FigureAsked, mu: float) -> list[Floats]:
+    """Give the heights that a graph may have: by analysis, all the other way, by the mistakes that have names; mm."""
+    known = (asked.true, -asked.true, *(mistake.values for mistake in asked.mistakes))
+    return [(np.where(np.isnan(values), asked.true, values) / asked.way).real / mu for values in known]
 
 
 def _nearest(lines: Iterable[Complexes], expected: complex) -> float:
@@ -252,9 +257,9 @@ def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | 
     ways = (1 + 0j,) if asked.way == 1j else (1j, -1j)
     frames = (Frame(blank.origin, along, asked.way, 1.0, 1.0) for along in ways)
     mu = written.get(tuple(asked.scales)[-1])
-    due = None if mu is None else np.asarray((asked.true / asked.way).real / mu)
+    dues = [] if mu is None else _dues(asked, mu)
     found = [
-        curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step, due, blank.ticks)
+        curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step, dues, blank.ticks)
     ]
     best = max(found, key=lambda curve: int((~np.isnan(curve.high)).sum()), default=None)
     if best is None or np.isnan(best.high).all():
@@ -274,7 +279,7 @@ def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
 
 
 def _read(
-    sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats, due: Floats | None, ticks: Sequence[float]
+    sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats, dues: list[Floats], ticks: Sequence[float]
 ) -> Iterator[ReadCurve]:
     """Give the heights of each curve over the places, mm, and those a position to either side."""
     places = stations - stations[0]
@@ -285,7 +290,7 @@ def _read(
         drawn = frame.true(curve)
         if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places[-1] + 2 * beside + PLACED:
             shifts = {by: heights(drawn, places + by) for step in steps for by in (-step, step)}
-            yield ReadCurve(frame, places, heights(drawn, places, due), shifts, drawn)
+            yield ReadCurve(frame, places, heights(drawn, places, dues), shifts, drawn)
 
 
 def _step(blank: Blank, written: Mapping[str, float], turn: float | None) -> float | None:
