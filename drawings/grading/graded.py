@@ -16,7 +16,7 @@ from drawings.grading.cells.graded_tables import Drawn, alone, answered, table_v
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.curves.figure_records import FigureAsked
-from drawings.grading.curves.form_figure import empty_axes, every_axes
+from drawings.grading.curves.form_figure import every_axes, places_filled
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places, from_marks, lacking_places, scales_beside
 from drawings.grading.form_place import form_places
@@ -141,9 +141,9 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
-    empty = empty_axes(sheet) if task.curves else frozenset()
+    filled = places_filled(sheet) if task.curves else {}
     figures = list[tuple[FigureAsked, Complexes]]()
-    told = tuple(figure_verdicts(found.figures, task.curves, sheets, marked, allowed, empty, figures))
+    told = tuple(figure_verdicts(found.figures, task.curves, sheets, marked, allowed, filled, figures))
     yield from told
     shown = BesideTables(read, figures, sheets, {one.kind for one in told})
     yield from table_verdicts(found.tables, task.tables, shown, by, sheet)

@@ -195,7 +195,7 @@ class _CamSheet:
 
     def radii(self) -> Iterator[FigureAsked]:
         """Give the radii of the finished profile, of a cam that translates its ordinates."""
-        yield from self.sheet.figure(RADII, RADII)
+        yield from self.sheet.figure(RADII, RADII, curved=tuple(range(len(self.sheet.marks(RADII)))))
 
     def _inverted(self) -> Iterator[Mistake]:
         """Give the profile inverted the wrong way, mirrored, of another side, other phases or another least radius."""

@@ -123,6 +123,7 @@ class DrawnFigure:
     free: bool = False  # whether it was drawn on the axes of a form, without marks
     mu: float = 0.0  # true units a mm as it is drawn there
     doubled: bool = False  # whether another curve, which differs, is drawn on its axes
+    outlined: bool = False  # whether its scale may be written in outlines
     lines: tuple[Complexes, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
 
     def off(self, expected: Complexes) -> Floats:
@@ -148,8 +149,9 @@ class DrawnFigure:
             own, before = PRICKED * max(1.0, self.mu / self.asked.scale), np.maximum(error**2 - PRICKED**2, 0.0)
             return np.asarray(plain * np.sqrt(own**2 + before) + self.asked.slack)
         scales = [self.mu, self.mu, *behind]
+        most = expected * max(1.0, self.mu / self.asked.scale)  # on a form that is coarser so much more
         return np.asarray(
-            np.minimum(plain * PRICKED * float(np.hypot.reduce(scales)) / self.asked.scale + self.asked.slack, expected)
+            np.minimum(plain * PRICKED * float(np.hypot.reduce(scales)) / self.asked.scale + self.asked.slack, most)
         )
 
     @property

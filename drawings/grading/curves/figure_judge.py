@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import TypeAlias
 
 import numpy as np
@@ -185,7 +186,7 @@ class _Answer:
     def verdicts(self) -> Iterator[Verdict]:
         """Judge the figure as a whole, then each value that is asked for."""
         if not self.drawn.written:
-            yield self._said(verdict.UNSCALED)
+            yield self._said(verdict.ILLEGIBLE if self.drawn.outlined else verdict.UNSCALED)
         if self.drawn.shift:
             yield self._said(verdict.SHIFTED)
         if self.mistake is not None:
@@ -244,7 +245,7 @@ def figures_drawn(drawn_sheet: SeenSheet, asked: Sequence[FigureAsked]) -> dict[
         if drawn is not None:
             sheets.setdefault(figure.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
-    for sheet in sorted(sheets, key=lambda name: _likeness(sheets[name]), reverse=True):
+    for sheet in sorted(sheets, key=lambda name: _likeness(sheets[name], drawn_sheet.leaf.title), reverse=True):
         plans = {drawn.asked.plan for found in kept.values() for drawn in found}
         if plans.isdisjoint(drawn.asked.plan for drawn in sheets[sheet]):
             kept[sheet] = tuple(sheets[sheet])
@@ -255,11 +256,11 @@ def _drawn(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     return from_marks(asked, sheet) or from_form(asked, sheet)
 
 
-def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
+def _likeness(found: Sequence[DrawnFigure], title: str) -> tuple[int, bool, float]:
     """Tell how much of a sheet is there, and how near it is: sheets of several cams have figures of one name."""
     pairs = ((figure.asked, figure.values) for figure in found)
     apart = [np.nanmean(asked.off(values, asked.true)) / (asked.largest or 1.0) for asked, values in pairs]
-    return sum(len(figure.arrows) for figure in found), -float(np.mean(apart))
+    return sum(len(figure.arrows) for figure in found), found[0].asked.title == title, -float(np.mean(apart))
 
 
 def figure_verdicts(
@@ -268,14 +269,14 @@ def figure_verdicts(
     sheets: Collection[str],
     marked: Collection[str],
     allowed: Callable[[FigureAsked], Floats],
-    empty: Collection[str] = (),
+    filled: Mapping[str, bool] = MappingProxyType({}),
     kept: list[tuple[FigureAsked, Complexes]] | None = None,
 ) -> Iterator[Verdict]:
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
 
     `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
-    cannot be read, nor on a form what has no line of its own there. On the axes of `empty` ones nothing is drawn. What
-    all figures are to the student is `kept`.
+    cannot be read, nor on a form what has no line of its own there. Of a form due is what it has axes or a place for,
+    `filled` or not. What all figures are to the student is `kept`.
     """
     for sheet in dict.fromkeys(figure.sheet for figure in asked):
         figures, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
@@ -289,11 +290,12 @@ def figure_verdicts(
                 yield from judge.verdicts(one, one.allowed(allowed(figure), scales))
                 continue
             judge.pass_by(figure)
-            if (found and (_is_graph(figure) or not any(drawn.free for drawn in found))) or (
-                sheet in marked or figure.plan in empty
-            ):
+            if filled and figure.plan not in filled:
+                continue
+            read = _is_graph(figure) or not any(drawn.free for drawn in found)
+            if sheet in marked or not filled.get(figure.plan, not (found and read)):
                 yield from _missing(figure)
-            elif _is_graph(figure) or figure.curved or not any(drawn.free for drawn in found):
+            elif read or figure.curved:
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
         if kept is not None:
             kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]

@@ -114,6 +114,7 @@ class FigureAsked:
     curved: tuple[int, ...] = ()  # the places that one line goes through, and may be read off it
     edges: tuple[str, ...] = ()  # the names of all its places, where not its marks alone have them
     units: Mapping[str, str] = field(default_factory=dict)  # of its scales that are neither of its values nor of SI
+    title: str = ""  # of its sheet
 
     @property
     def scale(self) -> float:
@@ -275,7 +276,8 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
         figures = dict[str, FigureAsked]()
         for figure in named(row)(originals.study, shown):
             mistakes = (*(_altered(figure, other) for other in others), *figure.mistakes)
-            figures[figure.key] = replace(figure, mistakes=mistakes, error=_by_hand(figure, figures))
+            error, title = _by_hand(figure, figures), sheet.leaf.title
+            figures[figure.key] = replace(figure, mistakes=mistakes, error=error, title=title)
         yield from figures.values()
 
 
