@@ -94,8 +94,10 @@ def table_verdicts(
     there = {found_.asked.sought for found_ in found}
     for table in asked:
         if table.sought not in there and set(table.sheets) & shown.sheets:
-            lost = [] if _stands(table, found, sheet) else list(_missing(table, {}, shown.sheets, sheet))
-            yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]
+            stands, data = _stands(table, found, sheet), sheet.measured.metadata
+            lost = [] if stands else list(_missing(table, {}, shown.sheets, sheet))
+            if lost or stands or "form" not in data or data.get("of") == 1:  # else it is on another page of the form
+                yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]
 
 
 def _missing(asked: TableAsked, cells: Mapping[Key, SeenCell], sheets: Set[str], sheet: SeenSheet) -> Iterator[Verdict]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import TypeAlias
 
 import numpy as np
@@ -269,7 +268,7 @@ def figure_verdicts(
     sheets: Collection[str],
     marked: Collection[str],
     allowed: Callable[[FigureAsked], Floats],
-    filled: Mapping[str, bool] = MappingProxyType({}),
+    filled: Mapping[str, bool] | None = None,
     kept: list[tuple[FigureAsked, Complexes]] | None = None,
 ) -> Iterator[Verdict]:
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
@@ -290,12 +289,11 @@ def figure_verdicts(
                 yield from judge.verdicts(one, one.allowed(allowed(figure), scales))
                 continue
             judge.pass_by(figure)
-            if filled and figure.plan not in filled:
+            if filled is not None and not (figure.plan in filled and (figure.curved or _is_graph(figure))):
                 continue
-            read = _is_graph(figure) or not any(drawn.free for drawn in found)
-            if sheet in marked or not filled.get(figure.plan, not (found and read)):
+            if sheet in marked or (found if filled is None else not filled[figure.plan]):
                 yield from _missing(figure)
-            elif read or figure.curved:
+            else:
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
         if kept is not None:
             kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]

@@ -308,7 +308,7 @@ def _read(
     beside = max(steps)
     for curve in _curves(sheet, asked.plan):
         drawn = frame.true(curve)
-        if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places[-1] + 2 * beside + PLACED:
+        if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places.max() + 2 * beside + PLACED:
             shifts = {by: heights(drawn, places + by) for step in steps for by in (-step, step)}
             yield ReadCurve(frame, places, heights(drawn, places, dues), shifts, drawn)
 
