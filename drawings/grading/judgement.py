@@ -13,6 +13,7 @@ from drawings.grading import verdict
 from drawings.grading.asked import Slip, VectorAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.verdict import Verdict
+from drawings.paper.limits import SEEN
 from geometry.board import Board, Mark
 from geometry.errors import DraftError
 from geometry.replay import redraw
@@ -167,6 +168,8 @@ class Judge:
             return self._said(verdict.RIGHT, vector, off)
         if self._follows(vector, value):
             return self._said(verdict.FOLLOWS, vector, off)
+        if self.drawn.is_small(vector) and abs(value) < 2 * SEEN * self.drawn.scale:  # one of several as short
+            return self._said(verdict.SMALL, vector)
         slip = self._nearest(vector, value, vector.found.slips) if vector.found is not None else None
         if slip is None and vector.found is not None:
             # What is simply turned round may lie near one of them: it is that one only where it is twice as near.

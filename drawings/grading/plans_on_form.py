@@ -21,7 +21,7 @@ from plans.linkage.plan import POLES
 FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
 CLOSE = 8.0  # mm: nor one that is farther from a line without an arrowhead
 HEADING = 80.0  # mm: and a scale from its plan
-UNSURE, SHARE = 8.0, 0.2  # mm within which a letter is as near to another arrow; how far out one is drawn otherwise
+UNSURE = 8.0  # mm within which a letter is as near to another arrow: the one that is drawn less otherwise has it
 ALIKE = 0.05  # of a vector: an arrow that bears no letter is the one that it is so near to
 TOLD = 2  # vectors more that are right say that two letters stand in each other's place
 BACKWARD = 4.0  # mm that an arrow is farther from the letters of its ends if it is drawn back to front
@@ -174,8 +174,8 @@ class _LetteredArrows(NamedTuple):
 
     def _match(self, asked: VectorAsked, arrow: Segment, reach: float) -> _Match:
         """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
-        off = abs((arrow.end - arrow.start) * (self.scale or 0.0) - asked.true)
-        unsure = UNSURE * (asked.auxiliary + (self.scale is not None and off > SHARE * abs(asked.true)))
+        off = abs(arrow.end - arrow.start - asked.true / self.scale) if self.scale else 0.0
+        unsure = UNSURE * asked.auxiliary + min(off, UNSURE)
         if asked.letter:
             distances = (_distance(label.place, arrow) for label in self.labels.get(spelled(asked.letter), ()))
             away = min(distances, default=math.inf)
