@@ -365,10 +365,8 @@ def _marked(text: Text) -> str:
     return "".join(marks[run.level] % run.text for run in text.content)
 
 
-BESIDE = (
-    "by hand",
-    "true error",
-)  # columns of a sheet that tell how far a value may be out: a form asks for no such thing
+# Columns of a sheet that tell how far a value may be out: a form asks for no such thing.
+BESIDE = ("by hand", "true error")
 
 
 def blank(bands: Iterable[LaidTable], drafting: Drafting) -> tuple[RuledTable, ...]:

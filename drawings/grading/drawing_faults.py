@@ -137,12 +137,9 @@ def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
     for (start, end), arrow in plan.arrows.items():
         begun = start if end in plan.places else end
         ends = ((begun, arrow.start), (end, arrow.end))
-        off |= {letter: None for letter, spot in ends if letter and not _is_on(leaf, spot)}
+        on = (0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height for _, spot in ends)
+        off |= {letter: None for (letter, _), there in zip(ends, on, strict=True) if letter and not there}
     yield from (_of(plan, verdict.OUTSIDE, letter) for letter in off)
-
-
-def _is_on(leaf: Leaf, spot: complex) -> bool:
-    return 0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height
 
 
 def _of(plan: DrawnPlan, kind: str, letter: str = "", spots: Sequence[complex] = ()) -> Verdict:

@@ -155,8 +155,8 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
     shown = BesideTables(read, figures, sheets, {one.kind for one in told})
     yield from table_verdicts(found.tables, task.tables, shown, by, sheet)
     if (workings := tuple(_workings(sheet, found.tables))) and "form" in sheet.measured.metadata:
-        told = ", ".join(text.plain for text in workings)
-        yield Verdict("workings", None, "", verdict.WORKINGS, of=told, at=(workings[0].at, workings[0].at))
+        what = ", ".join(text.plain for text in workings)
+        yield Verdict("workings", None, "", verdict.WORKINGS, of=what, at=(workings[0].at, workings[0].at))
 
 
 def _workings(sheet: SeenSheet, tables: Drawn) -> Iterator[Text]:

@@ -81,20 +81,12 @@ def mistaken(force: Mark, drawn: Mapping[Mark, complex]) -> Iterator[Slip]:
     terms = force.step.inputs[2:]
     again = redraw(list(terms), drawn)
     for term in terms:
-        moment, name = np.ravel(again[term].point)[0], _named(term)
-        for kind, value in ((_turned(term), -moment), (verdict.FORGOTTEN, 0 * moment)):
+        moment, forced = np.ravel(again[term].point)[0], term.step.op == "moment"
+        name = term.step.inputs[2].name if forced else term.name  # what has the moment: a force, or a couple
+        for kind, value in ((verdict.MOMENT if forced else verdict.COUPLE, -moment), (verdict.FORGOTTEN, 0 * moment)):
             there = continued(force, {**drawn, term: complex(value)})
             if there is not None:
                 yield Slip(kind, there, name)
-
-
-def _named(term: Mark) -> str:
-    """Name what has a moment: a force by its letters, a couple by its own."""
-    return term.step.inputs[2].name if term.step.op == "moment" else term.name
-
-
-def _turned(term: Mark) -> str:
-    return verdict.MOMENT if term.step.op == "moment" else verdict.COUPLE
 
 
 # Parts whose turning to the wrong side has a name of its own, by how their letters begin.

@@ -119,7 +119,8 @@ class _LetteredArrows(NamedTuple):
         fits, best = self._right(found), found
         if self.scale is None or fits == len(self._named):
             return found
-        letters = dict.fromkeys(spelled(letter) for vector in self._named for letter in _bearers(vector))
+        lettered = ([vector.letter] if vector.letter else vector.letters for vector in self._named)
+        letters = dict.fromkeys(spelled(letter) for bearers in lettered for letter in bearers)
         for first, second in combinations((letter for letter in letters if letter in self.labels), 2):
             swapped = {**self.labels, first: self.labels[second], second: self.labels[first]}
             other = self._replace(labels=swapped)._matches(self._named, arrows)
@@ -190,10 +191,6 @@ class _LetteredArrows(NamedTuple):
 
 def _arrows(found: Matches) -> dict[tuple[str, str], Arrow]:
     return {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
-
-
-def _bearers(vector: VectorAsked) -> tuple[str, ...]:
-    return (vector.letter,) if vector.letter else vector.letters
 
 
 def _both_ways(

@@ -171,16 +171,14 @@ class _Answer:
         size = float((np.abs(base[there]) ** 2).sum())
         if size and asked.kind != BEARINGS:
             factor = float((drawn * base[there].conj()).real.sum() / size)
-            factor = self._larger(base[there]) if self.drawn.lines else factor
+            if self.drawn.lines:  # by what they reach farther
+                most = max(float(np.abs(line).max()) for line in self.drawn.lines)
+                factor = most / float(np.abs(base[there]).max())
             if factor > 0:
                 yield Mistake(verdict.FACTOR, factor * base), factor
         if asked.kind == ORDINATES:
             away = asked.way * float(np.median(((drawn - base[there]) / asked.way).real))
             yield Mistake(verdict.LEVEL, base + away), None
-
-    def _larger(self, base: Complexes) -> float:
-        """Give by what factor drawn lines reach farther than what is due."""
-        return max(float(np.abs(line).max()) for line in self.drawn.lines) / float(np.abs(base).max())
 
     def verdicts(self) -> Iterator[Verdict]:
         """Judge the figure as a whole, then each value that is asked for."""
@@ -240,7 +238,7 @@ def figures_drawn(drawn_sheet: SeenSheet, asked: Sequence[FigureAsked]) -> dict[
     """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
     sheets: dict[str, list[DrawnFigure]] = {}
     for figure in asked:
-        drawn = _drawn(figure, drawn_sheet)
+        drawn = from_marks(figure, drawn_sheet) or from_form(figure, drawn_sheet)
         if drawn is not None:
             sheets.setdefault(figure.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
@@ -249,10 +247,6 @@ def figures_drawn(drawn_sheet: SeenSheet, asked: Sequence[FigureAsked]) -> dict[
         if plans.isdisjoint(drawn.asked.plan for drawn in sheets[sheet]):
             kept[sheet] = tuple(sheets[sheet])
     return kept
-
-
-def _drawn(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
-    return from_marks(asked, sheet) or from_form(asked, sheet)
 
 
 def _likeness(found: Sequence[DrawnFigure], title: str) -> tuple[int, bool, float]:

@@ -188,11 +188,13 @@ def bare_speeds(sheet: SceneSheet, expected: AnalysedTurn, exact: AnalysedTurn) 
     divisions, sure = expected.task.divisions, exact.account.before
     places = np.searchsorted(turned, TURN * np.arange(divisions) / divisions - KNOWN).tolist()
     paper = sheet.paper(BEFORE, turned, dict(enumerate(places)))
+    omega = expected.omega
+    flywheeled = () if omega is None else (Mistake(verdict.FLYWHEEL, np.asarray(1j * omega)),)
     behind = (SURPLUS, INERTIA) if sheet.vectors(SURPLUS) and sheet.vectors(INERTIA) else ()
     yield from sheet.figure(
         BEFORE, BEFORE, by_number(marks, dict(enumerate(places))), np.asarray(1j * before.omega), kind=ORDINATES,
         scales={"ω": next(iter(marks.values())).scale}, paper=paper, why=because("speed_by_energy"), behind=behind,
-        slack=np.abs(before.omega - (before if sure is None else sure).omega), mistakes=tuple(_flywheeled(expected)),
+        slack=np.abs(before.omega - (before if sure is None else sure).omega), mistakes=flywheeled,
         course=Bare(before) if behind else None,
     )  # fmt: skip
 
@@ -212,9 +214,3 @@ class Bare:
             return np.full(len(surplus), complex(np.nan, np.nan))
         omega = np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia)
         return np.asarray(1j * omega)
-
-
-def _flywheeled(expected: AnalysedTurn) -> Iterator[Mistake]:
-    """Give the speeds with the flywheel, drawn where those without it are asked for."""
-    if expected.omega is not None:
-        yield Mistake(verdict.FLYWHEEL, np.asarray(1j * expected.omega))
