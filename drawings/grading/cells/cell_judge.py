@@ -160,17 +160,13 @@ class CellJudge:
         for value, allowed in self.shown.shown(cell, self.by, self.rough, self.asked.language):
             if _apart(written.value, value, cell.unit) <= allowed + written.rounding:
                 return self._said(key, verdict.FOLLOWS if off > allowed else verdict.RIGHT, off)
-        rows = (other.altered for other in self.asked.cells.values() if self._is_again(other, cell))
+        told = cell.quantity, cell.unit
+        same = (other for other in self.asked.cells.values() if (other.quantity, other.unit) == told)
+        rows = (other.altered for other in same if abs(other.true - cell.true) <= ALIKE * abs(cell.true))  # both roads
         altered = [value for row in rows for kind, value in row if kind in self.shown.mistakes]
         if any(_apart(written.value, value, cell.unit) <= self._allowed(key) for value in altered):
             return self._said(key, verdict.FOLLOWS, off)
         return self._said(key, verdict.WRONG, off)
-
-    @staticmethod
-    def _is_again(other: CellAsked, cell: CellAsked) -> bool:
-        """Tell whether a cell is another, or tells the same by the other road."""
-        same = other.quantity == cell.quantity and other.unit == cell.unit
-        return other is cell or (same and abs(other.true - cell.true) <= ALIKE * abs(cell.true))
 
     def _allowed(self, key: Key, times: float = 1.0) -> float:
         return self.asked.cells[key].allowed(self.by, self.rough) * abs(times) + self._numbers[key].rounding

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
-from drawings.grading.cells.asked_table import CellAsked, TableAsked
+from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.cell_judge import BesideTables, CellJudge
 from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, ruling, tables_seen
 from drawings.grading.verdict import Verdict
@@ -75,13 +75,9 @@ def _filled(asked: TableAsked, cells: Mapping[Key, SeenCell]) -> bool:
 def _fit(table: SeenTable, asked: TableAsked, sheet: SeenSheet) -> tuple[int, bool, int]:
     """Give how many cells of a table are asked for, whether its sheet is titled so, how many cells are as they must."""
     keys = [key for key in table.cells if key in asked.cells]
-    said = sum(_says(table.cells[key], asked.cells[key]) for key in keys)
+    written = ((number(table.cells[key].texts, asked.cells[key].unit), asked.cells[key]) for key in keys)
+    said = sum(one is not None and abs(one.value - cell.true) <= cell.printed for one, cell in written)
     return len(keys), sheet.leaf.title in asked.titles, said
-
-
-def _says(drawn: SeenCell, asked: CellAsked) -> bool:
-    written = number(drawn.texts, asked.unit)
-    return written is not None and abs(written.value - asked.true) <= asked.printed
 
 
 def table_verdicts(

@@ -121,15 +121,11 @@ def _on(rule: Rule, place: float) -> bool:
 
 def _once(places: Iterable[float]) -> list[float]:
     """Give places from the least to the greatest, those that are one once."""
-    return list(_ruling_apart(sorted(places)))
-
-
-def _ruling_apart(places: Iterable[float]) -> Iterator[float]:
-    last = None
-    for place in places:
-        if last is None or place - last > LEVEL:
-            yield place
-            last = place
+    found = list[float]()
+    for place in sorted(places):
+        if not found or place - found[-1] > LEVEL:
+            found.append(place)
+    return found
 
 
 Key: TypeAlias = tuple[str, int | None, str]  # a row, the position of a column, and its heading, as they are seen

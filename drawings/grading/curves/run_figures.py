@@ -141,13 +141,15 @@ def tachogram(sheet: SceneSheet, constructed: MachineRun | None, exact: MachineR
     paper = sheet.over(TACHOGRAM, np.asarray(zero + t / scales["t"]), t)
     # An instant is pricked too: on a steep curve it moves the speed that is read there.
     steep = np.abs(np.interp(t, constructed.t, constructed.epsilon)) * scales["t"] / scales["ω"]
+    ends = np.concatenate(([0.0], t[[k for k, name in enumerate(names) if _ends(name)]]))
+    straight = np.interp(t, ends, np.interp(ends, *_rising(exact)))  # as if the moments of a stage were constant
     yield FigureAsked(
         key=TACHOGRAM, plan=TACHOGRAM, sheet=sheet.name, unit=marks[first].unit,
         scales={"t": scales["t"], "ω": scales["ω"]},
         items=tuple(ValueAsked(name, None, k, f"ω({name})") for k, name in enumerate(names)),
         true=np.asarray(1j * true), slack=np.abs(true - drawn), error=PRICKED * np.hypot(1.0, steep), kind=ORDINATES,
         paper=None if paper is None else paper._replace(turn=None), why=because("run_stage"),
-        mistakes=tuple(_straight(exact, names, t)),
+        mistakes=(Mistake(verdict.STRAIGHT, np.asarray(1j * straight)),),
     )  # fmt: skip
 
 
@@ -170,13 +172,6 @@ def _rising(run: MachineRun) -> tuple[Floats, Floats]:
     """Give the instants of a run with their speeds, one of both where two stages meet."""
     kept = np.append(np.diff(run.t) > 0, True)
     return run.t[kept], run.omega[kept]
-
-
-def _straight(run: MachineRun, names: list[str], t: Floats) -> Iterator[Mistake]:
-    """Give a tachogram whose stages are straight, as if their moments were constant."""
-    at = [k for k, name in enumerate(names) if _ends(name)]
-    ends = np.concatenate(([0.0], t[at]))
-    yield Mistake(verdict.STRAIGHT, np.asarray(1j * np.interp(t, ends, np.interp(ends, *_rising(run)))))
 
 
 def bare_speeds(sheet: SceneSheet, expected: AnalysedTurn, exact: AnalysedTurn) -> Iterator[FigureAsked]:
