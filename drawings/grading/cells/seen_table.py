@@ -168,7 +168,7 @@ def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
     columns = _columns([head for head in inside if head[0].imag > box.low and head[0].real > box.right], edges)
     if not columns or len(floors) < 2:
         return None
-    heads = {folded(head.plain): head for whole, _ in columns for head in _split(whole)}
+    heads = {_worded(head): head for whole, _ in columns for head in _split(whole)}
     cells, labels = dict[Key, SeenCell](), dict[str, Text]()
     for low, high in pairwise(floors):
         row = [_cell(sheet, inside, CellFrame(left, low, right, high)) for left, right in pairwise(edges)]
@@ -178,8 +178,13 @@ def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
         labels.setdefault(label, row[0].texts[0])
         for (head, position), cell in zip(columns, row[1:], strict=True):
             for part in _split(head):
-                cells.setdefault((label, position, folded(part.plain)), cell)
+                cells.setdefault((label, position, _worded(part)), cell)
     return SeenTable(corner, heads, labels, cells)
+
+
+def _worded(head: Text) -> str:
+    """Give a heading as it is seen: what is counted from a datum may be headed as what it is."""
+    return folded(head.plain).lstrip("Δ∆")
 
 
 def _split(head: Text | None) -> Iterator[Text]:
