@@ -239,10 +239,8 @@ FOREMOST = 1.5  # weight of the plan of positions
 SHARE = 1 / 3  # of its sheet
 APART = ("position", "cam")  # what the data of a sheet say that its figures are of
 FINER = 20  # parts of a place, where the scene states a scale at which a coarser place does not fit its paper
-COMMON = (
-    "velocity",
-    "acceleration",
-)  # keys of [sheet.scale] whose plans have one scale, unless the scene asks for each
+# Keys of [sheet.scale] whose plans have one scale, unless the scene asks for each.
+COMMON = ("velocity", "acceleration")
 
 
 def form_of(study: Study) -> Mapping[str, Sequence[Leaf]]:

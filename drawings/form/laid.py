@@ -279,7 +279,9 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
     pole = poles[0].data if poles else {}
     of = {key: data[key] for key in ("plan", "position") if key in data}
     vectors = (mark for mark in marks if mark.data["kind"] == "vector")
-    arrows = tuple(sorted({with_index(mark.data["name"].replace(" ", "")) for mark in vectors}))
+    names = ((mark.data["name"], mark.title) for mark in vectors)  # one that is lettered itself has a title
+    letters = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
+    arrows = tuple(sorted(set(letters)))
     yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of, arrows)
 
 
@@ -365,10 +367,8 @@ def _marked(text: Text) -> str:
     return "".join(marks[run.level] % run.text for run in text.content)
 
 
-BESIDE = (
-    "by hand",
-    "true error",
-)  # columns of a sheet that tell how far a value may be out: a form asks for no such thing
+# Columns of a sheet that tell how far a value may be out: a form asks for no such thing.
+BESIDE = ("by hand", "true error")
 
 
 def blank(bands: Iterable[LaidTable], drafting: Drafting) -> tuple[RuledTable, ...]:

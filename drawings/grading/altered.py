@@ -14,7 +14,6 @@ from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import sheet_kind
 from plans.forces.statics import Statics
 from plans.model.machine import ALWAYS, Force, Machine, Moment
-from plans.study import Study
 
 KINDS = ("dynamics",)  # of sheets on which all follows from the loads
 L = TypeVar("L", Force, Moment)
@@ -40,14 +39,11 @@ def alterations(originals: Originals, sheet: Original) -> tuple[Alteration, ...]
 def _found(originals: Originals, kind: str) -> tuple[Alteration, ...]:
     leaves = [sheet.leaf for sheet in originals.sheets if sheet.kind == kind]
     machine = _idle(originals.study.of(Statics).machine)
-    studies = [] if machine is None else [(verdict.IDLE, _bearing(originals.study, machine))]
-    rows = ((mistake, sheet_kind(kind).expected(study, leaves)) for mistake, study in studies)
-    return tuple(Alteration(mistake, {(row.kind, row.figure, row.name): row for row in due}) for mistake, due in rows)
-
-
-def _bearing(study: Study, machine: Machine) -> Study:
-    """Give the study of a machine with other loads."""
-    return study.exchanged("forces", study.of(Statics).bearing(machine))
+    if machine is None:
+        return ()
+    study = originals.study.exchanged("forces", originals.study.of(Statics).bearing(machine))
+    due = sheet_kind(kind).expected(study, leaves)
+    return (Alteration(verdict.IDLE, {(row.kind, row.figure, row.name): row for row in due}),)
 
 
 def _idle(machine: Machine) -> Machine | None:

@@ -106,8 +106,9 @@ class _Bearer(NamedTuple):
 def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters that stand at the place of another, and those that are missing."""
     titles = {vector.end: vector.title for vector in plan.asked.vectors if not vector.start and vector.title}
-    places = plan.places.items()
-    ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places if letter]
+    lost = {vector.end for vector in plan.lacking} - {end for _, end in plan.arrows}  # which need no letter
+    places = ((letter, spot) for letter, spot in plan.places.items() if letter and letter not in lost)
+    ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places]
     free = [
         (vector, plan.arrows[vector.letters])
         for vector in plan.asked.vectors
@@ -136,12 +137,9 @@ def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
     for (start, end), arrow in plan.arrows.items():
         begun = start if end in plan.places else end
         ends = ((begun, arrow.start), (end, arrow.end))
-        off |= {letter: None for letter, spot in ends if letter and not _is_on(leaf, spot)}
+        on = (0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height for _, spot in ends)
+        off |= {letter: None for (letter, _), there in zip(ends, on, strict=True) if letter and not there}
     yield from (_of(plan, verdict.OUTSIDE, letter) for letter in off)
-
-
-def _is_on(leaf: Leaf, spot: complex) -> bool:
-    return 0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height
 
 
 def _of(plan: DrawnPlan, kind: str, letter: str = "", spots: Sequence[complex] = ()) -> Verdict:

@@ -114,11 +114,8 @@ def places_of(arrows: Mapping[tuple[str, str], Arrow]) -> dict[str, complex]:
     for (start, end), arrow in arrows.items():
         found.setdefault(start, []).append(arrow.start)
         found.setdefault(end, []).append(arrow.end)
-    return {letter: _middle(ends) for letter, ends in found.items()}
-
-
-def _middle(ends: list[complex]) -> complex:
-    return complex(median(end.real for end in ends), median(end.imag for end in ends))
+    middles = ((median(end.real for end in ends), median(end.imag for end in ends)) for ends in found.values())
+    return {letter: complex(*middle) for letter, middle in zip(found, middles, strict=True)}
 
 
 def from_marks(asked: PlanAsked, measured: Measured, scale: float | None) -> DrawnPlan | None:

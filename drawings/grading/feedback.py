@@ -26,13 +26,9 @@ def lines(path: Path, graded: Graded, marking: Marking, hints: Hints, language: 
     """Tell of one sheet, line by line."""
     yield f"{plain_name(path)}: {_heading(graded, marking).worded(language)}"
     yield from (f"  {with_values(said, hints, language)}" for said in gathered(graded.verdicts) if not said.good)
-    if follow := tuple(_placed(said) for said in graded.verdicts if said.kind == FOLLOWS):
+    follows = (said for said in graded.verdicts if said.kind == FOLLOWS)
+    if follow := tuple(said.name if said.position is None else f"{said.name} ({said.position})" for said in follows):
         yield f"  {word(language, 'grade.follow', names=follow)}"
-
-
-def _placed(said: Verdict) -> str:
-    """Name a quantity with its position, if it has one."""
-    return said.name if said.position is None else f"{said.name} ({said.position})"
 
 
 def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:

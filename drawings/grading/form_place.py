@@ -96,8 +96,5 @@ def _loose(lines: Sequence[Line]) -> Iterator[list[Line]]:
 
 
 def _of(data: Mapping[str, str]) -> Place:
-    return data.get("plan", ""), _position(data.get("position", ""))
-
-
-def _position(text: str) -> int | None:
-    return int(text) if text.isascii() and text.removeprefix("-").isdigit() else None
+    text = data.get("position", "")
+    return data.get("plan", ""), int(text) if text.isascii() and text.removeprefix("-").isdigit() else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from hashlib import sha256
@@ -16,7 +17,7 @@ from drawings.grading.cells.graded_tables import Drawn, alone, answered, table_v
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.curves.figure_records import FigureAsked
-from drawings.grading.curves.form_figure import empty_axes, every_axes
+from drawings.grading.curves.form_figure import every_axes, places_filled
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places, from_marks, lacking_places, scales_beside
 from drawings.grading.form_place import form_places
@@ -27,7 +28,8 @@ from drawings.grading.points_on_form import points_on_form
 from drawings.grading.scheme_arrows import arrow_verdicts, once
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
-from drawings.paper.walk import texts
+from drawings.paper.strokes import Text
+from drawings.paper.walk import groups, texts
 from drawings.reading.sheet import SeenSheet, see
 from drawings.reading.transform import STAY, Affine
 from plans.model.motion import POSITIONS, Complexes
@@ -39,6 +41,10 @@ if TYPE_CHECKING:
 
 # Right, with mistakes, not read, by an error of ours. What is not read somebody has to look at himself.
 PASS, FAIL, UNREAD, OURS = "right", "mistakes", "unread", "error"
+
+
+NOTES = "notes"  # the group of what a form gives
+WORKING = re.compile(r"(?!μ|mu|[KК]_)[^\W\d][^\s=]{0,8}\s*=.*(?<![\w^])\d.*")
 
 
 class Graded(NamedTuple):
@@ -136,17 +142,30 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
     traced = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
     for plan in task.plans:
         # On a form due is only what can surely be read there: arms, views and images of the lever can not.
-        due = plan.lettered or ((plan.plan == POSITIONS.plan and plan.place in placed) if placed else traced)
+        on_form = plan.place in placed and (plan.lettered or plan.plan == POSITIONS.plan)
+        due = on_form if placed else plan.lettered or traced
         if plan.sheet in sheets and due and plan.place not in there:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
-    empty = empty_axes(sheet) if task.curves else frozenset()
+    filled = places_filled(sheet) if "form" in sheet.measured.metadata or every_axes(sheet) or placed else None
     figures = list[tuple[FigureAsked, Complexes]]()
-    told = tuple(figure_verdicts(found.figures, task.curves, sheets, marked, allowed, empty, figures))
+    told = tuple(figure_verdicts(found.figures, task.curves, sheets, marked, allowed, filled, figures))
     yield from told
     shown = BesideTables(read, figures, sheets, {one.kind for one in told})
     yield from table_verdicts(found.tables, task.tables, shown, by, sheet)
+    if (workings := tuple(_workings(sheet, found.tables))) and "form" in sheet.measured.metadata:
+        what = ", ".join(text.plain for text in workings)
+        yield Verdict("workings", None, "", verdict.WORKINGS, of=what, at=(workings[0].at, workings[0].at))
+
+
+def _workings(sheet: SeenSheet, tables: Drawn) -> Iterator[Text]:
+    """Give what a student has worked out beside tables and scales: a letter that is equal to a number."""
+    notes = [text.at for group in groups(sheet.leaf.groups) if group.name == NOTES for text in texts((group,))]
+    given = {*notes, *(text.at for table in tables for cell in table.cells.values() for text in cell.texts)}
+    for text in texts(sheet.leaf.groups) if notes else ():  # of a form that is taken apart nothing tells what is given
+        if text.at not in given and WORKING.fullmatch(text.plain):
+            yield text
 
 
 def _missing(plan: PlanAsked) -> Iterator[Verdict]:

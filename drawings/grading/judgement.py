@@ -13,6 +13,7 @@ from drawings.grading import verdict
 from drawings.grading.asked import Slip, VectorAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.verdict import Verdict
+from drawings.paper.limits import SEEN
 from geometry.board import Board, Mark
 from geometry.errors import DraftError
 from geometry.replay import redraw
@@ -80,20 +81,12 @@ def mistaken(force: Mark, drawn: Mapping[Mark, complex]) -> Iterator[Slip]:
     terms = force.step.inputs[2:]
     again = redraw(list(terms), drawn)
     for term in terms:
-        moment, name = np.ravel(again[term].point)[0], _named(term)
-        for kind, value in ((_turned(term), -moment), (verdict.FORGOTTEN, 0 * moment)):
+        moment, forced = np.ravel(again[term].point)[0], term.step.op == "moment"
+        name = term.step.inputs[2].name if forced else term.name  # what has the moment: a force, or a couple
+        for kind, value in ((verdict.MOMENT if forced else verdict.COUPLE, -moment), (verdict.FORGOTTEN, 0 * moment)):
             there = continued(force, {**drawn, term: complex(value)})
             if there is not None:
                 yield Slip(kind, there, name)
-
-
-def _named(term: Mark) -> str:
-    """Name what has a moment: a force by its letters, a couple by its own."""
-    return term.step.inputs[2].name if term.step.op == "moment" else term.name
-
-
-def _turned(term: Mark) -> str:
-    return verdict.MOMENT if term.step.op == "moment" else verdict.COUPLE
 
 
 # Parts whose turning to the wrong side has a name of its own, by how their letters begin.
@@ -127,7 +120,7 @@ class Judge:
     def _each(self) -> Iterator[Verdict]:
         """Judge vector by vector: a place that is wrong costs once, at the first arrow that ends there."""
         blamed = set[str]()
-        for vector in self.drawn.asked.vectors:
+        for vector in sorted(self.drawn.asked.vectors, key=lambda vector: vector.auxiliary):
             said = self._verdict(vector)
             if not said.good and said.kind not in (verdict.MISSING, *verdict.UNGRADED):
                 places = self._places(vector)
@@ -167,6 +160,8 @@ class Judge:
             return self._said(verdict.RIGHT, vector, off)
         if self._follows(vector, value):
             return self._said(verdict.FOLLOWS, vector, off)
+        if self.drawn.is_small(vector) and abs(value) < 2 * SEEN * self.drawn.scale:  # one of several as short
+            return self._said(verdict.SMALL, vector)
         slip = self._nearest(vector, value, vector.found.slips) if vector.found is not None else None
         if slip is None and vector.found is not None:
             # What is simply turned round may lie near one of them: it is that one only where it is twice as near.

@@ -151,14 +151,14 @@ def segments(leaf: Leaf, heads: Mapping[int, Collection[str]]) -> list[Segment]:
     unscaled = {
         id(stroke) for group in groups(leaf.groups) if group.data.get("kind") == FORCE for stroke in group.strokes
     }
-    straight = [line for line in strokes if (isinstance(line, Line) or _straight(line)) and id(line) not in unscaled]
+    inked = (line for line in strokes if id(line) not in unscaled and isinstance(line, Line | Polyline))
+    straight = [
+        line for line in inked
+        if isinstance(line, Line) or (len(line.points) == 2 and line.style.colour != "none")
+    ]  # fmt: skip
     double = [line for line in straight if {BEGIN, END} <= set(heads.get(id(line), ()))]
     back = (Segment(end, start, True) for start, end, _ in (_segment(line, heads, tips) for line in double))
     return [*(_segment(line, heads, tips) for line in straight), *back]
-
-
-def _straight(stroke: Stroke) -> bool:
-    return isinstance(stroke, Polyline) and len(stroke.points) == 2 and stroke.style.colour != "none"
 
 
 def _tips(stroke: Stroke) -> Iterator[complex]:

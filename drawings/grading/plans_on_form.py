@@ -16,11 +16,12 @@ from drawings.grading.form_place import FormPlace, place_of
 from drawings.grading.onlooker import JOINED, Segment, figures, spelled
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Box, Text
+from plans.linkage.plan import POLES
 
 FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
 CLOSE = 8.0  # mm: nor one that is farther from a line without an arrowhead
 HEADING = 80.0  # mm: and a scale from its plan
-UNSURE, SHARE = 8.0, 0.2  # mm within which a letter is as near to another arrow; how far out one is drawn otherwise
+UNSURE = 8.0  # mm within which a letter is as near to another arrow: the one that is drawn less otherwise has it
 ALIKE = 0.05  # of a vector: an arrow that bears no letter is the one that it is so near to
 TOLD = 2  # vectors more that are right say that two letters stand in each other's place
 BACKWARD = 4.0  # mm that an arrow is farther from the letters of its ends if it is drawn back to front
@@ -58,10 +59,11 @@ def plans_on_form(
             taken[here].extend(joined)
     bare = [line for line in lines if not line.headed]
     for here, arrows in taken.items():
-        near = [line for line in bare if here.holds((line.start, line.end))]
-        drawn = _LetteredArrows(expected[here.plan], labels, scale_at(here, texts, expected[here.plan])).drawn(
-            arrows, near
-        )
+        near, due, known = [line for line in bare if here.holds((line.start, line.end))], expected[here.plan], labels
+        if here.pole is not None and any(abs(line.start - here.pole) <= JOINED for line in arrows):
+            pole = POLES.get(due.plan, "")  # of which the form tells where it stands
+            known = {**labels, spelled(pole): [Label(Text(here.pole, pole), here.pole)]}
+        drawn = _LetteredArrows(due, known, scale_at(here, texts, due)).drawn(arrows, near)
         if arrows or drawn.arrows:
             yield drawn
 
@@ -117,7 +119,8 @@ class _LetteredArrows(NamedTuple):
         fits, best = self._right(found), found
         if self.scale is None or fits == len(self._named):
             return found
-        letters = dict.fromkeys(spelled(letter) for vector in self._named for letter in _bearers(vector))
+        lettered = ([vector.letter] if vector.letter else vector.letters for vector in self._named)
+        letters = dict.fromkeys(spelled(letter) for bearers in lettered for letter in bearers)
         for first, second in combinations((letter for letter in letters if letter in self.labels), 2):
             swapped = {**self.labels, first: self.labels[second], second: self.labels[first]}
             other = self._replace(labels=swapped)._matches(self._named, arrows)
@@ -172,8 +175,8 @@ class _LetteredArrows(NamedTuple):
 
     def _match(self, asked: VectorAsked, arrow: Segment, reach: float) -> _Match:
         """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
-        off = abs((arrow.end - arrow.start) * (self.scale or 0.0) - asked.true)
-        unsure = UNSURE if self.scale and off > SHARE * abs(asked.true) else 0.0
+        off = abs(arrow.end - arrow.start - asked.true / self.scale) if self.scale else 0.0
+        unsure = UNSURE * asked.auxiliary + min(off, UNSURE)
         if asked.letter:
             distances = (_distance(label.place, arrow) for label in self.labels.get(spelled(asked.letter), ()))
             away = min(distances, default=math.inf)
@@ -188,10 +191,6 @@ class _LetteredArrows(NamedTuple):
 
 def _arrows(found: Matches) -> dict[tuple[str, str], Arrow]:
     return {letters: Arrow(match.arrow.start, match.arrow.end) for letters, match in found.items()}
-
-
-def _bearers(vector: VectorAsked) -> tuple[str, ...]:
-    return (vector.letter,) if vector.letter else vector.letters
 
 
 def _both_ways(

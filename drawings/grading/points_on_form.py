@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from drawings.checks.hold import Label, distance
-from drawings.grading.asked import PlanAsked, VectorAsked
+from drawings.grading.asked import PlanAsked
 from drawings.grading.curves.drawn_figure import foot
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
 from drawings.grading.form_place import KIND, FormPlace
@@ -27,7 +27,9 @@ def points_on_form(
     spots = [spot for stroke in strokes for spot in _ends(stroke)]
     datum, found = (place.pole or 0j) - place.value / place.scale, dict[str, complex]()
     for vector in plan.vectors:
-        at = _at(datum + vector.true / place.scale, spots, strokes, list(_letters(vector, plan, labels)))
+        letter = spelled(vector.title or vector.end)  # alone, or with the number of the position
+        named = [label for name in (letter, f"{letter}{plan.position}") for label in labels.get(name, ())]
+        at = _at(datum + vector.true / place.scale, spots, strokes, named)
         found |= {} if at is None else {vector.end: at}
     arrows = {("", name): Arrow(datum, spot) for name, spot in found.items()}
     some = len(arrows) >= (1 if plan.plan == POSITIONS.plan else len(plan.vectors) / 2)
@@ -52,12 +54,6 @@ def _ends(stroke: Stroke) -> Sequence[complex]:
         case Circle():
             return (stroke.centre,)
     return ()
-
-
-def _letters(vector: VectorAsked, plan: PlanAsked, labels: Mapping[str, Sequence[Label]]) -> Iterator[Label]:
-    """Give the labels of a point: by its letter, alone or with the number of the position."""
-    letter = spelled(vector.title or vector.end)
-    yield from (label for name in (letter, f"{letter}{plan.position}") for label in labels.get(name, ()))
 
 
 def _at(due: complex, spots: Sequence[complex], strokes: Sequence[Stroke], labels: Sequence[Label]) -> complex | None:

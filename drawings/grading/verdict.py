@@ -42,6 +42,7 @@ SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE = "sign", "decade", "degrees", "
 ILLEGIBLE, UNTABLED = "illegible", "untabled"
 # Of what stands there twice and differs, and of a plan whose arrows are not all found by their letters.
 DOUBLED, UNNAMED = "doubled", "unnamed"
+WORKINGS = "workings"  # numbers that are written beside the tables: told to be unread, and nothing hangs on them
 
 GOOD: Final = (RIGHT, FOLLOWS)
 OF_PLANS: Final = (
@@ -50,7 +51,7 @@ OF_PLANS: Final = (
 )  # fmt: skip
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART, HEADLESS)
 UNSEEN: Final = (UNREAD, UNGROUPED, ILLEGIBLE, UNTABLED, DOUBLED, UNNAMED)  # what somebody has to look at himself
-UNGRADED: Final = (DEAD, SMALL, *UNSEEN)
+UNGRADED: Final = (DEAD, SMALL, WORKINGS, *UNSEEN)
 # By which a quantity is wrong that may keep a share of its points.
 OF_QUANTITIES: Final = (
     MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, ASIDE,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import TypeAlias
 
 from drawings.files.atomic_files import write
 from drawings.grading import verdict
@@ -22,18 +22,13 @@ from plans.words.words import Message, message
 MOST = 40  # places in one picture
 
 
-class WrongPlace(NamedTuple):
-    """What is wrong at a place of a sheet: in words, and from where to where it lies, mm, y up."""
-
-    told: str
-    start: complex
-    end: complex
+WrongPlace: TypeAlias = tuple[str, complex, complex]  # in words, and from where to where it lies, mm, y up
 
 
 def picture(source: bytes, paper: tuple[float, float], title: str, spots: Sequence[WrongPlace]) -> bytes:
     """Draw a sheet with the places of what is wrong."""
-    wrong = [Verdict("", None, spot.told, verdict.WRONG, at=(spot.start, spot.end)) for spot in spots[:MOST]]
-    return annotated(source, paper, title, wrong, [spot.told for spot in spots[:MOST]])
+    wrong = [Verdict("", None, told, verdict.WRONG, at=(start, end)) for told, start, end in spots[:MOST]]
+    return annotated(source, paper, title, wrong, [said.name for said in wrong])
 
 
 # Findings of a file that was saved again, with nothing on it changed: a file is no sheet.
@@ -75,7 +70,7 @@ def assert_sheet_matches(sheet: HandedSheet | FilePath, scene: Assignment | File
     wrong = [finding for finding in held.checked.findings if finding.kind not in RESAVED]
     if wrong:
         edits = [said.edit for said in wrong if said.edit is not None]
-        spots = [WrongPlace(edit.told.worded(drawn.language), edit.at, edit.at) for edit in edits]
+        spots = [(edit.told.worded(drawn.language), edit.at, edit.at) for edit in edits]
         head = message("accept.other", sheet=drawn.path.name, scene=_scene(drawn).originals.path.name)
         lines = [finding.told.worded(drawn.language) for finding in wrong]
         raise AssertionError(_worded(drawn, head, lines, held.paper, spots))
@@ -99,7 +94,7 @@ def _assert_none(sheet: HandedSheet, graded: Graded, wrong: Sequence[Verdict], h
     if wrong:
         lines = [line for said in gathered(wrong) for line in _lines(sheet, graded, said)]
         say = partial(without_values, hints={}, language=sheet.language)
-        spots = [WrongPlace(say(said), *said.at) for said in wrong if said.at is not None]
+        spots = [(say(said), *said.at) for said in wrong if said.at is not None]
         raise AssertionError(_worded(sheet, head, lines, graded.paper, spots))
 
 

@@ -32,9 +32,8 @@ def test_a_plan_on_a_form_is_the_one_that_its_pole_is_for_whatever_an_editor_did
 @pytest.mark.parametrize(("moved", "wrong"), [(0j, set()), (0.05 + 0j, {"wrong"})])
 def test_the_plan_of_positions_is_read_by_its_points(moved: complex, wrong: set[str]) -> None:
     own, leaf = task("shaper"), form_leaf("shaper")
-    plan = next(
-        plan for plan in own.plans if plan.plan == "positions" and plan.place in {one.plan for one in form_places(leaf)}
-    )
+    places = {one.plan for one in form_places(leaf)}
+    plan = next(plan for plan in own.plans if plan.plan == "positions" and plan.place in places)
     graded = grade(position_on_form(leaf, plan, moved), SheetTask((plan,)), Allowances())
     assert {one.kind for one in graded.verdicts} == {"right", *wrong}
 
@@ -47,6 +46,15 @@ def test_a_polygon_on_a_form_is_that_of_its_place_though_it_does_not_keep_within
     graded = grade(source, SheetTask(own.plans), Allowances())
     assert {one.kind for one in graded.verdicts if one.plan == "couples"} == {"right"}
     assert {one.plan for one in graded.wrong} == {"unbalances"}  # which is not drawn
+
+
+def test_of_a_form_of_several_pages_due_is_what_has_its_place_on_this_one() -> None:
+    own, leaf = task("oscillating-cylinder"), form_leaf("oscillating-cylinder")
+    placed = {one.plan: one.scale for one in form_places(leaf)}
+    plans = [plan for plan in own.plans if plan.place in placed and plan.lettered]
+    source = on_form(leaf, plans, placed[plans[0].place]).replace(b"</svg>", b'<text x="150" y="9">J = 2</text></svg>')
+    graded = grade(source, SheetTask(own.plans), Allowances())
+    assert {one.kind for one in graded.verdicts if one.plan != "positions"} == {"right", "workings"}
 
 
 @pytest.mark.rest

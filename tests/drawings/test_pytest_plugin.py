@@ -12,13 +12,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from drawings.pytest_plugin.assertions import (
-    WrongPlace,
-    assert_close_to_analysis,
-    assert_sheet_matches,
-    assert_well_drawn,
-    picture,
-)
+from drawings.pytest_plugin.assertions import assert_close_to_analysis, assert_sheet_matches, assert_well_drawn, picture
 from drawings.pytest_plugin.assignment import AcceptanceError, Assignment
 from drawings.pytest_plugin.handed_sheet import HandedSheet, NotDrawnError, ReadAngle, handed
 from tests.drawings.students import TABLED, drawn, task, true_places
@@ -172,7 +166,7 @@ def test_what_the_teacher_writes_wrong_is_no_fault_of_a_sheet(right: Path, scene
 
 def test_a_picture_shows_the_place_and_nothing_runs_in_it() -> None:
     source = b'<svg xmlns="http://www.w3.org/2000/svg"><script>alert(1)</script></svg>'
-    spots = [WrongPlace("an arrow <b>", 100 + 50j, 110 + 50j), WrongPlace("a letter", 20 + 30j, 20 + 30j)]
+    spots = [("an arrow <b>", 100 + 50j, 110 + 50j), ("a letter", 20 + 30j, 20 + 30j)]
     shown = picture(source, (420.0, 297.0), "ann.svg", spots)
     assert b'x1="100.000" y1="247.000" x2="110.000" y2="247.000"' in shown
     assert b'<circle cx="20.000" cy="267.000"' in shown

@@ -215,7 +215,7 @@ class _Own:
             unit,
             largest,
             hand,
-            told=hand is not None or self._is_told(key),
+            told=hand is not None or self.sought[1] != "values",  # where it lies by a dead centre
             position=int(place) if self.sought[1] in POSITIONS and place.isdigit() else position,
             read=read,
             reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
@@ -229,7 +229,8 @@ class _Own:
         written = number((Text(0j, plain),))
         off = abs(written.value - value) if written is not None and value else 0.0
         rough = off <= 0.5 * 10.0 ** (math.floor(math.log10(abs(value) or 1.0)) + 1 - SURE)
-        return max(_half(plain), off if rough else 0.0) + expected.allowed + ROUNDED * abs(value)
+        half = 0.5 * 10.0 ** -len(plain.replace(",", ".").partition(".")[2])
+        return max(half, off if rough else 0.0) + expected.allowed + ROUNDED * abs(value)
 
     def _called(self, key: Key, quantity: str) -> tuple[str, str]:
         """Give what a cell is called beside its position, and its place among those of its quantity."""
@@ -244,16 +245,12 @@ class _Own:
         """Give the quantity of a cell and its unit."""
         label, head = self.labels[key[0]], self.heads[key[2]]
         named = head if self.across else label
-        unit = next((unit for text in (head, label) if (unit := _unit(text.plain))), "")
+        unit = next((text.plain.rpartition(", ")[2] for text in (head, label) if ", " in text.plain), "")
         return _marked(named), unit
 
     def _value(self, key: Key) -> float | None:
         """Give the number that is due in a cell; of a text, and of what rounding decides, none."""
         return _due(self.cells[key].expected) if key in self.cells else None
-
-    def _is_told(self, key: Key) -> bool:
-        """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""
-        return self.sought[1] != "values"
 
     def _scales(self, sheet: Original) -> Iterator[tuple[str, float]]:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
@@ -277,10 +274,6 @@ def _bare(plain: str) -> str:
     return plain.rpartition(", ")[0] if ", " in plain else plain
 
 
-def _unit(plain: str) -> str:
-    return plain.rpartition(", ")[2] if ", " in plain else ""
-
-
 def _marked(text: Text) -> str:
     """Write the name of a quantity with its indices as verdicts do.
 
@@ -288,8 +281,3 @@ def _marked(text: Text) -> str:
     'a^n_BA'
     """
     return _bare("".join(MARKS[run.level] + run.text for run in text.runs))
-
-
-def _half(plain: str) -> float:
-    """Give half of the last digit of a number that we have written."""
-    return 0.5 * 10.0 ** -len(plain.replace(",", ".").partition(".")[2])

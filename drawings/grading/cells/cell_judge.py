@@ -44,8 +44,7 @@ class BesideTables(NamedTuple):
         """Give what the student's own plans and graphs show for a cell, and what may be out in reading it off."""
         every = (*self._sizes(cell, language), *self._ordinates(cell, cell.allowed(by, rough), language))
         yield from ((value, cell.pricked(by, rough, scale)) for value, scale in every)
-        rate = None if cell.reading is None else self._rate(cell.reading, cell.position)
-        if rate is not None:
+        for rate in () if cell.reading is None else self._rates(cell.reading, cell.position):
             yield rate, cell.allowed(by, rough)
 
     def _sizes(self, cell: CellAsked, language: str) -> Iterator[tuple[float, float]]:
@@ -74,11 +73,12 @@ class BesideTables(NamedTuple):
                 if here and abs(true - cell.true) <= near and not np.isnan(value):
                     yield float(value), asked.scale
 
-    def _rate(self, reading: Reading, position: int | None) -> float | None:
-        """Give a rate as it is read off the student's own plans."""
+    def _rates(self, reading: Reading, position: int | None) -> Iterator[float]:
+        """Give a rate as it is read off the student's own plans: square to the arm, and by all of the vector."""
         again = redraw(list(reading), drawn_places(self._of(position)))
         arm, turning = (spot_of(again[mark]) for mark in reading)
-        return None if arm is None or turning is None or arm == 0 else (turning / arm).imag
+        if arm and turning is not None:
+            yield from ((turning / arm).imag, math.copysign(abs(turning / arm), (turning / arm).imag))
 
     def _of(self, position: int | None) -> list[DrawnPlan]:
         return [plan for plan in self.plans if plan.asked.position == position]
@@ -160,17 +160,13 @@ class CellJudge:
         for value, allowed in self.shown.shown(cell, self.by, self.rough, self.asked.language):
             if _apart(written.value, value, cell.unit) <= allowed + written.rounding:
                 return self._said(key, verdict.FOLLOWS if off > allowed else verdict.RIGHT, off)
-        rows = (other.altered for other in self.asked.cells.values() if self._is_again(other, cell))
+        told = cell.quantity, cell.unit
+        same = (other for other in self.asked.cells.values() if (other.quantity, other.unit) == told)
+        rows = (other.altered for other in same if abs(other.true - cell.true) <= ALIKE * abs(cell.true))  # both roads
         altered = [value for row in rows for kind, value in row if kind in self.shown.mistakes]
         if any(_apart(written.value, value, cell.unit) <= self._allowed(key) for value in altered):
             return self._said(key, verdict.FOLLOWS, off)
         return self._said(key, verdict.WRONG, off)
-
-    @staticmethod
-    def _is_again(other: CellAsked, cell: CellAsked) -> bool:
-        """Tell whether a cell is another, or tells the same by the other road."""
-        same = other.quantity == cell.quantity and other.unit == cell.unit
-        return other is cell or (same and abs(other.true - cell.true) <= ALIKE * abs(cell.true))
 
     def _allowed(self, key: Key, times: float = 1.0) -> float:
         return self.asked.cells[key].allowed(self.by, self.rough) * abs(times) + self._numbers[key].rounding
@@ -237,11 +233,11 @@ class CellJudge:
         return max(abs(value - due) / min(may, ALIKE * abs(due)) if due else math.inf for value, due, may in rows)
 
     def _beside(self, key: Key, step: int) -> float | None:
-        """Give the true value of a quantity so many places further."""
+        """Give the true value of a quantity so many places further; the last of a turn goes before the first."""
         cells = self.asked.cells
         row = [other for other in self._keys if cells[other].quantity == cells[key].quantity and other[2] == key[2]]
-        k = row.index(key) + step
-        return cells[row[k]].true if 0 <= k < len(row) else None
+        row.sort(key=lambda other: cells[other].position or 0)
+        return cells[row[(row.index(key) + step) % len(row)]].true
 
     def _other(self, key: Key, quantity: str) -> float | None:
         """Give the true value of another quantity in the same place."""

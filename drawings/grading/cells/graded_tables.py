@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
-from drawings.grading.cells.asked_table import CellAsked, TableAsked
+from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.cell_judge import BesideTables, CellJudge
 from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, ruling, tables_seen
 from drawings.grading.verdict import Verdict
@@ -75,13 +75,9 @@ def _filled(asked: TableAsked, cells: Mapping[Key, SeenCell]) -> bool:
 def _fit(table: SeenTable, asked: TableAsked, sheet: SeenSheet) -> tuple[int, bool, int]:
     """Give how many cells of a table are asked for, whether its sheet is titled so, how many cells are as they must."""
     keys = [key for key in table.cells if key in asked.cells]
-    said = sum(_says(table.cells[key], asked.cells[key]) for key in keys)
+    written = ((number(table.cells[key].texts, asked.cells[key].unit), asked.cells[key]) for key in keys)
+    said = sum(one is not None and abs(one.value - cell.true) <= cell.printed for one, cell in written)
     return len(keys), sheet.leaf.title in asked.titles, said
-
-
-def _says(drawn: SeenCell, asked: CellAsked) -> bool:
-    written = number(drawn.texts, asked.unit)
-    return written is not None and abs(written.value - asked.true) <= asked.printed
 
 
 def table_verdicts(
@@ -94,8 +90,10 @@ def table_verdicts(
     there = {found_.asked.sought for found_ in found}
     for table in asked:
         if table.sought not in there and set(table.sheets) & shown.sheets:
-            lost = [] if _stands(table, found, sheet) else list(_missing(table, {}, shown.sheets, sheet))
-            yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]
+            stands, data = _stands(table, found, sheet), sheet.measured.metadata
+            lost = [] if stands else list(_missing(table, {}, shown.sheets, sheet))
+            if lost or stands or "form" not in data or data.get("of") == 1:  # else it is on another page of the form
+                yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]
 
 
 def _missing(asked: TableAsked, cells: Mapping[Key, SeenCell], sheets: Set[str], sheet: SeenSheet) -> Iterator[Verdict]:

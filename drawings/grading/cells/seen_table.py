@@ -121,15 +121,11 @@ def _on(rule: Rule, place: float) -> bool:
 
 def _once(places: Iterable[float]) -> list[float]:
     """Give places from the least to the greatest, those that are one once."""
-    return list(_ruling_apart(sorted(places)))
-
-
-def _ruling_apart(places: Iterable[float]) -> Iterator[float]:
-    last = None
-    for place in places:
-        if last is None or place - last > LEVEL:
-            yield place
-            last = place
+    found = list[float]()
+    for place in sorted(places):
+        if not found or place - found[-1] > LEVEL:
+            found.append(place)
+    return found
 
 
 Key: TypeAlias = tuple[str, int | None, str]  # a row, the position of a column, and its heading, as they are seen
@@ -172,7 +168,7 @@ def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
     columns = _columns([head for head in inside if head[0].imag > box.low and head[0].real > box.right], edges)
     if not columns or len(floors) < 2:
         return None
-    heads = {folded(head.plain): head for whole, _ in columns for head in _split(whole)}
+    heads = {_worded(head): head for whole, _ in columns for head in _split(whole)}
     cells, labels = dict[Key, SeenCell](), dict[str, Text]()
     for low, high in pairwise(floors):
         row = [_cell(sheet, inside, CellFrame(left, low, right, high)) for left, right in pairwise(edges)]
@@ -182,8 +178,13 @@ def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
         labels.setdefault(label, row[0].texts[0])
         for (head, position), cell in zip(columns, row[1:], strict=True):
             for part in _split(head):
-                cells.setdefault((label, position, folded(part.plain)), cell)
+                cells.setdefault((label, position, _worded(part)), cell)
     return SeenTable(corner, heads, labels, cells)
+
+
+def _worded(head: Text) -> str:
+    """Give a heading as it is seen: what is counted from a datum may be headed as what it is."""
+    return folded(head.plain).lstrip("Δ∆")
 
 
 def _split(head: Text | None) -> Iterator[Text]:

@@ -74,24 +74,20 @@ class _CamSheet:
             VELOCITY: self.expected.after.slope,
             TRAVEL: self.expected.after.s,
         }
-        courses = {VELOCITY: self.cam.velocity, TRAVEL: self.cam.travel}
+        courses, other = {VELOCITY: self.cam.velocity, TRAVEL: self.cam.travel}, self.cam.swapped
         for key, row in self.cam.rows.items():
             plan = law_named(self.expected.cam, key)
             marks = self.sheet.vectors(plan)
             if marks:
-                chorded = key in ABOVE
+                chorded, law = key in ABOVE, None if other is None else np.asarray(1j * self.cam.law(other, key))
+                swapped = () if law is None else (Mistake(verdict.PHASES, law),)
                 yield from self.sheet.figure(
                     key, plan, by_number(marks), np.asarray(1j * row.after), kind=ORDINATES, stepped=chorded,
                     slack=np.abs(row.after - exact[key]), linear=chorded,
                     paper=self.sheet.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
                     course=courses.get(key), why=because("integral_chord") if chorded else None,
-                    mistakes=tuple(self._phases(key)),
+                    mistakes=swapped,
                 )  # fmt: skip
-
-    def _phases(self, key: str) -> Iterator[Mistake]:
-        other = self.cam.swapped
-        if other is not None:
-            yield Mistake(verdict.PHASES, np.asarray(1j * self.cam.law(other, key)))
 
     @cached_property
     def _ends(self) -> dict[tuple[str, int | None], int]:
@@ -195,7 +191,7 @@ class _CamSheet:
 
     def radii(self) -> Iterator[FigureAsked]:
         """Give the radii of the finished profile, of a cam that translates its ordinates."""
-        yield from self.sheet.figure(RADII, RADII)
+        yield from self.sheet.figure(RADII, RADII, curved=tuple(range(len(self.sheet.marks(RADII)))))
 
     def _inverted(self) -> Iterator[Mistake]:
         """Give the profile inverted the wrong way, mirrored, of another side, other phases or another least radius."""

@@ -107,9 +107,9 @@ def figures_of_diagrams(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked
 
 
 def _figure(sheet: SceneSheet, rows: Mapping[str, ExpectedRow], key: str, speed: float) -> Iterator[FigureAsked]:
-    row, plan = rows[key], named(key)
+    row, plan, k = rows[key], named(key), KEYS.index(key)
     marks, places = sheet.vectors(plan), {number: k for k, number in reversed(list(enumerate(row.axis.numbers)))}
-    above = _above(key)
+    above = KEYS[k - 1] if k else None  # that it is the derivative of
     whole = bool(np.isclose(row.axis.turned[-1] - row.axis.turned[0], TURN))
     paper = sheet.paper(plan, row.axis.turned, places)
     course = None if above is None else Slope(above, rows[above].at, row.at, row.axis.turned / speed, whole)
@@ -119,12 +119,6 @@ def _figure(sheet: SceneSheet, rows: Mapping[str, ExpectedRow], key: str, speed:
         why=None if above is None else because("derivative_point"),
         loose=frozenset(np.flatnonzero(np.isnan(rows[VELOCITY].at)).tolist()),
     )  # fmt: skip
-
-
-def _above(key: str) -> str | None:
-    """Give the diagram that another is the derivative of."""
-    k = KEYS.index(key)
-    return KEYS[k - 1] if k else None
 
 
 def _slack(row: ExpectedRow) -> Floats:

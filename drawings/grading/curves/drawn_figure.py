@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from statistics import median
 
@@ -65,27 +65,31 @@ def _feet(line: Complexes, spots: Complexes) -> Complexes:
     return np.asarray(line[:-1] + np.clip((apart * run.conj()).real / long, 0.0, 1.0) * run)
 
 
-def heights(curve: Complexes, places: Floats, due: Floats | None = None) -> Floats:
+def heights(curve: Complexes, places: Floats, dues: Sequence[Floats] = ()) -> Floats:
     """Give how high a curve is over some places, mm, behind a jump; NaN where it does not reach.
 
-    At a jump both values are drawn: where it is known what is due, the nearer one counts.
+    At a jump both values are drawn: the nearer one counts, to that of some curves to which all of it is nearest.
 
     >>> curve = np.array([0j, 1 + 1j, 1 + 5j, 2 + 5j])
     >>> heights(curve, np.array([0.5, 1.0, 2.0, 4.0])).tolist()
     [0.5, 5.0, 5.0, nan]
-    >>> heights(curve, np.array([0.9, 1.1]), np.array([5.0, 1.0])).round(2).tolist()
+    >>> heights(curve, np.array([0.9, 1.1]), [np.array([5.0, 1.0])]).round(2).tolist()
     [5.0, 0.75]
     """
     start, end = curve[:-1], curve[1:]
     turned = end.real < start.real
     low, high = np.where(turned, end, start), np.where(turned, start, end)
     found = np.array([[_height(low, high, float(place + by)) for place in places] for by in (0.0, -BESIDE, BESIDE)])
-    if due is None:
-        return np.asarray(found[0])
     upright = (high.real - low.real <= UPRIGHT) & (np.abs(high.imag - low.imag) > THROUGH)
     jumps = (np.abs(low.real[upright] - np.asarray(places)[:, None]) <= BESIDE).any(axis=1)
-    nearest = np.nanargmin(np.where(np.isnan(found), np.inf, np.abs(found - due)), axis=0)
-    return np.asarray(np.where(jumps, found[nearest, np.arange(len(places))], found[0]))
+    apart = (np.where(np.isnan(found), np.inf, np.abs(found - due)) for due in dues)
+    ways = [np.where(jumps, found[rows.argmin(axis=0), np.arange(len(places))], found[0]) for rows in apart]
+    return np.asarray(min(zip(ways, dues, strict=True), key=nearness, default=(found[0], found[0]))[0])
+
+
+def nearness(both: tuple[Floats, Floats]) -> float:
+    """Tell how far a curve is in all from another one."""
+    return float(np.nansum(np.abs(both[0] - both[1])))
 
 
 def _height(low: Complexes, high: Complexes, place: float) -> float:
@@ -119,6 +123,7 @@ class DrawnFigure:
     free: bool = False  # whether it was drawn on the axes of a form, without marks
     mu: float = 0.0  # true units a mm as it is drawn there
     doubled: bool = False  # whether another curve, which differs, is drawn on its axes
+    outlined: bool = False  # whether its scale may be written in outlines
     lines: tuple[Complexes, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
 
     def off(self, expected: Complexes) -> Floats:
@@ -144,8 +149,9 @@ class DrawnFigure:
             own, before = PRICKED * max(1.0, self.mu / self.asked.scale), np.maximum(error**2 - PRICKED**2, 0.0)
             return np.asarray(plain * np.sqrt(own**2 + before) + self.asked.slack)
         scales = [self.mu, self.mu, *behind]
+        most = expected * max(1.0, self.mu / self.asked.scale)  # on a form that is coarser so much more
         return np.asarray(
-            np.minimum(plain * PRICKED * float(np.hypot.reduce(scales)) / self.asked.scale + self.asked.slack, expected)
+            np.minimum(plain * PRICKED * float(np.hypot.reduce(scales)) / self.asked.scale + self.asked.slack, most)
         )
 
     @property

@@ -60,9 +60,10 @@ class _GradedDynamics:
     def graphs(self) -> Iterator[FigureAsked]:
         """Give the graphs over the turn in the order in which they are drawn."""
         turn = TurnCourses(self.expected)
+        undriven = Mistake(verdict.UNDRIVEN, np.asarray(-1j * self.expected.graphs[WORKS]))
         yield from self._graph(MOMENTS, mistakes=tuple(self._unloaded()))
         yield from self._graph(WORKS, (MOMENTS,), turn.works)
-        yield from self._graph(SURPLUS, (WORKS,), turn.surplus, tuple(self._undriven()))
+        yield from self._graph(SURPLUS, (WORKS,), turn.surplus, (undriven,))  # the works of the loads alone
         yield from self._graph(INERTIA)
 
     def _graph(
@@ -95,10 +96,6 @@ class _GradedDynamics:
                 values = after.copy()
                 values[low:high] = 0.0
                 yield Mistake(verdict.UNLOADED, np.asarray(1j * values))
-
-    def _undriven(self) -> Iterator[Mistake]:
-        """Give the surplus without what the drive gives."""
-        yield Mistake(verdict.UNDRIVEN, np.asarray(-1j * self.expected.graphs[WORKS]))
 
     def loop(self) -> Iterator[FigureAsked]:
         """Give the loop, its tangents, what they cut off, and the speeds that follow from it."""

@@ -171,21 +171,19 @@ class _Answer:
         size = float((np.abs(base[there]) ** 2).sum())
         if size and asked.kind != BEARINGS:
             factor = float((drawn * base[there].conj()).real.sum() / size)
-            factor = self._larger(base[there]) if self.drawn.lines else factor
+            if self.drawn.lines:  # by what they reach farther
+                most = max(float(np.abs(line).max()) for line in self.drawn.lines)
+                factor = most / float(np.abs(base[there]).max())
             if factor > 0:
                 yield Mistake(verdict.FACTOR, factor * base), factor
         if asked.kind == ORDINATES:
             away = asked.way * float(np.median(((drawn - base[there]) / asked.way).real))
             yield Mistake(verdict.LEVEL, base + away), None
 
-    def _larger(self, base: Complexes) -> float:
-        """Give by what factor drawn lines reach farther than what is due."""
-        return max(float(np.abs(line).max()) for line in self.drawn.lines) / float(np.abs(base).max())
-
     def verdicts(self) -> Iterator[Verdict]:
         """Judge the figure as a whole, then each value that is asked for."""
         if not self.drawn.written:
-            yield self._said(verdict.UNSCALED)
+            yield self._said(verdict.ILLEGIBLE if self.drawn.outlined else verdict.UNSCALED)
         if self.drawn.shift:
             yield self._said(verdict.SHIFTED)
         if self.mistake is not None:
@@ -240,26 +238,22 @@ def figures_drawn(drawn_sheet: SeenSheet, asked: Sequence[FigureAsked]) -> dict[
     """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
     sheets: dict[str, list[DrawnFigure]] = {}
     for figure in asked:
-        drawn = _drawn(figure, drawn_sheet)
+        drawn = from_marks(figure, drawn_sheet) or from_form(figure, drawn_sheet)
         if drawn is not None:
             sheets.setdefault(figure.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
-    for sheet in sorted(sheets, key=lambda name: _likeness(sheets[name]), reverse=True):
+    for sheet in sorted(sheets, key=lambda name: _likeness(sheets[name], drawn_sheet.leaf.title), reverse=True):
         plans = {drawn.asked.plan for found in kept.values() for drawn in found}
         if plans.isdisjoint(drawn.asked.plan for drawn in sheets[sheet]):
             kept[sheet] = tuple(sheets[sheet])
     return kept
 
 
-def _drawn(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
-    return from_marks(asked, sheet) or from_form(asked, sheet)
-
-
-def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
+def _likeness(found: Sequence[DrawnFigure], title: str) -> tuple[int, bool, float]:
     """Tell how much of a sheet is there, and how near it is: sheets of several cams have figures of one name."""
     pairs = ((figure.asked, figure.values) for figure in found)
     apart = [np.nanmean(asked.off(values, asked.true)) / (asked.largest or 1.0) for asked, values in pairs]
-    return sum(len(figure.arrows) for figure in found), -float(np.mean(apart))
+    return sum(len(figure.arrows) for figure in found), found[0].asked.title == title, -float(np.mean(apart))
 
 
 def figure_verdicts(
@@ -268,14 +262,14 @@ def figure_verdicts(
     sheets: Collection[str],
     marked: Collection[str],
     allowed: Callable[[FigureAsked], Floats],
-    empty: Collection[str] = (),
+    filled: Mapping[str, bool] | None = None,
     kept: list[tuple[FigureAsked, Complexes]] | None = None,
 ) -> Iterator[Verdict]:
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
 
     `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
-    cannot be read, nor on a form what has no line of its own there. On the axes of `empty` ones nothing is drawn. What
-    all figures are to the student is `kept`.
+    cannot be read, nor on a form what has no line of its own there. Of a form due is what it has axes or a place for,
+    `filled` or not. What all figures are to the student is `kept`.
     """
     for sheet in dict.fromkeys(figure.sheet for figure in asked):
         figures, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
@@ -289,11 +283,11 @@ def figure_verdicts(
                 yield from judge.verdicts(one, one.allowed(allowed(figure), scales))
                 continue
             judge.pass_by(figure)
-            if (found and (_is_graph(figure) or not any(drawn.free for drawn in found))) or (
-                sheet in marked or figure.plan in empty
-            ):
+            if filled is not None and not (figure.plan in filled and (figure.curved or _is_graph(figure))):
+                continue
+            if sheet in marked or (found if filled is None else not filled[figure.plan]):
                 yield from _missing(figure)
-            elif _is_graph(figure) or figure.curved or not any(drawn.free for drawn in found):
+            else:
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
         if kept is not None:
             kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]

@@ -114,6 +114,7 @@ class FigureAsked:
     curved: tuple[int, ...] = ()  # the places that one line goes through, and may be read off it
     edges: tuple[str, ...] = ()  # the names of all its places, where not its marks alone have them
     units: Mapping[str, str] = field(default_factory=dict)  # of its scales that are neither of its values nor of SI
+    title: str = ""  # of its sheet
 
     @property
     def scale(self) -> float:
@@ -237,18 +238,15 @@ class SceneSheet(NamedTuple):
     def over(self, plan: str, feet: Complexes, abscissas: Floats) -> Paper | None:
         """Give where a graph lies whose ordinates have some feet: the longest line of it that has all."""
         group = group_named(self.leaf.groups, plan)
-        lines = (stroke for stroke in flat(() if group is None else (group,)) if isinstance(stroke, Line))
-        whole = (line for line in lines if line.start != line.end and _through(line, feet))
+        strokes = flat(() if group is None else (group,))
+        lines = (line for line in strokes if isinstance(line, Line) and line.start != line.end)
+        ways = ((line, (line.end - line.start) / abs(line.end - line.start)) for line in lines)
+        whole = (line for line, way in ways if (np.abs(((feet - line.start) / way).imag) <= FLUSH).all())
         axis = max(whole, key=lambda line: abs(line.end - line.start), default=None)
         return None if axis is None else Paper((axis.start, axis.end), feet, abscissas)
 
 
 WRITTEN = 1e-3  # of a scale: three digits are written at the least
-
-
-def _through(line: Line, feet: Complexes) -> bool:
-    along = (line.end - line.start) / abs(line.end - line.start)
-    return bool((np.abs(((feet - line.start) / along).imag) <= FLUSH).all())
 
 
 def named_by_quantity(mark: MeasuredVector | MeasuredPoint) -> str:
@@ -275,7 +273,8 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
         figures = dict[str, FigureAsked]()
         for figure in named(row)(originals.study, shown):
             mistakes = (*(_altered(figure, other) for other in others), *figure.mistakes)
-            figures[figure.key] = replace(figure, mistakes=mistakes, error=_by_hand(figure, figures))
+            error, title = _by_hand(figure, figures), sheet.leaf.title
+            figures[figure.key] = replace(figure, mistakes=mistakes, error=error, title=title)
         yield from figures.values()
 
 

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
+from drawings.checks.hold import off
 from drawings.checks.readers import Frame
-from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, away, chains, foot, heights
+from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, away, chains, foot, heights, nearness
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import Arrow
-from drawings.grading.form_place import form_places
+from drawings.grading.form_place import FormPlace, form_places
 from drawings.grading.written_number import stated_scales
-from drawings.paper.strokes import Group, Line, Stroke
+from drawings.lettering.lettering import bounds
+from drawings.paper.strokes import Curve, Fill, Group, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups, texts
 from drawings.reading.sheet import SeenSheet
 from plans.model.motion import Complexes, Floats
@@ -22,6 +25,7 @@ FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of t
 NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs
 OVER = 1.3  # of the axes: so far a line may reach that is drawn on them
 ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
+HEADED, LETTERS = 5, 3  # corners that an arrowhead has at the most; outlines of letters that a scale has at the least
 FLUSH, SHORT = 0.1, 8.0  # mm: how far lines of axes may be off, and no tick is longer
 SHIFTED = 0.3  # of what a graph is out by where it stands, and it is less out a position beside: it is shifted
 
@@ -45,6 +49,15 @@ class Blank(NamedTuple):
         head = complex((self.origin.real + self.right) / 2, self.top)
         near = sorted(texts(sheet.leaf.groups), key=lambda text: abs(text.at - head))
         return stated_scales((text for text in near if abs(text.at - head) <= NEAR), letters)
+
+    def is_outlined(self, sheet: SeenSheet) -> bool:
+        """Tell whether letters turned to outlines, small filled figures of many corners, stand where scales do."""
+        head = complex((self.origin.real + self.right) / 2, self.top)
+        filled = (stroke for stroke in flat(_ink(sheet)) if isinstance(stroke, Fill | Polyline | Curve))
+        inked = (stroke for stroke in filled if stroke.style.fill != "none")
+        boxes = [bounds(stroke) for stroke in inked if isinstance(stroke, Curve) or len(stroke.points) > HEADED]
+        near = (box for box in boxes if off(head, box) <= NEAR and max(box[2] - box[0], box[3] - box[1]) < SHORT)
+        return len(list(near)) >= LETTERS
 
     def lines(self, sheet: SeenSheet) -> Iterator[Complexes]:
         """Give the lines and chains that lie within the axes."""
@@ -118,12 +131,17 @@ def _curves(sheet: SeenSheet, plan: str) -> Iterator[Complexes]:
             yield curve
 
 
-def empty_axes(sheet: SeenSheet) -> frozenset[str]:
-    """Give the plans on whose axes nothing is drawn that might be a curve."""
-    return frozenset(
-        plan for plan, blank in every_axes(sheet).items()
-        if next(_curves(sheet, plan), None) is None and next(blank.lines(sheet), None) is None
-    )  # fmt: skip
+def places_filled(sheet: SeenSheet) -> dict[str, bool]:
+    """Tell by the plans that a form has axes or a place for whether anything is drawn there that might be a curve."""
+    filled = {place.plan[0]: bool(_within(sheet, place)) for place in form_places(sheet.leaf)}
+    for plan, blank in every_axes(sheet).items():
+        filled[plan] = any(True for lines in (_curves(sheet, plan), blank.lines(sheet)) for _ in lines)
+    return filled
+
+
+def _within(sheet: SeenSheet, place: FormPlace) -> list[Complexes]:
+    """Give the lines that may be curves whose middles lie within a place."""
+    return [line for line in chains(_ink(sheet)) if place.off(complex(line.mean())) == 0]
 
 
 def from_form(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
@@ -147,14 +165,19 @@ def _course(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure |
     if across is None or up is None or not lines:
         return None
     places = asked.paper.along / across
-    known = (asked.true, -asked.true, *(mistake.values for mistake in asked.mistakes))
-    dues = [(values / asked.way).real / up for values in known]
+    dues = _dues(asked, up)
     read = (np.array([_nearest(lines, spot) for spot in (places + 1j * expected).tolist()]) for expected in dues)
-    high, _ = min(zip(read, dues, strict=True), key=lambda row: float(np.nansum(np.abs(row[0] - row[1]))))
+    high, _ = min(zip(read, dues, strict=True), key=nearness)
     if not np.isfinite(high).any():
         return None
     arrows = _arrows(Frame(blank.origin, 1 + 0j, 1j, 1.0, 1.0), places, high)
-    return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True)
+    return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True, mu=up)
+
+
+def _dues(asked: FigureAsked, mu: float) -> list[Floats]:
+    """Give the heights that a graph may have: by analysis, all the other way, by the mistakes that have names; mm."""
+    known = (asked.true, -asked.true, *(mistake.values for mistake in asked.mistakes))
+    return [(np.where(np.isnan(values), asked.true, values) / asked.way).real / mu for values in known]
 
 
 def _nearest(lines: Iterable[Complexes], expected: complex) -> float:
@@ -188,7 +211,7 @@ def _line(asked: FigureAsked, sheet: SeenSheet, blank: Blank | None) -> DrawnFig
         if place is None or place.pole is None:
             return None
         pole, scales = place.pole, dict.fromkeys(asked.scales, place.scale)
-        lines = [line for line in chains(_ink(sheet)) if place.off(complex(line.mean())) == 0]
+        lines = _within(sheet, place)
     if not lines:
         return None
     written = asked.scales.keys() <= scales.keys()
@@ -206,6 +229,7 @@ def _line(asked: FigureAsked, sheet: SeenSheet, blank: Blank | None) -> DrawnFig
         free=True,
         mu=across if not asked.on_paper else 0.0,
         lines=true,
+        outlined=not written and blank is not None and blank.is_outlined(sheet),
     )
 
 
@@ -252,9 +276,9 @@ def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | 
     ways = (1 + 0j,) if asked.way == 1j else (1j, -1j)
     frames = (Frame(blank.origin, along, asked.way, 1.0, 1.0) for along in ways)
     mu = written.get(tuple(asked.scales)[-1])
-    due = None if mu is None else np.asarray((asked.true / asked.way).real / mu)
+    dues = [] if mu is None else _dues(asked, mu)
     found = [
-        curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step, due, blank.ticks)
+        curve for frame in frames for curve in _read(sheet, asked, frame, asked.paper.along / step, dues, blank.ticks)
     ]
     best = max(found, key=lambda curve: int((~np.isnan(curve.high)).sum()), default=None)
     if best is None or np.isnan(best.high).all():
@@ -263,7 +287,8 @@ def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | 
     values = np.asarray(asked.way * high * (mu or _fitted(asked, high)))
     doubled = any(curve.is_graph and curve.differs(best) for curve in found) and best.is_graph
     arrows = _arrows(best.frame, best.places + shift, high)
-    return DrawnFigure(asked, values, arrows, mu is not None, shift, free=True, mu=mu or 0.0, doubled=doubled)
+    drawn = DrawnFigure(asked, values, arrows, mu is not None, shift, free=True, mu=mu or 0.0, doubled=doubled)
+    return replace(drawn, outlined=not drawn.written and blank.is_outlined(sheet))
 
 
 def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
@@ -274,7 +299,7 @@ def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
 
 
 def _read(
-    sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats, due: Floats | None, ticks: Sequence[float]
+    sheet: SeenSheet, asked: FigureAsked, frame: Frame, stations: Floats, dues: list[Floats], ticks: Sequence[float]
 ) -> Iterator[ReadCurve]:
     """Give the heights of each curve over the places, mm, and those a position to either side."""
     places = stations - stations[0]
@@ -283,9 +308,9 @@ def _read(
     beside = max(steps)
     for curve in _curves(sheet, asked.plan):
         drawn = frame.true(curve)
-        if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places[-1] + 2 * beside + PLACED:
+        if drawn.real.min() >= -beside - PLACED and drawn.real.max() <= places.max() + 2 * beside + PLACED:
             shifts = {by: heights(drawn, places + by) for step in steps for by in (-step, step)}
-            yield ReadCurve(frame, places, heights(drawn, places, due), shifts, drawn)
+            yield ReadCurve(frame, places, heights(drawn, places, dues), shifts, drawn)
 
 
 def _step(blank: Blank, written: Mapping[str, float], turn: float | None) -> float | None:

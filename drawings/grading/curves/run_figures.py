@@ -141,13 +141,15 @@ def tachogram(sheet: SceneSheet, constructed: MachineRun | None, exact: MachineR
     paper = sheet.over(TACHOGRAM, np.asarray(zero + t / scales["t"]), t)
     # An instant is pricked too: on a steep curve it moves the speed that is read there.
     steep = np.abs(np.interp(t, constructed.t, constructed.epsilon)) * scales["t"] / scales["ω"]
+    ends = np.concatenate(([0.0], t[[k for k, name in enumerate(names) if _ends(name)]]))
+    straight = np.interp(t, ends, np.interp(ends, *_rising(exact)))  # as if the moments of a stage were constant
     yield FigureAsked(
         key=TACHOGRAM, plan=TACHOGRAM, sheet=sheet.name, unit=marks[first].unit,
         scales={"t": scales["t"], "ω": scales["ω"]},
         items=tuple(ValueAsked(name, None, k, f"ω({name})") for k, name in enumerate(names)),
         true=np.asarray(1j * true), slack=np.abs(true - drawn), error=PRICKED * np.hypot(1.0, steep), kind=ORDINATES,
         paper=None if paper is None else paper._replace(turn=None), why=because("run_stage"),
-        mistakes=tuple(_straight(exact, names, t)),
+        mistakes=(Mistake(verdict.STRAIGHT, np.asarray(1j * straight)),),
     )  # fmt: skip
 
 
@@ -172,13 +174,6 @@ def _rising(run: MachineRun) -> tuple[Floats, Floats]:
     return run.t[kept], run.omega[kept]
 
 
-def _straight(run: MachineRun, names: list[str], t: Floats) -> Iterator[Mistake]:
-    """Give a tachogram whose stages are straight, as if their moments were constant."""
-    at = [k for k, name in enumerate(names) if _ends(name)]
-    ends = np.concatenate(([0.0], t[at]))
-    yield Mistake(verdict.STRAIGHT, np.asarray(1j * np.interp(t, ends, np.interp(ends, *_rising(run)))))
-
-
 def bare_speeds(sheet: SceneSheet, expected: AnalysedTurn, exact: AnalysedTurn) -> Iterator[FigureAsked]:
     """Give the graph of the speeds without the flywheel."""
     marks, before = sheet.vectors(BEFORE), expected.account.before
@@ -188,11 +183,13 @@ def bare_speeds(sheet: SceneSheet, expected: AnalysedTurn, exact: AnalysedTurn) 
     divisions, sure = expected.task.divisions, exact.account.before
     places = np.searchsorted(turned, TURN * np.arange(divisions) / divisions - KNOWN).tolist()
     paper = sheet.paper(BEFORE, turned, dict(enumerate(places)))
+    omega = expected.omega
+    flywheeled = () if omega is None else (Mistake(verdict.FLYWHEEL, np.asarray(1j * omega)),)
     behind = (SURPLUS, INERTIA) if sheet.vectors(SURPLUS) and sheet.vectors(INERTIA) else ()
     yield from sheet.figure(
         BEFORE, BEFORE, by_number(marks, dict(enumerate(places))), np.asarray(1j * before.omega), kind=ORDINATES,
         scales={"ω": next(iter(marks.values())).scale}, paper=paper, why=because("speed_by_energy"), behind=behind,
-        slack=np.abs(before.omega - (before if sure is None else sure).omega), mistakes=tuple(_flywheeled(expected)),
+        slack=np.abs(before.omega - (before if sure is None else sure).omega), mistakes=flywheeled,
         course=Bare(before) if behind else None,
     )  # fmt: skip
 
@@ -212,9 +209,3 @@ class Bare:
             return np.full(len(surplus), complex(np.nan, np.nan))
         omega = np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia)
         return np.asarray(1j * omega)
-
-
-def _flywheeled(expected: AnalysedTurn) -> Iterator[Mistake]:
-    """Give the speeds with the flywheel, drawn where those without it are asked for."""
-    if expected.omega is not None:
-        yield Mistake(verdict.FLYWHEEL, np.asarray(1j * expected.omega))
