@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from plans.study import Made, Study
     from plans.words.words import Message
 
-TECHNIQUES: Final = ("linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam")
+TECHNIQUES: Final = ("linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "transfer")
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
 

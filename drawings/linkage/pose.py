@@ -1,0 +1,72 @@
+"""One position of a linkage as a scheme of its own, on which constructions are drawn (схема одного положения)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from drawings.kinds.outlines import Poses
+from drawings.kinds.scheme import frame_number, link_numbers
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels, free_side
+from drawings.lettering.words import with_index
+from drawings.linkage.guides import axes, grounds
+from drawings.linkage.skeleton import Pairs, Skeletons, reference
+from drawings.paper.strokes import Group, Stroke
+from drawings.symbols.figure import Subject
+from drawings.symbols.symbols import ARROW_LENGTH, fit_dashes
+from drawings.symbols.trimming import trim
+from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME
+from plans.model.motion import Motion
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Pose(Skeletons):
+    """A mechanism in one position alone; mass centres that no point names are not shown."""
+
+    @property
+    def masses(self) -> dict[str, tuple[int, complex]]:  # type: ignore[override]
+        """No mass centres but those that are points."""
+        return {}
+
+    @property
+    def points(self) -> list[complex]:  # type: ignore[override]
+        """All true points of the position."""
+        return [spot for name in self.numbered.points if not math.isnan((spot := self.spot(name, 0)).real)]
+
+
+def pose(study: LinkageStudy, motion: Motion, k: int) -> Pose:
+    """Give a position of a motion as the one that is shown."""
+    points = {name: np.asarray(moved.r[k : k + 1]) for name, moved in motion.points.items()}
+    turns = {number: np.exp(1j * moved.angle[k : k + 1]) for number, moved in motion.links.items()}
+    poses = Poses(study.mechanism.links, points, {FRAME: np.ones(1, dtype=np.complex128)} | turns)
+    return Pose(study, motion, poses, poses, None, 0)
+
+
+def scheme(pairs: Pairs, subject: Subject, over: Iterable[Stroke] = ()) -> Iterator[Group]:
+    """Draw the links with their pairs, stands and guides, and over the links, under the pairs, what stands on them."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    body, stands, blocks = list(pairs.bars()), list(pairs.stands()), [block for _, block in pairs.blocks]
+    ink = Ink()
+    ink.draw([*body, *blocks, *stands])
+    yield Group(tuple(fit_dashes(trim(axes(bones, place, hand), pairs.masks))), "guides")
+    yield Group(tuple(grounds(pairs, ink)), "grounds")
+    yield Group((*blocks, *body, *pairs.corners()), "shown-position")
+    yield Group(tuple(over), "construction")
+    yield Group((*stands, *pairs.marks(subject, reference(bones.mechanism))), "pairs")
+
+
+def letters(pairs: Pairs, also: Mapping[str, Sequence[str]], labels: Labels) -> Iterator[Stroke]:
+    """Letter the points, some of them with what `also` lies there, and number the links and the frame."""
+    bars = list(pairs.bars())
+    for name, value in pairs.named.items():
+        spot, clear = pairs.place.on(value), pairs.clear(name)
+        side = free_side(spot, bars, clear + ARROW_LENGTH)
+        text = ", ".join(dict.fromkeys((with_index(name), *also.get(name, ()))))
+        yield labels.beside(spot, text, pairs.sheet.letter, clear + 1.0, side)
+    yield from link_numbers(pairs, pairs.bones.links, labels, pairs.sheet)
+    yield from frame_number(pairs, labels, pairs.sheet)

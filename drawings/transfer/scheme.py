@@ -1,0 +1,182 @@
+"""The scheme of a mechanism in one position with the turned velocity plan on it (схема с повёрнутым планом)."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from drawings.kinds.vector_plan import LEAST, SAME
+from drawings.kinds.working import READING, ScaleFactor, Workings, at_scale
+from drawings.layout.labels import Labels
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.lettering.words import with_index
+from drawings.linkage.pose import Pose, letters, scheme
+from drawings.linkage.skeleton import Pairs
+from drawings.page.page import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Group, Line, Polyline, Stroke, Text
+from drawings.symbols.figure import SQUARE, Subject, around, heading, vector
+from drawings.transfer.angles import EqualAngle, RightAngle, equal_angles, right_angles
+from geometry.board import Mark, at, behind
+from plans.transfer.turned import TURNED, TurnedPlan
+
+MARGINS = Margins(3.5, 3.5, 2.5)
+LETTERS = 26.0  # it is drawn at least so many of its letters large
+BEYOND = 6.0  # mm that a line of known direction is drawn past its meeting
+BESIDE = 1.6  # mm from an image to its letter
+RADIUS, APART, PAST = 9.0, 1.6, 3.0  # mm: of the arc of an angle, between two arcs, of a side past the arc
+
+
+class TurnedScheme(NamedTuple):
+    """A scheme to be drawn with the turned plan of its position; the plan's column is the position's number."""
+
+    bones: Pose
+    plan: TurnedPlan
+    column: int
+
+    @property
+    def name(self) -> str:
+        """The name of the figure."""
+        return f"turned-{self.column}"
+
+    @property
+    def marks(self) -> list[Mark]:
+        """What of the plan is drawn: all that the named points and the ratios rest on."""
+        turning = (reading.turning for reading in self.plan.readings.values())
+        found = behind(*self.plan.images.values(), *turning)
+        return [mark for mark in found if mark.subject == TURNED]
+
+    @property
+    def images(self) -> list[Mark]:
+        """The images but for the pole."""
+        return [mark for mark in self.marks if mark.rays]
+
+    def on(self, mark: Mark) -> complex:
+        """Give the place of an image in the position, m."""
+        return at(mark.point, self.column)
+
+    @property
+    def vectors(self) -> list[tuple[Mark, Mark]]:
+        """The vectors by their ends: each image from the pole, and from the image that it was found from."""
+        pole = self.plan.pole
+        kept = {mark for mark in self.images if mark.step.op == "meet" or mark in self.plan.images.values()}
+        found = [(pole, mark) for mark in self.images if mark in kept]
+        found += [(start, mark) for mark in self.images for start, _ in mark.rays if start.rays]
+        return list(dict.fromkeys(found))
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [*self.bones.points, *(self.on(mark) for mark in self.images)]
+
+
+def measure(shown: TurnedScheme, drafting: Drafting) -> Picture:
+    """Measure the room of a scheme with its plan."""
+    title = text_width(Text(0j, _title(shown, drafting), drafting.hand.title))
+    least = LETTERS * drafting.hand.letter
+    return picture(shown.name, shown.points, ("l", "m"), around(MARGINS, drafting.hand), title, least)
+
+
+def draw(shown: TurnedScheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw it in its spot: links thinner than the vectors of the plan."""
+    place, hand = room.place(*spot), drafting.hand
+    pairs = Pairs(shown.bones, place, hand)
+    subject = Subject(TURNED, "r", shown.column)
+    angles = list(_angles(shown, place, hand))
+    title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
+    plan = Group((*_rays(shown, place, hand), *_vectors(shown, subject, place, hand)), "turned-plan")
+    lines = (title, *scheme(pairs, subject, angles), plan)
+    return LetteredFigure(shown.name, lines, partial(_letters, shown, pairs))
+
+
+def _title(shown: TurnedScheme, drafting: Drafting) -> str:
+    return drafting.word("turned plan", position=shown.column)
+
+
+def _rays(shown: TurnedScheme, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the lines in whose meetings images were found, a little past these."""
+    for mark in shown.images:
+        for line in mark.step.inputs if mark.step.op == "meet" else ():
+            start, end = place.on(shown.on(line.step.inputs[0])), place.on(shown.on(mark))
+            if abs(end - start) >= LEAST:
+                yield Line(start, end + (end - start) / abs(end - start) * BEYOND * hand.symbol, hand.drafted)
+
+
+def _vectors(shown: TurnedScheme, subject: Subject, place: Place, hand: Hand) -> Iterator[Group]:
+    for start, end in shown.vectors:
+        ends = shown.on(start), shown.on(end)
+        if place.length(abs(ends[1] - ends[0])) >= LEAST:
+            style = hand.result if start is shown.plan.pole else hand.relative
+            yield vector(subject, f"{start.name} {end.name}", ends, place, style)
+
+
+def _angles(shown: TurnedScheme, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Mark right angles, and equal ones by as many arcs each."""
+    for right in right_angles(shown.images, shown.column, place):
+        yield _corner(right, place, hand)
+    points = {name: shown.bones.spot(name, 0) for name in shown.bones.numbered.points}
+    for count, equal in enumerate(equal_angles(shown.plan, points, shown.column, place), 1):
+        yield from _equal(equal, count, place, hand)
+
+
+def _corner(right: RightAngle, place: Place, hand: Hand) -> Stroke:
+    spot, (first, second) = place.on(right.vertex), (way * SQUARE * hand.symbol for way in right.ways)
+    return Polyline((spot + first, spot + first + second, spot + second), False, hand.drafted)
+
+
+def _equal(equal: EqualAngle, count: int, place: Place, hand: Hand) -> Iterator[Stroke]:
+    radii = [(RADIUS + APART * k) * hand.symbol for k in range(count)]
+    for vertex, ways in ((equal.image, equal.on_plan), (equal.point, equal.on_scheme)):
+        spot, turn = place.on(vertex), cmath.phase(ways[1] / ways[0])
+        start = cmath.phase(ways[0] if turn > 0 else ways[1])
+        yield from (Arc(spot, radius, start, start + abs(turn), hand.drafted) for radius in radii)
+    spot, reach = place.on(equal.point), radii[-1] + PAST * hand.symbol
+    yield from (Line(spot, spot + reach * way, hand.drafted) for way in equal.on_scheme)
+
+
+def _letters(shown: TurnedScheme, pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
+    """Letter the points with the images that lie on them, then all other images."""
+    place = pairs.place
+    spots = {mark: place.on(shown.on(mark)) for mark in shown.images}
+    on_points: dict[str, list[str]] = {}
+    alone: dict[complex, list[str]] = {}
+    for mark, spot in spots.items():
+        name = next((name for name, value in pairs.named.items() if abs(place.on(value) - spot) < SAME), "")
+        near = next((known for known in alone if abs(known - spot) < SAME), spot)
+        (on_points.setdefault(name, []) if name else alone.setdefault(near, [])).append(with_index(mark.name))
+    yield from letters(pairs, on_points, labels)
+    pole = place.on(0j)
+    for spot, names in alone.items():
+        away = cmath.phase(spot - pole) if abs(spot - pole) > SAME else 0.0
+        yield labels.beside(spot, ", ".join(dict.fromkeys(names)), pairs.sheet.letter, BESIDE, away)
+
+
+class ReadRatio(NamedTuple):
+    """How a transfer function is read off the plan: its letter, the segments that it is the ratio of, their sizes, m."""
+
+    letter: str
+    segments: tuple[str, ...]
+    sizes: tuple[float, ...]
+    value: float
+
+
+def working(shown: TurnedScheme, read: Sequence[ReadRatio], drafting: Drafting) -> Workings:
+    """Write beside a scheme how its transfer functions are read off."""
+    lines = at_scale(lambda scale: [_line(ratio, ScaleFactor(scale, "l", drafting)) for ratio in read])
+    return Workings(READING, shown.name, lines, drafting)
+
+
+def _line(ratio: ReadRatio, factor: ScaleFactor) -> tuple[str, ...]:
+    drafting, sign = factor.drafting, "−" if ratio.value < 0 else ""
+    size = drafting.number(ratio.value)
+    if len(ratio.segments) > 1:
+        written = "/".join(factor.length(part) for part in ratio.sizes)
+        return f"{ratio.letter} = {sign}{'/'.join(ratio.segments)}", f"{sign}{written}", size
+    return (
+        f"{ratio.letter} = {sign}{factor.true(ratio.segments[0])}",
+        f"{sign}{factor.of_drawn(ratio.sizes[0])}",
+        f"{size} {drafting.word('m')}",
+    )

@@ -1,0 +1,141 @@
+"""The sheet of transfer functions: schemes with turned plans, graphs, table of values (лист передаточных функций)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Final
+
+import numpy as np
+
+from drawings.kinds import curve_graph
+from drawings.kinds.curve_graph import NUMBER, GraphCurve, bounded, swing
+from drawings.layout import value_table
+from drawings.layout.table import RuledTable
+from drawings.lettering.words import with_index
+from drawings.linkage.pose import pose
+from drawings.linkage.positions import of_linkage, position
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.kind import FRAME, GRAPH, SheetKind
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
+from drawings.transfer import scheme
+from drawings.transfer.due import expected
+from drawings.transfer.letters import markup, named, told
+from drawings.transfer.scheme import ReadRatio, TurnedScheme, working
+from geometry.board import at
+from plans.linkage.quantities import MotionComparison
+from plans.model.motion import POSITIONS
+from plans.quantity import by_hand
+from plans.study import Study
+from plans.transfer.quantities import Course, TransferComparison, courses, output_course
+from plans.transfer.reading import TransferForm
+from plans.transfer.study import TRANSFER, TransferStudy
+
+LARGEST = 3.0  # times the least size at which a graph is legible
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's transfer functions."""
+    sheet = _TransferSheet(study.of(TransferStudy), study.of(TransferComparison), study.of(MotionComparison))
+    return lay_out(study.scene, [sheet.draft])
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class _TransferSheet:
+    """What the sheets are drawn from."""
+
+    study: TransferStudy
+    comparison: TransferComparison
+    motion: MotionComparison
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.study.linkage.scene)
+
+    @cached_property
+    def positions(self) -> tuple[int, ...]:
+        """The positions whose turned plans are drawn: those that are asked for and can be assembled."""
+        linkage = self.study.linkage
+        asked = linkage.scene.of(TransferForm).transfer.positions or linkage.form.sheet.plans
+        chosen = asked or (position(linkage, self.comparison.motion),)
+        return tuple(k for k in chosen if not np.isnan(self.comparison.construction.links[linkage.output.link].omega[k]))
+
+    @property
+    def draft(self) -> Draft:
+        """Title, figures, table and notes."""
+        schemes = [self._scheme(k) for k in self.positions]
+        shows: list[Exhibit | Caption] = []
+        for shown in schemes:
+            read = working(shown, self._read(shown.column), self.drafting)
+            shows.append(exhibit(scheme, shown, self.drafting, weight=1.5, together=shown.name))
+            shows.append(Caption(read.panel._replace(together=shown.name), read.write, of=read.of))
+        shows += [exhibit(curve_graph, curve, self.drafting, LARGEST) for curve in self._graphs()]
+        title, facts = self.drafting.word("transfer sheet title"), partial(figures_facts, turned=list(self.positions))
+        tables = tuple(self._tables())
+        return Draft(TRANSFER, title, tuple(shows), tables, tuple(self._notes()), facts, later=self._by_hand)
+
+    def _scheme(self, k: int) -> TurnedScheme:
+        return TurnedScheme(pose(self.study.linkage, self.comparison.construction, k), self.study.turned, k)
+
+    def _graphs(self) -> Iterator[GraphCurve]:
+        """The output's transfer functions over the turn."""
+        course = output_course(self.study)
+        if course is None:
+            return
+        phi, sense = self.study.linkage.turn.phi, self.study.linkage.sense
+        stations, angles = np.degrees(sense * (phi - phi[0])) % 360, np.degrees(self.study.angles)
+        dense, found = course.rows(self.study.around()), course.rows(self.comparison.construction)
+        for order, name in enumerate(course.names):
+            values, letter = bounded(dense[order], found[order]), markup(name)
+            shown = (angles, values, stations, found[order])
+            kind = ("ratio graph", "ratio slope graph") if isinstance(course.of, int) else ("slope graph", "second slope graph")
+            title = self.drafting.word(kind[order], letter=letter)
+            curve = GraphCurve(letter, course.unit or NUMBER, *shown, title, name=f"transfer-{order + 1}", states=name)
+            yield swing(curve._replace(shown=self.positions))
+
+    def _tables(self) -> Iterator[RuledTable]:
+        """Tell by both roads what moves; nothing of what stays zero."""
+        lines = [
+            value_table.value_row(found, named(found, self.drafting), self.positions, self.drafting.language)
+            for found in told(self.comparison)
+        ]
+        if self.positions and lines:
+            yield value_table.table(lines, self.positions, self.drafting)
+
+    def _by_hand(self, scales: Mapping[str, float]) -> Mapping[tuple[str, int], float]:
+        """Give what a hand may be out: scheme and turned plan are drawn at one scale."""
+        errors: dict[tuple[str, int], float] = {}
+        for k in self.positions:
+            mu = scales.get(f"turned-{k}")
+            boards = {} if mu is None else {TRANSFER: mu, POSITIONS.plan: mu}
+            errors |= by_hand(self.comparison.findings, boards, k) if boards else {}
+        return errors
+
+    def _read(self, k: int) -> list[ReadRatio]:
+        return [self._ratio(course, k) for course in courses(self.study.linkage.mechanism)]
+
+    def _ratio(self, course: Course, k: int) -> ReadRatio:
+        start, end = course.shown(self.study.turned)
+        value, plan = float(np.atleast_1d(course.read(self.study.turned))[k]), self.study.turned
+        letter = markup(course.names[0])
+        if isinstance(course.of, int):
+            segments = tuple("".join(with_index(mark.name) for mark in part.step.inputs) for part in (end, start))
+            return ReadRatio(letter, segments, (abs(at(end.point, k)), abs(at(start.point, k))), value)
+        segment = with_index(plan.pole.name) + with_index(end.name)
+        return ReadRatio(letter, (segment,), (abs(at(end.point, k)),), value)
+
+    def _notes(self) -> Iterator[str]:
+        drive, word = self.study.linkage.mechanism.drive, self.drafting.word
+        image = with_index(self.study.turned.images[drive.end].name)
+        yield word("transfer read", crank=drive.link)
+        yield word("transfer turned", pole=drive.pivot, image=image, end=with_index(drive.end))
+        yield word("transfer second", crank=drive.link)
+        yield word("transfer angles")
+
+
+FORM: Final = {"turned-": FRAME, "transfer-": GRAPH}
+SCALES: Final = {"turned-": "transfer"}
+SHEETS: Final = {"transfer": SheetKind(leaves, expected, SCALES, of_linkage, figures=FORM, tables=("values",))}
