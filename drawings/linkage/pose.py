@@ -15,7 +15,7 @@ from drawings.layout.labels import Labels, free_side
 from drawings.lettering.words import with_index
 from drawings.linkage.guides import axes, grounds
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
-from drawings.paper.strokes import Group, Stroke
+from drawings.paper.strokes import Stroke
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import ARROW_LENGTH, fit_dashes
 from drawings.symbols.trimming import trim
@@ -29,12 +29,12 @@ class Pose(Skeletons):
     """A mechanism in one position alone; mass centres that no point names are not shown."""
 
     @property
-    def masses(self) -> dict[str, tuple[int, complex]]:  # type: ignore[override]
+    def masses(self) -> dict[str, tuple[int, complex]]:
         """No mass centres but those that are points."""
         return {}
 
     @property
-    def points(self) -> list[complex]:  # type: ignore[override]
+    def points(self) -> list[complex]:
         """All true points of the position."""
         return [spot for name in self.numbered.points if not math.isnan((spot := self.spot(name, 0)).real)]
 
@@ -47,17 +47,15 @@ def pose(study: LinkageStudy, motion: Motion, k: int) -> Pose:
     return Pose(study, motion, poses, poses, None, 0)
 
 
-def scheme(pairs: Pairs, subject: Subject, over: Iterable[Stroke] = ()) -> Iterator[Group]:
+def scheme(pairs: Pairs, subject: Subject, over: Iterable[Stroke] = ()) -> Iterator[Stroke]:
     """Draw the links with their pairs, stands and guides, and over the links, under the pairs, what stands on them."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     body, stands, blocks = list(pairs.bars()), list(pairs.stands()), [block for _, block in pairs.blocks]
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
-    yield Group(tuple(fit_dashes(trim(axes(bones, place, hand), pairs.masks))), "guides")
-    yield Group(tuple(grounds(pairs, ink)), "grounds")
-    yield Group((*blocks, *body, *pairs.corners()), "shown-position")
-    yield Group(tuple(over), "construction")
-    yield Group((*stands, *pairs.marks(subject, reference(bones.mechanism))), "pairs")
+    yield from fit_dashes(trim(axes(bones, place, hand), pairs.masks))
+    yield from (*grounds(pairs, ink), *blocks, *body, *pairs.corners(), *over, *stands)
+    yield from pairs.marks(subject, reference(bones.mechanism))
 
 
 def letters(pairs: Pairs, also: Mapping[str, Sequence[str]], labels: Labels) -> Iterator[Stroke]:

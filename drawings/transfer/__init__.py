@@ -1,1 +1,1 @@
-"""Transfer functions on their sheet: schemes with the turned plan, graphs, table, what is due (передаточные функции)."""
+"""Transfer functions on their sheet: turned plans, graphs, table, what is due (передаточные функции)."""

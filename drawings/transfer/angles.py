@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.layout.picture import Place
 from geometry.board import Mark, at
 from plans.transfer.turned import TurnedPlan, loci
 
 NEAR = 1e-6  # of a right angle: rounding, which is seen on no sheet
-SHORT = 12.0  # mm: on shorter sides no mark of an angle is drawn
 Ways = tuple[complex, complex]  # unit directions of the sides of an angle
 
 
@@ -38,13 +36,15 @@ class Sides(NamedTuple):
     ways: Ways
 
 
-def equal_angles(plan: TurnedPlan, points: dict[str, complex], column: int, place: Place) -> Iterator[EqualAngle]:
+def equal_angles(plan: TurnedPlan, points: dict[str, complex], column: int, least: float) -> Iterator[EqualAngle]:
     """Give for each named point that two lines find the angle between them, and the angle at the point itself.
+
+    On sides of less than the `least`, m, none is marked.
 
     Both lines turned with the velocities: where neither is a link's own, both are turned back by a quarter.
     """
     for name, image in plan.images.items():
-        sides = _sides(image, column, place)
+        sides = _sides(image, column, least)
         if sides is None or name not in points or _square(*sides.ways):
             continue
         squares = [line.step.op == "square" for line in sides.lines]
@@ -55,10 +55,10 @@ def equal_angles(plan: TurnedPlan, points: dict[str, complex], column: int, plac
         yield EqualAngle(sides.image, points[name], sides.ways, (sense * first, sense * second))
 
 
-def right_angles(marks: list[Mark], column: int, place: Place) -> Iterator[RightAngle]:
+def right_angles(marks: list[Mark], column: int, least: float) -> Iterator[RightAngle]:
     """Give the right angles between two lines at an image, and of lines square to a link at their beginning."""
     for mark in marks:
-        sides = _sides(mark, column, place)
+        sides = _sides(mark, column, least)
         if sides is None:
             continue
         if _square(*sides.ways):
@@ -69,13 +69,13 @@ def right_angles(marks: list[Mark], column: int, place: Place) -> Iterator[Right
                 yield RightAngle(start, (-way, -along / abs(along)))
 
 
-def _sides(image: Mark, column: int, place: Place) -> Sides | None:
+def _sides(image: Mark, column: int, least: float) -> Sides | None:
     lines = loci(image)
     if lines is None:
         return None
     vertex = at(image.point, column)
     rays = [at(line.step.inputs[0].point, column) - vertex for line in lines]
-    if min(place.length(abs(ray)) for ray in rays) < SHORT:
+    if min(map(abs, rays)) < least:
         return None
     return Sides(vertex, lines, (rays[0] / abs(rays[0]), rays[1] / abs(rays[1])))
 

@@ -12,15 +12,16 @@ import numpy as np
 
 from drawings.checks.expected import Expected, by_hand, by_roads, course
 from drawings.checks.hold import stated_keys
+from drawings.lettering.transfer_letters import named
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Key, Kind, Leaf
-from drawings.transfer.letters import named, told
 from plans.linkage.plan import PlanLetters
 from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS, Motion
 from plans.quantity import by_hand as slipping
 from plans.study import Study
-from plans.transfer.quantities import TransferComparison, output_course
+from plans.transfer.functions import output_functions
+from plans.transfer.quantities import TransferComparison, told
 from plans.transfer.study import TRANSFER, TransferStudy
 
 VALUES, SHORT = "values", 0.1  # mm: a shorter vector may be a point
@@ -61,7 +62,7 @@ class _ExpectedTransfer:
         return [k for leaf in self.leaves[:1] for k in leaf.metadata["turned"]]
 
     def _slack(self, plan: str, k: int) -> float:
-        return 2 * max((float(row.allowed[k]) for row in self.comparison.motion.of(plan)), default=0.0)
+        return 2 * max((float(row.allowed[k]) for row in self.comparison.even.of(plan)), default=0.0)
 
     def schemes(self) -> Iterator[Expected]:
         """Give the points of each scheme, and the vectors of its turned plan."""
@@ -76,9 +77,10 @@ class _ExpectedTransfer:
         """Give the vectors between images that are stated; those of moving points from the pole must be."""
         mechanism, slack = self.study.linkage.mechanism, self._slack("velocities", k)
         letters, pole = PlanLetters(mechanism), mechanism.drive.pivot
-        own = {f"{letters.small(name)}'": -1j * complex(moved.v[k]) for name, moved in self.motion.points.items()}
-        images = own | {f"{name}'": -1j * value for name, value in self._under(letters, k)} | {pole: 0j}
-        moving = {f"{letters.small(name)}'" for name in self.motion.points if name not in mechanism.links[FRAME].points}
+        written = {name: mark.name for name, mark in self.study.turned.images.items()}
+        images = {f"{name}'": -1j * value for name, value in self._under(letters, k)}
+        images |= {written[name]: -1j * complex(moved.v[k]) for name, moved in self.motion.points.items()} | {pole: 0j}
+        moving = {written[name] for name in self.motion.points if name not in mechanism.links[FRAME].points}
         due = {f"{pole} {name}" for name in moving if abs(images[name]) > short + slack}
         stated = {name for kind, plan, name, at in self.keys if (kind, plan, at) == (Kind.VECTOR, TRANSFER, k)}
         for name in sorted(due | stated):
@@ -102,12 +104,12 @@ class _ExpectedTransfer:
 
     def graphs(self) -> Iterator[Expected]:
         """Give the output's transfer functions over the turn, and their ordinates at the positions."""
-        of = output_course(self.study)
+        of = output_functions(self.study)
         if of is None:
             return
         linkage, turned = self.study.linkage, np.linspace(0.0, TURN, STEPS + 1)
         phi = np.append(linkage.turn.phi[0], linkage.turn.phi[0] + linkage.sense * np.radians(turned))
-        dense = [row[1:] for row in of.rows(self.comparison.road.around(phi))]
+        dense = [row[1:] for row in of.rows(self.comparison.even.road.around(phi))]
         stations = np.degrees(linkage.sense * (linkage.turn.phi - linkage.turn.phi[0])) % TURN
         for order, (name, values, at) in enumerate(zip(of.names, dense, of.rows(self.motion), strict=True), 1):
             allowed = next(float(np.nanmax(row.allowed)) for row in self.comparison.findings if row.name == name)
@@ -125,10 +127,12 @@ class _ExpectedTransfer:
             for k in self.positions:
                 mu = self.scales.get(f"turned-{k}")
                 boards = {} if mu is None else {TRANSFER: mu, POSITIONS.plan: mu}
-                error = slipping(self.comparison.findings, boards, k).get((found.name, k), math.nan) if boards else math.nan
+                error = (
+                    slipping(self.comparison.findings, boards, k).get((found.name, k), math.nan) if boards else math.nan
+                )
                 size = float(found.analysis[k]), float(found.allowed[k])
                 hand = by_hand(error, found.largest)
-                yield from by_roads(VALUES, named(found, self.drafting), size, hand, k, self.keys)
+                yield from by_roads(VALUES, named(found, self.drafting.language), size, hand, k, self.keys)
 
 
 def _swing(stations: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> tuple[float, float]:

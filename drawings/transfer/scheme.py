@@ -27,6 +27,7 @@ MARGINS = Margins(3.5, 3.5, 2.5)
 LETTERS = 26.0  # it is drawn at least so many of its letters large
 BEYOND = 6.0  # mm that a line of known direction is drawn past its meeting
 BESIDE = 1.6  # mm from an image to its letter
+SHORT = 0.02  # of the mechanism: on shorter sides no mark of an angle is drawn
 RADIUS, APART, PAST = 9.0, 1.6, 3.0  # mm: of the arc of an angle, between two arcs, of a side past the arc
 
 
@@ -68,6 +69,12 @@ class TurnedScheme(NamedTuple):
         return list(dict.fromkeys(found))
 
     @property
+    def equal(self) -> list[EqualAngle]:
+        """The angles of the plan that are those of the scheme."""
+        points = {name: self.bones.spot(name, 0) for name in self.bones.numbered.points}
+        return list(equal_angles(self.plan, points, self.column, SHORT * self.bones.reach))
+
+    @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
         return [*self.bones.points, *(self.on(mark) for mark in self.images)]
@@ -87,8 +94,8 @@ def draw(shown: TurnedScheme, room: Picture, spot: Spot, drafting: Drafting) -> 
     subject = Subject(TURNED, "r", shown.column)
     angles = list(_angles(shown, place, hand))
     title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
-    plan = Group((*_rays(shown, place, hand), *_vectors(shown, subject, place, hand)), "turned-plan")
-    lines = (title, *scheme(pairs, subject, angles), plan)
+    plan = (*_rays(shown, place, hand), *_vectors(shown, subject, place, hand))
+    lines = (title, *scheme(pairs, subject, angles), *plan)
     return LetteredFigure(shown.name, lines, partial(_letters, shown, pairs))
 
 
@@ -115,10 +122,9 @@ def _vectors(shown: TurnedScheme, subject: Subject, place: Place, hand: Hand) ->
 
 def _angles(shown: TurnedScheme, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Mark right angles, and equal ones by as many arcs each."""
-    for right in right_angles(shown.images, shown.column, place):
+    for right in right_angles(shown.images, shown.column, SHORT * shown.bones.reach):
         yield _corner(right, place, hand)
-    points = {name: shown.bones.spot(name, 0) for name in shown.bones.numbered.points}
-    for count, equal in enumerate(equal_angles(shown.plan, points, shown.column, place), 1):
+    for count, equal in enumerate(shown.equal, 1):
         yield from _equal(equal, count, place, hand)
 
 
@@ -141,12 +147,14 @@ def _letters(shown: TurnedScheme, pairs: Pairs, labels: Labels) -> Iterator[Stro
     """Letter the points with the images that lie on them, then all other images."""
     place = pairs.place
     spots = {mark: place.on(shown.on(mark)) for mark in shown.images}
+    written = shown.plan.letters
     on_points: dict[str, list[str]] = {}
     alone: dict[complex, list[str]] = {}
     for mark, spot in spots.items():
         name = next((name for name, value in pairs.named.items() if abs(place.on(value) - spot) < SAME), "")
         near = next((known for known in alone if abs(known - spot) < SAME), spot)
-        (on_points.setdefault(name, []) if name else alone.setdefault(near, [])).append(with_index(mark.name))
+        names = on_points.setdefault(name, []) if name else alone.setdefault(near, [])
+        names += map(with_index, (mark.name, *written.get(mark, ())))
     yield from letters(pairs, on_points, labels)
     pole = place.on(0j)
     for spot, names in alone.items():
@@ -155,7 +163,7 @@ def _letters(shown: TurnedScheme, pairs: Pairs, labels: Labels) -> Iterator[Stro
 
 
 class ReadRatio(NamedTuple):
-    """How a transfer function is read off the plan: its letter, the segments that it is the ratio of, their sizes, m."""
+    """How a transfer function is read off the plan: its letter, the ratio of which segments it is, m."""
 
     letter: str
     segments: tuple[str, ...]

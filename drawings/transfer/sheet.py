@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Final
@@ -13,6 +13,7 @@ from drawings.kinds import curve_graph
 from drawings.kinds.curve_graph import NUMBER, GraphCurve, bounded, swing
 from drawings.layout import value_table
 from drawings.layout.table import RuledTable
+from drawings.lettering.transfer_letters import markup, named
 from drawings.lettering.words import with_index
 from drawings.linkage.pose import pose
 from drawings.linkage.positions import of_linkage, position
@@ -23,16 +24,16 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from drawings.transfer import scheme
 from drawings.transfer.due import expected
-from drawings.transfer.letters import markup, named, told
 from drawings.transfer.scheme import ReadRatio, TurnedScheme, working
 from geometry.board import at
 from plans.linkage.quantities import MotionComparison
 from plans.model.motion import POSITIONS
 from plans.quantity import by_hand
 from plans.study import Study
-from plans.transfer.quantities import Course, TransferComparison, courses, output_course
+from plans.transfer.functions import TransferFunctions, functions, output_functions
+from plans.transfer.quantities import TransferComparison, told
 from plans.transfer.reading import TransferForm
-from plans.transfer.study import TRANSFER, TransferStudy
+from plans.transfer.study import TRANSFER, TransferStudy, sliding
 
 LARGEST = 3.0  # times the least size at which a graph is legible
 
@@ -60,8 +61,10 @@ class _TransferSheet:
         """The positions whose turned plans are drawn: those that are asked for and can be assembled."""
         linkage = self.study.linkage
         asked = linkage.scene.of(TransferForm).transfer.positions or linkage.form.sheet.plans
-        chosen = asked or (position(linkage, self.comparison.motion),)
-        return tuple(k for k in chosen if not np.isnan(self.comparison.construction.links[linkage.output.link].omega[k]))
+        chosen = asked or (position(linkage, self.comparison.even),)
+        return tuple(
+            k for k in chosen if not np.isnan(self.comparison.construction.links[linkage.output.link].omega[k])
+        )
 
     @property
     def draft(self) -> Draft:
@@ -75,14 +78,14 @@ class _TransferSheet:
         shows += [exhibit(curve_graph, curve, self.drafting, LARGEST) for curve in self._graphs()]
         title, facts = self.drafting.word("transfer sheet title"), partial(figures_facts, turned=list(self.positions))
         tables = tuple(self._tables())
-        return Draft(TRANSFER, title, tuple(shows), tables, tuple(self._notes()), facts, later=self._by_hand)
+        return Draft(TRANSFER, title, tuple(shows), tables, tuple(self._notes(schemes)), facts, later=self._by_hand)
 
     def _scheme(self, k: int) -> TurnedScheme:
         return TurnedScheme(pose(self.study.linkage, self.comparison.construction, k), self.study.turned, k)
 
     def _graphs(self) -> Iterator[GraphCurve]:
         """The output's transfer functions over the turn."""
-        course = output_course(self.study)
+        course = output_functions(self.study)
         if course is None:
             return
         phi, sense = self.study.linkage.turn.phi, self.study.linkage.sense
@@ -91,15 +94,15 @@ class _TransferSheet:
         for order, name in enumerate(course.names):
             values, letter = bounded(dense[order], found[order]), markup(name)
             shown = (angles, values, stations, found[order])
-            kind = ("ratio graph", "ratio slope graph") if isinstance(course.of, int) else ("slope graph", "second slope graph")
-            title = self.drafting.word(kind[order], letter=letter)
-            curve = GraphCurve(letter, course.unit or NUMBER, *shown, title, name=f"transfer-{order + 1}", states=name)
-            yield swing(curve._replace(shown=self.positions))
+            curve = swing(GraphCurve(letter, course.unit or NUMBER, *shown, shown=self.positions, states=name))
+            kind = "slope" if order else "ratio" if isinstance(course.of, int) else "way"
+            title = self.drafting.word(f"{kind} {'turn' if curve.closed else 'swing'}", letter=letter)
+            yield curve._replace(title=title, name=f"transfer-{order + 1}")
 
     def _tables(self) -> Iterator[RuledTable]:
         """Tell by both roads what moves; nothing of what stays zero."""
         lines = [
-            value_table.value_row(found, named(found, self.drafting), self.positions, self.drafting.language)
+            value_table.value_row(found, named(found, self.drafting.language), self.positions, self.drafting.language)
             for found in told(self.comparison)
         ]
         if self.positions and lines:
@@ -115,9 +118,9 @@ class _TransferSheet:
         return errors
 
     def _read(self, k: int) -> list[ReadRatio]:
-        return [self._ratio(course, k) for course in courses(self.study.linkage.mechanism)]
+        return [self._ratio(course, k) for course in functions(self.study.linkage.mechanism)]
 
-    def _ratio(self, course: Course, k: int) -> ReadRatio:
+    def _ratio(self, course: TransferFunctions, k: int) -> ReadRatio:
         start, end = course.shown(self.study.turned)
         value, plan = float(np.atleast_1d(course.read(self.study.turned))[k]), self.study.turned
         letter = markup(course.names[0])
@@ -127,13 +130,16 @@ class _TransferSheet:
         segment = with_index(plan.pole.name) + with_index(end.name)
         return ReadRatio(letter, (segment,), (abs(at(end.point, k)),), value)
 
-    def _notes(self) -> Iterator[str]:
+    def _notes(self, schemes: Sequence[TurnedScheme]) -> Iterator[str]:
         drive, word = self.study.linkage.mechanism.drive, self.drafting.word
         image = with_index(self.study.turned.images[drive.end].name)
         yield word("transfer read", crank=drive.link)
         yield word("transfer turned", pole=drive.pivot, image=image, end=with_index(drive.end))
+        if sliding(self.study.linkage.mechanism):
+            yield word("transfer along")
         yield word("transfer second", crank=drive.link)
-        yield word("transfer angles")
+        if any(shown.equal for shown in schemes):
+            yield word("transfer angles")
 
 
 FORM: Final = {"turned-": FRAME, "transfer-": GRAPH}

@@ -8,7 +8,7 @@ from geometry.board import behind
 from plans.explanation import Explanation, NoMark, in_position
 from plans.linkage.marks import position_of, title
 from plans.model.motion import POSITIONS
-from plans.transfer.quantities import courses
+from plans.transfer.functions import functions
 from plans.transfer.study import TRANSFER, TransferStudy
 from plans.words.words import message
 
@@ -22,7 +22,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind an image of the turned plan, or behind what a transfer function is read off."""
     found = study.of(TransferStudy)
     plan, linkage = found.turned, found.linkage
-    read = {course.names[0]: course.shown(plan) for course in courses(linkage.mechanism)}
+    read = {course.names[0]: course.shown(plan) for course in functions(linkage.mechanism)}
     named = {mark.name: (mark,) for mark in plan.board if mark.name.endswith("'")} | read
     if name not in named:
         return NoMark(tuple(named), message("mark.marks", marks=", ".join(read)), tuple(read)[:1])

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+import numpy as np
+
 from geometry.board import Board, Line, Mark, Reading, behind
 from geometry.meet import Vectors
 from plans.linkage.plan import Plan
@@ -24,6 +26,7 @@ class TurnedPlan(NamedTuple):
     pole: Mark
     images: Mapping[str, Mark]
     readings: Mapping[int, Reading]
+    letters: Mapping[Mark, tuple[str, ...]]  # what an image is lettered as that of its points
 
     def ratio(self, link: int) -> Vectors:
         """Read off the ratio of a link's turning to the crank's: its turned vector over its own, both parallel."""
@@ -39,15 +42,19 @@ def turned(plan: Plan) -> TurnedPlan:
     """Draw a velocity plan again, turned; the crank turns by 1 rad/s in it."""
     points = dict.fromkeys(name for link in plan.mechanism.links.values() for name in link.points)
     images = {name: plan.point(name) for name in points}
-    again = _Turning(plan)
+    again = _Redrawn(plan)
     for mark in behind(plan.pole, *images.values(), *(reading.turning for reading in plan.readings.values())):
         again.draw(mark)
     made = again.made
     readings = {link: Reading(made[arm], made[turning]) for link, (arm, turning) in plan.readings.items()}
-    return TurnedPlan(again.board, made[plan.pole], {name: made[mark] for name, mark in images.items()}, readings)
+    turned_images = {name: made[mark] for name, mark in images.items()}
+    letters: dict[Mark, tuple[str, ...]] = {}
+    for name, mark in turned_images.items():
+        letters[mark] = (*letters.get(mark, ()), f"{plan.letter(name)}'")
+    return TurnedPlan(again.board, made[plan.pole], turned_images, readings, letters)
 
 
-class _Turning:
+class _Redrawn:
     """A velocity plan under way on another board; `made` are the marks by those of the plan."""
 
     def __init__(self, plan: Plan) -> None:
@@ -66,26 +73,24 @@ class _Turning:
 
     def _again(self, mark: Mark, inputs: list[Mark]) -> Mark:
         board, (op, _, size, _, why), name = self.board, mark.step, f"{mark.name}'"
+        first, second = inputs[0], inputs[-1]
         match op:
             case "transfer":
-                return inputs[0]  # the scheme itself
-            case "turn" if inputs[0].subject != TURNED:
-                return inputs[0]  # the crank's vector: turned back, for 1 rad/s, its velocity is that again
-            case "lay_off" if inputs[1].subject != TURNED:
-                return board.lay_off(name, *inputs, because("turned_crank", point=self.plan.mechanism.drive.end))
-            case "square":
-                return board.parallel(f"∥{inputs[1].name}", *inputs, because("turned_along", line=inputs[1].name))
-            case "parallel":
-                return board.square(f"⊥{inputs[1].name}", *inputs, because("turned_across", line=inputs[1].name))
-            case "join":
-                return board.join(f"{inputs[0].name}{inputs[1].name}", *inputs, why)
-            case "similar":
-                return board.similar(name, *inputs, complex(size).real, why)
-            case "turn":
-                return board.turn(name, inputs[0], size, why)
+                return first  # the scheme itself
+            case "turn":  # a crank's velocity for 1 rad/s, turned back, is its own vector
+                return first if first.subject != TURNED else board.turn(name, first, size, why)
             case "lay_off":
-                return board.lay_off(name, *inputs, why)
-        return board.meet(name, *inputs, why=why)
+                crank = because("turned_crank", point=self.plan.mechanism.drive.end)
+                return board.lay_off(name, first, second, why if second.subject == TURNED else crank)
+            case "square":
+                return board.parallel(f"∥{second.name}", first, second, because("turned_along", line=second.name))
+            case "parallel":
+                return board.square(f"⊥{second.name}", first, second, because("turned_across", line=second.name))
+            case "join":
+                return board.join(f"{first.name}{second.name}", first, second, why)
+            case "similar":
+                return board.similar(name, first, inputs[1], second, complex(np.asarray(size)).real, why)
+        return board.meet(name, first, second, why=why)
 
 
 def loci(mark: Mark) -> tuple[Mark, Mark] | None:

@@ -39,7 +39,10 @@ SINE = {
     "frame": "O = [0, 0]",
     "links": "OA A D",
     "lengths": "OA = 0.1",
-    "slides": ["link = 2; along = { link = 3, angle = 0 }", "link = 3; along = { through = [0, 0], angle = 90 }; angle = -90"],
+    "slides": [
+        "link = 2; along = { link = 3, angle = 0 }",
+        "link = 3; along = { through = [0, 0], angle = 90 }; angle = -90",
+    ],
     "sketch": "D = [0, 0]",
 }
 TANGENT = {
