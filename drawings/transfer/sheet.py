@@ -143,5 +143,5 @@ class _TransferSheet:
 
 
 FORM: Final = {"turned-": FRAME, "transfer-": GRAPH}
-SCALES: Final = {"turned-": "transfer"}
+SCALES: Final = {"turned-": "length"}
 SHEETS: Final = {"transfer": SheetKind(leaves, expected, SCALES, of_linkage, figures=FORM, tables=("values",))}

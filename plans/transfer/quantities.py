@@ -10,8 +10,8 @@ import numpy as np
 
 from geometry.meet import EPS
 from geometry.precision import errors
-from plans.linkage.quantities import MotionComparison, cap, compare, largest_of, with_analysis
-from plans.model.motion import ACCELERATIONS, Floats, Motion
+from plans.linkage.quantities import MotionComparison, cap, compare, with_analysis
+from plans.model.motion import ACCELERATIONS, VELOCITIES, Motion, Order
 from plans.quantity import Comparison, Quantity
 from plans.transfer.functions import TransferFunctions, functions
 from plans.transfer.study import TRANSFER, TransferStudy
@@ -37,33 +37,30 @@ def compare_transfer(study: TransferStudy) -> TransferComparison:
 
 
 def _findings(study: TransferStudy, motion: MotionComparison) -> Iterator[Quantity]:
-    told = functions(study.linkage.mechanism)
-    first = {course.unit: largest_of([course.rows(motion.analysis)[0] for course in told if course.unit == unit])
-             for unit in ("", "m") for course in told if course.unit == unit}  # fmt: skip
-    for course in told:
-        ours, theirs = course.rows(motion.construction), course.rows(motion.analysis)
-        read = np.where(np.isnan(ours[0]), np.nan, course.read(study.turned))  # a gap of the motion is one here
-        allowed = with_analysis(_bound(course, study.turned), 1, motion.kappa, first[course.unit])
-        named = [(TRANSFER, name, course.unit) for name in course.names]
-        shown = course.shown(study.turned)
-        yield Quantity.of(named[0], (read, theirs[0]), allowed, max(first[course.unit], np.finfo(float).tiny), shown)
-        yield Quantity.of(named[1], (ours[1], theirs[1]), _allowed(course, motion))
+    for of in functions(study.linkage.mechanism):
+        (ours, second), (theirs, exact) = of.rows(motion.construction), of.rows(motion.analysis)
+        first, other = (_of_motion(of, motion, order) for order in (VELOCITIES, ACCELERATIONS))
+        read = np.where(np.isnan(ours), np.nan, of.read(study.turned))  # a gap of the motion is one here
+        allowed = with_analysis(_bound(of, study.turned), VELOCITIES.number, motion.kappa, first.largest)
+        names = [(TRANSFER, name, of.unit) for name in of.names]
+        yield Quantity.of(names[0], (read, theirs), allowed, first.largest, of.shown(study.turned))
+        yield Quantity.of(names[1], (second, exact), other.allowed, other.largest)
 
 
-def _bound(course: TransferFunctions, plan: TurnedPlan) -> Any:
+def _of_motion(of: TransferFunctions, motion: MotionComparison, order: Order) -> Quantity:
+    """Find what the plan of an order at 1 rad/s tells of the same."""
+    name = f"{order.link.symbol}_{of.of}" if isinstance(of.of, int) else f"{order.point.symbol}_{of.of.point}"
+    return next(found for found in motion.of(order.plan) if found.name == name)
+
+
+def _bound(of: TransferFunctions, plan: TurnedPlan) -> Any:
     """Bound what rounding makes of a reading: the turned vector's own error, over the link's length of a ratio."""
-    start, end = course.shown(plan)
+    start, end = of.shown(plan)
     bounds = errors(start, end)
-    if isinstance(course.of, int):
-        size, part = np.abs(np.asarray(start.point)), np.abs(np.asarray(end.point))
-        return (bounds[end].place + part / size * bounds[start].place) / size + 4 * EPS * part / size
-    return bounds[end].place
-
-
-def _allowed(course: TransferFunctions, motion: MotionComparison) -> Floats:
-    """Give what the acceleration plan is allowed in the same."""
-    name = f"ε_{course.of}" if isinstance(course.of, int) else f"a_{course.of.point}"
-    return next(found.allowed for found in motion.of(ACCELERATIONS.plan) if found.name == name)
+    if not isinstance(of.of, int):
+        return bounds[end].place
+    size, part = np.abs(np.asarray(start.point)), np.abs(np.asarray(end.point))
+    return (bounds[end].place + part / size * bounds[start].place) / size + 4 * EPS * part / size
 
 
 def told(comparison: TransferComparison) -> list[Quantity]:

@@ -10,7 +10,7 @@ import pytest
 
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.transfer.quantities import TransferComparison
+from plans.transfer.quantities import TransferComparison, told
 from plans.transfer.study import TransferStudy
 from plans.transfer.turned import loci
 from tests.plans.scenes import scene
@@ -147,3 +147,10 @@ def test_the_course_over_the_turn_is_that_of_the_rocker():
     swing = np.unwrap(motion.links[3].angle)
     back = np.gradient(swing, 2 * pi / 720 * turned.linkage.sense)
     assert np.abs(back - motion.links[3].omega)[2:-2].max() < radians(0.01)
+
+
+def test_what_rounding_leaves_of_a_rod_that_does_not_turn_is_no_transfer_function():
+    square = FOUR_BAR | {"lengths": "OA = 0.1; AB = 0.35; CB = 0.1", "sketch": "B = [0.4, 0.08]"}
+    compared = study_of(square, 60, 61).of(TransferComparison)
+    assert compared.agrees
+    assert [one.name for one in told(compared)] == ["u_31"]
