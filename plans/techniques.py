@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from plans.words.words import Message
 
 TECHNIQUES: Final = (
-    "linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "transfer",
+    "linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "transfer", "centres",
 )  # fmt: skip
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")

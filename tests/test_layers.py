@@ -200,7 +200,7 @@ ROOMS = (
     ("plans.study",),
     ("plans.linkage",),
     ("plans.forces",),
-    ("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams", "plans.transfer"),
+    ("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams", "plans.transfer", "plans.centres"),
     ("plans.bank",),
     (ROADS,),
     ("plans.bench",),

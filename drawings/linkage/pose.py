@@ -14,11 +14,13 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.lettering.words import with_index
 from drawings.linkage.guides import axes, grounds
+from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
 from drawings.paper.strokes import Stroke
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import ARROW_LENGTH, fit_dashes
 from drawings.symbols.trimming import trim
+from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
@@ -68,3 +70,10 @@ def letters(pairs: Pairs, also: Mapping[str, Sequence[str]], labels: Labels) -> 
         yield labels.beside(spot, text, pairs.sheet.letter, clear + 1.0, side)
     yield from link_numbers(pairs, pairs.bones.links, labels, pairs.sheet)
     yield from frame_number(pairs, labels, pairs.sheet)
+
+
+def shown(study: LinkageStudy, comparison: MotionComparison, asked: Sequence[int]) -> tuple[int, ...]:
+    """Give the positions that are drawn: those asked for, or those of the plans, or one; of each that moves."""
+    chosen = tuple(asked) or study.form.sheet.plans or (position(study, comparison),)
+    moving = ~np.isnan(comparison.construction.links[study.output.link].omega)
+    return tuple(k for k in chosen if moving[k])

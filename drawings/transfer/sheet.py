@@ -15,8 +15,8 @@ from drawings.layout import value_table
 from drawings.layout.table import RuledTable
 from drawings.lettering.transfer_letters import markup, named
 from drawings.lettering.words import with_index
-from drawings.linkage.pose import pose
-from drawings.linkage.positions import of_linkage, position
+from drawings.linkage.pose import pose, shown
+from drawings.linkage.positions import of_linkage
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import FRAME, GRAPH, SheetKind
@@ -60,21 +60,17 @@ class _TransferSheet:
     def positions(self) -> tuple[int, ...]:
         """The positions whose turned plans are drawn: those that are asked for and can be assembled."""
         linkage = self.study.linkage
-        asked = linkage.scene.of(TransferForm).transfer.positions or linkage.form.sheet.plans
-        chosen = asked or (position(linkage, self.comparison.even),)
-        return tuple(
-            k for k in chosen if not np.isnan(self.comparison.construction.links[linkage.output.link].omega[k])
-        )
+        return shown(linkage, self.comparison.even, linkage.scene.of(TransferForm).transfer.positions)
 
     @property
     def draft(self) -> Draft:
         """Title, figures, table and notes."""
         schemes = [self._scheme(k) for k in self.positions]
         shows: list[Exhibit | Caption] = []
-        for shown in schemes:
-            read = working(shown, self._read(shown.column), self.drafting)
-            shows.append(exhibit(scheme, shown, self.drafting, weight=1.5, together=shown.name))
-            shows.append(Caption(read.panel._replace(together=shown.name), read.write, of=read.of))
+        for one in schemes:
+            read = working(one, self._read(one.column), self.drafting)
+            shows.append(exhibit(scheme, one, self.drafting, weight=1.5, together=one.name))
+            shows.append(Caption(read.panel._replace(together=one.name), read.write, of=read.of))
         shows += [exhibit(curve_graph, curve, self.drafting, LARGEST) for curve in self._graphs()]
         title, facts = self.drafting.word("transfer sheet title"), partial(figures_facts, turned=list(self.positions))
         tables = tuple(self._tables())
@@ -93,8 +89,8 @@ class _TransferSheet:
         dense, found = course.rows(self.study.around()), course.rows(self.comparison.construction)
         for order, name in enumerate(course.names):
             values, letter = bounded(dense[order], found[order]), markup(name)
-            shown = (angles, values, stations, found[order])
-            curve = swing(GraphCurve(letter, course.unit or NUMBER, *shown, shown=self.positions, states=name))
+            told = (angles, values, stations, found[order])
+            curve = swing(GraphCurve(letter, course.unit or NUMBER, *told, shown=self.positions, states=name))
             kind = "slope" if order else "ratio" if isinstance(course.of, int) else "way"
             title = self.drafting.word(f"{kind} {'turn' if curve.closed else 'swing'}", letter=letter)
             yield curve._replace(title=title, name=f"transfer-{order + 1}")
@@ -138,7 +134,7 @@ class _TransferSheet:
         if sliding(self.study.linkage.mechanism):
             yield word("transfer along")
         yield word("transfer second", crank=drive.link)
-        if any(shown.equal for shown in schemes):
+        if any(one.equal for one in schemes):
             yield word("transfer angles")
 
 

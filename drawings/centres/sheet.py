@@ -1,0 +1,111 @@
+"""The sheet of instant centres: schemes, polygon of links, tables (лист мгновенных центров)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Final
+
+from drawings.centres import scheme
+from drawings.centres.due import DIGITS, cells_of, expected, spun
+from drawings.centres.scheme import CentresScheme, polygon, room
+from drawings.layout.contents import Panel
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.words import fixed, with_index
+from drawings.linkage.pose import pose, shown
+from drawings.linkage.positions import of_linkage
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.kind import FRAME, SheetKind
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
+from plans.centres.kennedy import CENTRES, letter, pairs
+from plans.centres.quantities import CentresComparison
+from plans.centres.reading import CentresForm
+from plans.centres.study import CentresStudy
+from plans.study import Study
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's instant centres."""
+    return lay_out(study.scene, [_CentresSheet(study.of(CentresStudy), study.of(CentresComparison)).draft])
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class _CentresSheet:
+    """What the sheets are drawn from."""
+
+    study: CentresStudy
+    comparison: CentresComparison
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.study.linkage.scene)
+
+    @cached_property
+    def positions(self) -> tuple[int, ...]:
+        """The positions that are drawn."""
+        linkage = self.study.linkage
+        return shown(linkage, self.comparison.plans, linkage.scene.of(CentresForm).centres.positions)
+
+    @property
+    def draft(self) -> Draft:
+        """Title, figures, tables and notes."""
+        linkage, drafting = self.study.linkage, self.drafting
+        poses = [(k, pose(linkage, self.comparison.construction, k)) for k in self.positions]
+        shows = [exhibit(scheme, CentresScheme(one, self.study.at(k), k), drafting, weight=1.5) for k, one in poses]
+        if self.positions:
+            draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
+            shows.append(Exhibit(Panel(room(drafting)), draw))
+        title, facts = drafting.word("centres sheet title"), partial(figures_facts, centred=list(self.positions))
+        return Draft(CENTRES, title, tuple(shows), tuple(self._tables()), tuple(self._notes()), facts)
+
+    def _tables(self) -> Iterator[RuledTable]:
+        """Tell each centre and each rate in the positions that are drawn."""
+        if not self.positions:
+            return
+        word, text = self.drafting.word, self.drafting.hand.text
+        every = pairs(list(self.study.linkage.mechanism.links))
+        rows = [
+            TableRow(with_index(letter(pair)), tuple(c for k in self.positions for c in self._centre(pair, k)))
+            for pair in every
+        ]
+        heads = word("found over"), f"x, {word('mm')}", f"y, {word('mm')}"
+        yield table(rows, word("centre"), heads, text, self.positions)._replace(name=CENTRES)
+        rates = [
+            TableRow(f"{with_index(name)}, {word('rad/s')}", tuple(
+                fixed(value, self.drafting.language, places) for k in self.positions for value in values(k)
+            ))
+            for name, values in spun(self.comparison)
+            for places in [max(DIGITS - 1 - math.floor(math.log10(max(map(abs, values(self.positions[0]))) or 1.0)), 0)]
+        ]  # fmt: skip
+        heads = word("by centres"), word("by plan"), word("by analysis")
+        yield table(rates, word("quantity"), heads, text, self.positions)._replace(name="rates")
+
+    def _centre(self, pair: tuple[int, int], k: int) -> tuple[str, str, str]:
+        return cells_of(self.study.at(k).found.get(pair), self.drafting)
+
+    def _notes(self) -> Iterator[str]:
+        word, mechanism = self.drafting.word, self.study.linkage.mechanism
+        yield word("centres known")
+        yield word("centres over", pole=mechanism.drive.pivot)
+        yield word("centres rates")
+        lacking = {
+            k: [pair for pair in pairs(list(mechanism.links)) if pair not in self.study.at(k).found]
+            for k in self.positions
+        }
+        told = [
+            word("centre open", letters=", ".join(with_index(letter(pair)) for pair in lost), position=k)
+            for k, lost in lacking.items()
+            if lost
+        ]
+        if told:
+            yield word("centres open", told="; ".join(told))
+
+
+FORM: Final = {"kennedy-": FRAME}
+SHEETS: Final = {
+    "centres": SheetKind(leaves, expected, {"kennedy-": "length"}, of_linkage, figures=FORM, tables=(CENTRES, "rates"))
+}

@@ -1,0 +1,111 @@
+"""Instant centres by both roads, and the rates by them as a third one beside plans and analysis (сравнение)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from geometry.board import Mark, Reading
+from geometry.meet import EPS
+from geometry.precision import errors
+from plans.centres.kennedy import CENTRES, Kennedy, Pair, letter, pairs
+from plans.centres.study import CentreRate, CentresStudy
+from plans.linkage.quantities import ANALYSIS, MotionComparison, compare
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import VELOCITIES, Complexes, Floats, Motion
+from plans.quantity import Comparison, Quantity
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class CentresComparison(Comparison):
+    """Instant centres by both roads, over a motion."""
+
+    construction: Motion
+    analysis: Motion
+    findings: tuple[Quantity, ...]
+    plans: MotionComparison  # the motion up to velocities by plans and analysis
+
+
+def spin(mechanism: Mechanism, motion: Motion, link: int) -> tuple[Complexes, Floats]:
+    """Give the velocity that a link would have in the datum, m/s, and its rate rad/s, (N,): all of its motion."""
+    name = next(iter(mechanism.links[link].points))
+    none = np.zeros(len(motion.phi))
+    omega = none if link == FRAME else motion.links[link].omega
+    return (motion.points[name].v if link != FRAME else none + 0j) - 1j * omega * motion.points[name].r, omega
+
+
+def hinge_of(mechanism: Mechanism, pair: Pair) -> str | None:
+    """Give the hinge that joins two links, if one does."""
+    return next((point for point, links in mechanism.hinges.items() if {*pair} <= {*links}), None)
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # links that turn alike have none
+def common(mechanism: Mechanism, motion: Motion, pair: Pair) -> Complexes:
+    """Give by analysis the places in which two links have one velocity, (N,) m: their hinge, or far where they turn."""
+    if (hinge := hinge_of(mechanism, pair)) is not None:
+        return motion.points[hinge].r
+    (first, one), (second, two) = (spin(mechanism, motion, link) for link in pair)
+    return np.asarray(-(first - second) / (1j * (one - two)))
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # centres at infinity, and gaps, are NaN on both roads
+def compare_centres(study: CentresStudy) -> CentresComparison:
+    """Put centres and rates beside those by analysis, in all positions."""
+    motion = compare(study.linkage, VELOCITIES.number)
+    both = _Compared(study, motion)
+    found = (*both.places(), *both.rates())
+    return CentresComparison(motion.construction, motion.analysis, found, motion, motion=motion)
+
+
+class _Compared:
+    def __init__(self, study: CentresStudy, motion: MotionComparison) -> None:
+        self.study, self.motion, self.mechanism = study, motion, study.linkage.mechanism
+        self.count = len(motion.analysis.phi)
+        self.read = {k: study.rates(k) for k in study.whole}
+        self.bounds = {k: self._bounds(study.at(k), rates) for k, rates in self.read.items()}
+        self.kappa = ANALYSIS * EPS * motion.kappa**2
+
+    def _bounds(self, found: Kennedy, rates: dict[int, CentreRate]) -> dict[Mark, float]:
+        read = (mark for rate in rates.values() for mark in rate.read or ())
+        bounds = errors(*(centre.mark for centre in found.found.values()), *read)
+        return {mark: float(np.ravel(error.place)[0]) for mark, error in bounds.items()}
+
+    def places(self) -> Iterator[Quantity]:
+        """Compare the centres that are not at infinity."""
+        fastest = max(float(np.nanmax(np.abs(point.v))) for point in self.motion.analysis.points.values())
+        for pair in pairs(list(self.mechanism.links)):
+            ours, bound = np.full(self.count, np.nan + 0j), np.full(self.count, np.nan)
+            for k in self.study.whole:
+                centre = self.study.at(k).found.get(pair)
+                if centre is not None and not centre.infinite:
+                    ours[k], bound[k] = centre.place, self.bounds[k][centre.mark]
+            (_, one), (_, two) = (spin(self.mechanism, self.motion.analysis, link) for link in pair)
+            theirs = common(self.mechanism, self.motion.analysis, pair)
+            rates = np.maximum(np.abs(one), np.abs(two)) * np.abs(ours) + fastest
+            apart = (
+                np.abs(one - two) if hinge_of(self.mechanism, pair) is None else np.maximum(np.abs(one), np.abs(two))
+            )
+            allowed = bound + self.kappa * rates / apart
+            there = np.isfinite(ours) & np.isfinite(theirs)  # two links that for a moment move as one have any
+            both = np.where(there, ours, np.nan), np.where(there, theirs, np.nan)
+            yield Quantity.of((CENTRES, letter(pair), "m"), both, np.where(there, allowed, np.nan))
+
+    def rates(self) -> Iterator[Quantity]:
+        """Compare the rates of the links."""
+        for link in (n for n in sorted(self.mechanism.links) if n not in (FRAME, self.mechanism.drive.link)):
+            ours, bound = np.full(self.count, np.nan), np.full(self.count, np.nan)
+            for k, rates in self.read.items():
+                if link in rates:
+                    ours[k], bound[k] = rates[link].value, self._read(rates[link].read, self.bounds[k])
+            finding = next(row for row in self.motion.of(VELOCITIES.plan) if row.name == f"ω_{link}")
+            theirs = np.where(np.isnan(ours), np.nan, finding.analysis)
+            named, allowed = (CENTRES, f"ω_{link}", "rad/s"), bound + self.kappa * finding.largest
+            yield Quantity.of(named, (ours, theirs), allowed, finding.largest)
+
+    def _read(self, read: Reading | None, bounds: dict[Mark, float]) -> float:
+        if read is None:
+            return 0.0
+        (arm, turning), (size, part) = read, (float(np.abs(np.ravel(mark.point)[0])) for mark in read)
+        return (bounds[turning] + part / size * bounds[arm]) / size + 4 * EPS * part / size
