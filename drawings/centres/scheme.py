@@ -9,21 +9,21 @@ from typing import NamedTuple
 
 from drawings.kinds.vector_plan import SAME
 from drawings.layout.labels import Labels
-from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
-from drawings.linkage.pose import Pose, letters, scheme
+from drawings.linkage.pose import Pose, letters, measured, scheme
 from drawings.linkage.skeleton import Pairs
 from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Line, Stroke, Text
-from drawings.symbols.figure import Subject, around, heading, point
+from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import arrowhead, fit_dashes
 from plans.centres.kennedy import CENTRES, Centre, Kennedy, letter, pairs
 
-MARGINS = Margins(4.0, 4.0, 3.0)
+MARGINS = Margins(4.5, 4.5, 5.0)
 LETTERS = 40.0  # it is drawn at least so many of its letters large
 NEAR = 1.6  # sizes of the mechanism from its middle: a centre farther off is shown by the direction to it
-PAST, AWAY, DOT, BESIDE = 5.0, 26.0, 1.1, 2.0  # mm: past a centre, towards one far off, its radius, to its letter
+PAST, AWAY, DOT, BESIDE = 5.0, 18.0, 1.1, 2.0  # mm: past a centre, towards one far off, its radius, to its letter
 
 
 class CentresScheme(NamedTuple):
@@ -54,9 +54,7 @@ class CentresScheme(NamedTuple):
 
 def measure(shown: CentresScheme, drafting: Drafting) -> Picture:
     """Measure the room of a scheme with its centres."""
-    title = text_width(Text(0j, _title(shown, drafting), drafting.hand.title))
-    margins, least = around(MARGINS, drafting.hand), LETTERS * drafting.hand.letter
-    return picture(shown.name, shown.points, ("l", "m"), margins, title, least)
+    return measured(shown.name, shown.points, _title(shown, drafting), (MARGINS, LETTERS), drafting)
 
 
 def draw(shown: CentresScheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -129,16 +127,7 @@ class _Drawing:
 
     def letters(self, labels: Labels) -> Iterator[Stroke]:
         """Letter the points with the centres in them, the other centres, and the directions."""
-        on_points: dict[str, list[str]] = {}
-        alone: dict[complex, list[str]] = {}
-        for pair, spot in self.near.items():
-            named = self.pairs.named.items()
-            name = next((name for name, value in named if abs(self.place.on(value) - spot) < SAME), "")
-            near = next((known for known in alone if abs(known - spot) < SAME), spot)
-            (on_points.setdefault(name, []) if name else alone.setdefault(near, [])).append(with_index(letter(pair)))
-        yield from letters(self.pairs, on_points, labels)
-        for spot, names in alone.items():
-            yield labels.beside(spot, ", ".join(names), self.hand.letter, BESIDE)
+        yield from letters(self.pairs, ((one.place, [letter(one.pair)]) for one in self.shown.near), labels)
         for pair, (start, end) in self.away.items():
             infinite = " → ∞" if self.shown.found.found[pair].infinite else ""
             text = f"{with_index(letter(pair))}{infinite}"

@@ -23,8 +23,7 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.centres.kennedy import CENTRES, letter, pairs
 from plans.centres.quantities import CentresComparison
-from plans.centres.reading import CentresForm
-from plans.centres.study import CentresStudy
+from plans.centres.study import CentresForm, CentresStudy
 from plans.study import Study
 
 
@@ -55,7 +54,10 @@ class _CentresSheet:
         """Title, figures, tables and notes."""
         linkage, drafting = self.study.linkage, self.drafting
         poses = [(k, pose(linkage, self.comparison.construction, k)) for k in self.positions]
-        shows = [exhibit(scheme, CentresScheme(one, self.study.at(k), k), drafting, weight=1.5) for k, one in poses]
+        shows = [
+            exhibit(scheme, CentresScheme(one, self.study.at(k), k), drafting, weight=1.5, scale=CENTRES)
+            for k, one in poses
+        ]
         if self.positions:
             draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
             shows.append(Exhibit(Panel(room(drafting)), draw))

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from drawings.kinds.outlines import Poses
 from drawings.kinds.scheme import frame_number, link_numbers
+from drawings.kinds.vector_plan import BESIDE, SAME
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
+from drawings.layout.picture import Margins, Picture, picture
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
 from drawings.linkage.guides import axes, grounds
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
-from drawings.paper.strokes import Stroke
-from drawings.symbols.figure import Subject
+from drawings.page.page import Drafting
+from drawings.paper.strokes import Stroke, Text
+from drawings.symbols.figure import Subject, around
 from drawings.symbols.symbols import ARROW_LENGTH, fit_dashes
 from drawings.symbols.trimming import trim
 from plans.linkage.quantities import MotionComparison
@@ -60,16 +65,31 @@ def scheme(pairs: Pairs, subject: Subject, over: Iterable[Stroke] = ()) -> Itera
     yield from pairs.marks(subject, reference(bones.mechanism))
 
 
-def letters(pairs: Pairs, also: Mapping[str, Sequence[str]], labels: Labels) -> Iterator[Stroke]:
-    """Letter the points, some of them with what `also` lies there, and number the links and the frame."""
-    bars = list(pairs.bars())
-    for name, value in pairs.named.items():
-        spot, clear = pairs.place.on(value), pairs.clear(name)
-        side = free_side(spot, bars, clear + ARROW_LENGTH)
-        text = ", ".join(dict.fromkeys((with_index(name), *also.get(name, ()))))
-        yield labels.beside(spot, text, pairs.sheet.letter, clear + 1.0, side)
+def letters(pairs: Pairs, found: Iterable[tuple[complex, Sequence[str]]], labels: Labels) -> Iterator[Stroke]:
+    """Letter the points with what else is found in their places, all else by itself; number the links."""
+    place, bars, beside = pairs.place, list(pairs.bars()), dict[complex, list[str]]()
+    points = {place.on(value): name for name, value in pairs.named.items()}
+    for value, names in ((value, [name]) for name, value in pairs.named.items()):
+        beside[place.on(value)] = names
+    for value, names in found:
+        spot = place.on(value)
+        near = next((known for known in beside if abs(known - spot) < SAME), spot)
+        beside.setdefault(near, []).extend(names)
+    for spot, names in beside.items():
+        clear = pairs.clear(points[spot]) + 1.0 if spot in points else BESIDE
+        side = free_side(spot, bars, clear + ARROW_LENGTH) if spot in points else cmath.phase(spot - place.on(0j))
+        yield labels.beside(spot, ", ".join(map(with_index, dict.fromkeys(names))), pairs.sheet.letter, clear, side)
     yield from link_numbers(pairs, pairs.bones.links, labels, pairs.sheet)
     yield from frame_number(pairs, labels, pairs.sheet)
+
+
+def measured(
+    name: str, points: Sequence[complex], title: str, sizes: tuple[Margins, float], drafting: Drafting
+) -> Picture:
+    """Measure the room of a scheme: its points, its title, paper about it and its least size in its letters."""
+    (margins, letters), hand = sizes, drafting.hand
+    width = text_width(Text(0j, title, hand.title))
+    return picture(name, points, ("l", "m"), around(margins, hand), width, letters * hand.letter)
 
 
 def shown(study: LinkageStudy, comparison: MotionComparison, asked: Sequence[int]) -> tuple[int, ...]:

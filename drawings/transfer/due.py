@@ -20,9 +20,8 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS, Motion
 from plans.quantity import by_hand as slipping
 from plans.study import Study
-from plans.transfer.functions import output_functions
-from plans.transfer.quantities import TransferComparison, told
-from plans.transfer.study import TRANSFER, TransferStudy
+from plans.transfer.quantities import TransferComparison, listed
+from plans.transfer.study import TRANSFER, TransferStudy, output_functions
 
 VALUES, SHORT = "values", 0.1  # mm: a shorter vector may be a point
 FAR = 1e-9  # of what a graph goes through: both roads agree far better
@@ -123,7 +122,7 @@ class _ExpectedTransfer:
 
     def values(self) -> Iterator[Expected]:
         """Give the cells of the table of values."""
-        for found in told(self.comparison):
+        for found in listed(self.comparison):
             for k in self.positions:
                 mu = self.scales.get(f"turned-{k}")
                 boards = {} if mu is None else {TRANSFER: mu, POSITIONS.plan: mu}

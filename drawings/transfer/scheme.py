@@ -7,26 +7,26 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from drawings.kinds.vector_plan import LEAST, SAME
+from drawings.kinds.vector_plan import LEAST
 from drawings.kinds.working import READING, ScaleFactor, Workings, at_scale
 from drawings.layout.labels import Labels
-from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
-from drawings.lettering.lettering import text_width
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot
+from drawings.lettering.transfer_letters import markup
 from drawings.lettering.words import with_index
-from drawings.linkage.pose import Pose, letters, scheme
+from drawings.linkage.pose import Pose, letters, measured, scheme
 from drawings.linkage.skeleton import Pairs
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Group, Line, Polyline, Stroke, Text
-from drawings.symbols.figure import SQUARE, Subject, around, heading, vector
-from drawings.transfer.angles import EqualAngle, RightAngle, equal_angles, right_angles
+from drawings.paper.strokes import Arc, Group, Line, Polyline, Stroke
+from drawings.symbols.figure import SQUARE, Subject, heading, vector
+from drawings.transfer.angles import EqualAngle, equal_angles, right_angles
 from geometry.board import Mark, at, behind
+from plans.transfer.study import TransferFunctions
 from plans.transfer.turned import TURNED, TurnedPlan
 
 MARGINS = Margins(3.5, 3.5, 2.5)
 LETTERS = 26.0  # it is drawn at least so many of its letters large
 BEYOND = 6.0  # mm that a line of known direction is drawn past its meeting
-BESIDE = 1.6  # mm from an image to its letter
 SHORT = 0.02  # of the mechanism: on shorter sides no mark of an angle is drawn
 RADIUS, APART, PAST = 9.0, 1.6, 3.0  # mm: of the arc of an angle, between two arcs, of a side past the arc
 
@@ -44,16 +44,11 @@ class TurnedScheme(NamedTuple):
         return f"turned-{self.column}"
 
     @property
-    def marks(self) -> list[Mark]:
-        """What of the plan is drawn: all that the named points and the ratios rest on."""
+    def images(self) -> list[Mark]:
+        """The images but for the pole: all that the named points and the ratios rest on."""
         turning = (reading.turning for reading in self.plan.readings.values())
         found = behind(*self.plan.images.values(), *turning)
-        return [mark for mark in found if mark.subject == TURNED]
-
-    @property
-    def images(self) -> list[Mark]:
-        """The images but for the pole."""
-        return [mark for mark in self.marks if mark.rays]
+        return [mark for mark in found if mark.subject == TURNED and mark.rays]
 
     def on(self, mark: Mark) -> complex:
         """Give the place of an image in the position, m."""
@@ -82,17 +77,13 @@ class TurnedScheme(NamedTuple):
 
 def measure(shown: TurnedScheme, drafting: Drafting) -> Picture:
     """Measure the room of a scheme with its plan."""
-    title = text_width(Text(0j, _title(shown, drafting), drafting.hand.title))
-    least = LETTERS * drafting.hand.letter
-    return picture(shown.name, shown.points, ("l", "m"), around(MARGINS, drafting.hand), title, least)
+    return measured(shown.name, shown.points, _title(shown, drafting), (MARGINS, LETTERS), drafting)
 
 
 def draw(shown: TurnedScheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
-    """Draw it in its spot: links thinner than the vectors of the plan."""
-    place, hand = room.place(*spot), drafting.hand
-    pairs = Pairs(shown.bones, place, hand)
-    subject = Subject(TURNED, "r", shown.column)
-    angles = list(_angles(shown, place, hand))
+    """Draw it in its spot."""
+    place, hand, subject = room.place(*spot), drafting.hand, Subject(TURNED, "r", shown.column)
+    pairs, angles = Pairs(shown.bones, place, hand), list(_angles(shown, place, hand))
     title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
     plan = (*_rays(shown, place, hand), *_vectors(shown, subject, place, hand))
     lines = (title, *scheme(pairs, subject, angles), *plan)
@@ -123,14 +114,10 @@ def _vectors(shown: TurnedScheme, subject: Subject, place: Place, hand: Hand) ->
 def _angles(shown: TurnedScheme, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Mark right angles, and equal ones by as many arcs each."""
     for right in right_angles(shown.images, shown.column, SHORT * shown.bones.reach):
-        yield _corner(right, place, hand)
+        spot, (first, second) = place.on(right.vertex), (way * SQUARE * hand.symbol for way in right.ways)
+        yield Polyline((spot + first, spot + first + second, spot + second), False, hand.drafted)
     for count, equal in enumerate(shown.equal, 1):
         yield from _equal(equal, count, place, hand)
-
-
-def _corner(right: RightAngle, place: Place, hand: Hand) -> Stroke:
-    spot, (first, second) = place.on(right.vertex), (way * SQUARE * hand.symbol for way in right.ways)
-    return Polyline((spot + first, spot + first + second, spot + second), False, hand.drafted)
 
 
 def _equal(equal: EqualAngle, count: int, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -144,47 +131,27 @@ def _equal(equal: EqualAngle, count: int, place: Place, hand: Hand) -> Iterator[
 
 
 def _letters(shown: TurnedScheme, pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
-    """Letter the points with the images that lie on them, then all other images."""
-    place = pairs.place
-    spots = {mark: place.on(shown.on(mark)) for mark in shown.images}
-    written = shown.plan.letters
-    on_points: dict[str, list[str]] = {}
-    alone: dict[complex, list[str]] = {}
-    for mark, spot in spots.items():
-        name = next((name for name, value in pairs.named.items() if abs(place.on(value) - spot) < SAME), "")
-        near = next((known for known in alone if abs(known - spot) < SAME), spot)
-        names = on_points.setdefault(name, []) if name else alone.setdefault(near, [])
-        names += map(with_index, (mark.name, *written.get(mark, ())))
-    yield from letters(pairs, on_points, labels)
-    pole = place.on(0j)
-    for spot, names in alone.items():
-        away = cmath.phase(spot - pole) if abs(spot - pole) > SAME else 0.0
-        yield labels.beside(spot, ", ".join(dict.fromkeys(names)), pairs.sheet.letter, BESIDE, away)
+    """Letter the points and the images, each as that of all its points."""
+    names: dict[Mark, list[str]] = {mark: [mark.name] for mark in shown.images}
+    for point, mark in shown.plan.images.items():
+        names.get(mark, []).append(shown.plan.letters[point])
+    return letters(pairs, ((shown.on(mark), texts) for mark, texts in names.items()), labels)
 
 
-class ReadRatio(NamedTuple):
-    """How a transfer function is read off the plan: its letter, the ratio of which segments it is, m."""
-
-    letter: str
-    segments: tuple[str, ...]
-    sizes: tuple[float, ...]
-    value: float
-
-
-def working(shown: TurnedScheme, read: Sequence[ReadRatio], drafting: Drafting) -> Workings:
+def working(shown: TurnedScheme, told: Sequence[TransferFunctions], drafting: Drafting) -> Workings:
     """Write beside a scheme how its transfer functions are read off."""
-    lines = at_scale(lambda scale: [_line(ratio, ScaleFactor(scale, "l", drafting)) for ratio in read])
+    lines = at_scale(lambda scale: [_line(shown, of, ScaleFactor(scale, "l", drafting)) for of in told])
     return Workings(READING, shown.name, lines, drafting)
 
 
-def _line(ratio: ReadRatio, factor: ScaleFactor) -> tuple[str, ...]:
-    drafting, sign = factor.drafting, "−" if ratio.value < 0 else ""
-    size = drafting.number(ratio.value)
-    if len(ratio.segments) > 1:
-        written = "/".join(factor.length(part) for part in ratio.sizes)
-        return f"{ratio.letter} = {sign}{'/'.join(ratio.segments)}", f"{sign}{written}", size
-    return (
-        f"{ratio.letter} = {sign}{factor.true(ratio.segments[0])}",
-        f"{sign}{factor.of_drawn(ratio.sizes[0])}",
-        f"{size} {drafting.word('m')}",
-    )
+def _line(shown: TurnedScheme, of: TransferFunctions, factor: ScaleFactor) -> tuple[str, ...]:
+    start, end = of.shown(shown.plan)
+    value, size = at(of.read(shown.plan), shown.column).real, factor.length(abs(shown.on(end)))
+    sign, number = "−" if value < 0 else "", factor.drafting.number(value)
+    letter = f"{markup(of.names[0])} = {sign}"
+    if isinstance(of.of, int):
+        segments = ("".join(with_index(mark.name) for mark in part.step.inputs) for part in (end, start))
+        return letter + "/".join(segments), f"{sign}{size}/{factor.length(abs(shown.on(start)))}", number
+    segment = with_index(start.name) + with_index(end.name)
+    drawn = f"{sign}{factor.of_drawn(abs(shown.on(end)))}"
+    return letter + factor.true(segment), drawn, f"{number} {factor.drafting.word(of.unit)}"

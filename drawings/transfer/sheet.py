@@ -24,24 +24,19 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from drawings.transfer import scheme
 from drawings.transfer.due import expected
-from drawings.transfer.scheme import ReadRatio, TurnedScheme, working
-from geometry.board import at
-from plans.linkage.quantities import MotionComparison
+from drawings.transfer.scheme import TurnedScheme, working
 from plans.model.motion import POSITIONS
 from plans.quantity import by_hand
 from plans.study import Study
-from plans.transfer.functions import TransferFunctions, functions, output_functions
-from plans.transfer.quantities import TransferComparison, told
-from plans.transfer.reading import TransferForm
-from plans.transfer.study import TRANSFER, TransferStudy, sliding
+from plans.transfer.quantities import TransferComparison, listed
+from plans.transfer.study import STEPS, TRANSFER, TransferForm, TransferStudy, functions, output_functions
 
 LARGEST = 3.0  # times the least size at which a graph is legible
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's transfer functions."""
-    sheet = _TransferSheet(study.of(TransferStudy), study.of(TransferComparison), study.of(MotionComparison))
-    return lay_out(study.scene, [sheet.draft])
+    return lay_out(study.scene, [_TransferSheet(study.of(TransferStudy), study.of(TransferComparison)).draft])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -50,7 +45,6 @@ class _TransferSheet:
 
     study: TransferStudy
     comparison: TransferComparison
-    motion: MotionComparison
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -65,10 +59,12 @@ class _TransferSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, table and notes."""
-        schemes = [self._scheme(k) for k in self.positions]
+        poses = ((pose(self.study.linkage, self.comparison.construction, k), k) for k in self.positions)
+        schemes = [TurnedScheme(bones, self.study.turned, k) for bones, k in poses]
+        told = functions(self.study.linkage.mechanism)
         shows: list[Exhibit | Caption] = []
         for one in schemes:
-            read = working(one, self._read(one.column), self.drafting)
+            read = working(one, told, self.drafting)
             shows.append(exhibit(scheme, one, self.drafting, weight=1.5, together=one.name))
             shows.append(Caption(read.panel._replace(together=one.name), read.write, of=read.of))
         shows += [exhibit(curve_graph, curve, self.drafting, LARGEST) for curve in self._graphs()]
@@ -76,21 +72,18 @@ class _TransferSheet:
         tables = tuple(self._tables())
         return Draft(TRANSFER, title, tuple(shows), tables, tuple(self._notes(schemes)), facts, later=self._by_hand)
 
-    def _scheme(self, k: int) -> TurnedScheme:
-        return TurnedScheme(pose(self.study.linkage, self.comparison.construction, k), self.study.turned, k)
-
     def _graphs(self) -> Iterator[GraphCurve]:
         """The output's transfer functions over the turn."""
         course = output_functions(self.study)
         if course is None:
             return
         phi, sense = self.study.linkage.turn.phi, self.study.linkage.sense
-        stations, angles = np.degrees(sense * (phi - phi[0])) % 360, np.degrees(self.study.angles)
+        stations, angles = np.degrees(sense * (phi - phi[0])) % 360, np.linspace(0.0, 360.0, STEPS + 1)
         dense, found = course.rows(self.study.around()), course.rows(self.comparison.construction)
         for order, name in enumerate(course.names):
             values, letter = bounded(dense[order], found[order]), markup(name)
-            told = (angles, values, stations, found[order])
-            curve = swing(GraphCurve(letter, course.unit or NUMBER, *told, shown=self.positions, states=name))
+            row = (angles, values, stations, found[order])
+            curve = swing(GraphCurve(letter, course.unit or NUMBER, *row, shown=self.positions, states=name))
             kind = "slope" if order else "ratio" if isinstance(course.of, int) else "way"
             title = self.drafting.word(f"{kind} {'turn' if curve.closed else 'swing'}", letter=letter)
             yield curve._replace(title=title, name=f"transfer-{order + 1}")
@@ -99,7 +92,7 @@ class _TransferSheet:
         """Tell by both roads what moves; nothing of what stays zero."""
         lines = [
             value_table.value_row(found, named(found, self.drafting.language), self.positions, self.drafting.language)
-            for found in told(self.comparison)
+            for found in listed(self.comparison)
         ]
         if self.positions and lines:
             yield value_table.table(lines, self.positions, self.drafting)
@@ -113,25 +106,12 @@ class _TransferSheet:
             errors |= by_hand(self.comparison.findings, boards, k) if boards else {}
         return errors
 
-    def _read(self, k: int) -> list[ReadRatio]:
-        return [self._ratio(course, k) for course in functions(self.study.linkage.mechanism)]
-
-    def _ratio(self, course: TransferFunctions, k: int) -> ReadRatio:
-        start, end = course.shown(self.study.turned)
-        value, plan = float(np.atleast_1d(course.read(self.study.turned))[k]), self.study.turned
-        letter = markup(course.names[0])
-        if isinstance(course.of, int):
-            segments = tuple("".join(with_index(mark.name) for mark in part.step.inputs) for part in (end, start))
-            return ReadRatio(letter, segments, (abs(at(end.point, k)), abs(at(start.point, k))), value)
-        segment = with_index(plan.pole.name) + with_index(end.name)
-        return ReadRatio(letter, (segment,), (abs(at(end.point, k)),), value)
-
     def _notes(self, schemes: Sequence[TurnedScheme]) -> Iterator[str]:
         drive, word = self.study.linkage.mechanism.drive, self.drafting.word
         image = with_index(self.study.turned.images[drive.end].name)
         yield word("transfer read", crank=drive.link)
         yield word("transfer turned", pole=drive.pivot, image=image, end=with_index(drive.end))
-        if sliding(self.study.linkage.mechanism):
+        if any(found.unit for found in self.comparison.findings):
             yield word("transfer along")
         yield word("transfer second", crank=drive.link)
         if any(one.equal for one in schemes):

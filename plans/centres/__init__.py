@@ -22,12 +22,12 @@ class CentresTechnique(Technique):
     needs = ("linkage",)
 
     def form(self) -> type[TechniqueForm]:
-        from plans.centres.reading import CentresForm
+        from plans.centres.study import CentresForm
 
         return CentresForm
 
     def survey(self, meaning: Meaning) -> Survey:
-        from plans.centres.reading import survey_of
+        from plans.centres.study import survey_of
 
         return survey_of(meaning)
 
@@ -44,7 +44,7 @@ class CentresTechnique(Technique):
         return compare_centres(study.of(CentresStudy))
 
     def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
-        from plans.centres.marks import marks
+        from plans.centres.quantities import marks
 
         return marks(study, position, name)
 

@@ -4,18 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark, Reading
+from geometry.board import Mark, Reading, behind
 from geometry.meet import EPS
 from geometry.precision import errors
 from plans.centres.kennedy import CENTRES, Kennedy, Pair, letter, pairs
 from plans.centres.study import CentreRate, CentresStudy
+from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.linkage.marks import UNITS, position_of, title
 from plans.linkage.quantities import ANALYSIS, MotionComparison, compare
 from plans.model.mechanism import FRAME, Mechanism
-from plans.model.motion import VELOCITIES, Complexes, Floats, Motion
+from plans.model.motion import POSITIONS, VELOCITIES, Complexes, Floats, Motion
 from plans.quantity import Comparison, Quantity
+from plans.words.words import message
+
+if TYPE_CHECKING:
+    from plans.study import Study
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -109,3 +116,17 @@ class _Compared:
             return 0.0
         (arm, turning), (size, part) = read, (float(np.abs(np.ravel(mark.point)[0])) for mark in read)
         return (bounds[turning] + part / size * bounds[arm]) / size + 4 * EPS * part / size
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a centre in a position: P_02, P_13."""
+    found = study.of(CentresStudy)
+    named = {letter(pair): pair for pair in pairs(list(found.linkage.mechanism.links))}
+    if name not in named:
+        return NoMark(tuple(named), message("mark.marks", marks=", ".join(named)), tuple(named)[:1])
+    wanted = position_of(found.linkage, position)
+    centre = found.at(wanted).found.get(named[name])
+    if centre is None:
+        raise UnknownMark(message("mark.open_centre", mark=name, position=wanted))
+    heading, steps = title(found.linkage, name, wanted), tuple(behind(centre.mark))
+    return Explanation(heading, steps, {**UNITS, CENTRES: "m"}, (), POSITIONS.plan)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -11,9 +12,42 @@ import numpy as np
 from geometry.board import Reading, at
 from geometry.meet import cross
 from plans.centres.kennedy import CENTRES, Centre, Kennedy
+from plans.linkage.reading.linkage import check_numbers
+from plans.linkage.reading.survey import LinkageSurvey
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
+from plans.scene import fields as f
+from plans.scene.readers import many
+from plans.scene.scene import Meaning, TechniqueForm
+from plans.scene.tables import Table, key, table
 from plans.words.words import because
+
+
+class CentresTable(Table):
+    """The instant centres of a linkage: in which positions they are drawn."""
+
+    positions: tuple[int, ...] = key(
+        many(f.POSITION, f.NO_REPEATS, first=f.FEW),
+        (),
+        meaning="Positions whose instant centres are drawn; default: those of sheet.plans, or one.",
+    )
+
+
+class CentresForm(TechniqueForm):
+    """What a scene says of the instant centres of its linkage."""
+
+    centres: CentresTable = key(
+        table(CentresTable),
+        CentresTable(),
+        meaning="Instant centres of all links (мгновенные центры), by Aronhold and Kennedy.",
+    )
+
+
+def survey_of(meaning: Meaning) -> LinkageSurvey:
+    """See that the positions are there."""
+    survey, asked = replace(meaning.of(LinkageSurvey), faults=[]), meaning.scene.of(CentresForm).centres.positions
+    check_numbers(survey, {(CENTRES, "positions", index): number for index, number in enumerate(asked)})
+    return survey
 
 
 class CentreRate(NamedTuple):

@@ -22,12 +22,12 @@ class TransferTechnique(Technique):
     needs = ("linkage",)
 
     def form(self) -> type[TechniqueForm]:
-        from plans.transfer.reading import TransferForm
+        from plans.transfer.study import TransferForm
 
         return TransferForm
 
     def survey(self, meaning: Meaning) -> Survey:
-        from plans.transfer.reading import survey_of
+        from plans.transfer.study import survey_of
 
         return survey_of(meaning)
 
@@ -44,7 +44,7 @@ class TransferTechnique(Technique):
         return compare_transfer(study.of(TransferStudy))
 
     def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
-        from plans.transfer.marks import marks
+        from plans.transfer.quantities import marks
 
         return marks(study, position, name)
 

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from geometry.board import behind
 from geometry.meet import EPS
 from geometry.precision import errors
+from plans.explanation import Explanation, NoMark, in_position
+from plans.linkage.marks import UNITS, position_of, title
 from plans.linkage.quantities import MotionComparison, cap, compare, with_analysis
-from plans.model.motion import ACCELERATIONS, VELOCITIES, Motion, Order
+from plans.model.motion import ACCELERATIONS, POSITIONS, VELOCITIES, Motion, Order
 from plans.quantity import Comparison, Quantity
-from plans.transfer.functions import TransferFunctions, functions
-from plans.transfer.study import TRANSFER, TransferStudy
+from plans.transfer.study import TRANSFER, TransferFunctions, TransferStudy, functions
 from plans.transfer.turned import TurnedPlan
+from plans.words.words import message
+
+if TYPE_CHECKING:
+    from plans.study import Study
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -63,10 +69,22 @@ def _bound(of: TransferFunctions, plan: TurnedPlan) -> Any:
     return (bounds[end].place + part / size * bounds[start].place) / size + 4 * EPS * part / size
 
 
-def told(comparison: TransferComparison) -> list[Quantity]:
+def listed(comparison: TransferComparison) -> list[Quantity]:
     """List what tables tell: all that is anywhere more than rounding."""
     return [
         found
         for found in comparison.findings
         if np.nanmax(np.abs(found.analysis), initial=0.0) > np.nanmax(found.allowed, initial=0.0)
     ]
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind an image of the turned plan, b', a3', or behind what a transfer function is read off."""
+    plan, linkage = study.of(TransferStudy).turned, study.of(TransferStudy).linkage
+    read = {of.names[0]: tuple(of.shown(plan)) for of in functions(linkage.mechanism)}
+    named = {mark.name: (mark,) for mark in plan.board if mark.name.endswith("'")} | read
+    if name not in named:
+        return NoMark(tuple(named), message("mark.marks", marks=", ".join(read)), tuple(read)[:1])
+    wanted = position_of(linkage, position)
+    steps = in_position(behind(*named[name]), wanted, len(linkage.turn))
+    return Explanation(title(linkage, name, wanted), steps, {**UNITS, TRANSFER: "m"}, (), POSITIONS.plan)

@@ -12,7 +12,6 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Board, Line, Mark, Reading, behind
-from geometry.meet import Vectors
 from plans.linkage.plan import Plan
 from plans.words.words import because
 
@@ -26,16 +25,7 @@ class TurnedPlan(NamedTuple):
     pole: Mark
     images: Mapping[str, Mark]
     readings: Mapping[int, Reading]
-    letters: Mapping[Mark, tuple[str, ...]]  # what an image is lettered as that of its points
-
-    def ratio(self, link: int) -> Vectors:
-        """Read off the ratio of a link's turning to the crank's: its turned vector over its own, both parallel."""
-        arm, turning = self.readings[link]
-        return turning.point / arm.point
-
-    def slope(self, point: str) -> Vectors:
-        """Give the velocity of a point for 1 rad/s of the crank, m: the turned vector turned back."""
-        return 1j * self.images[point].point
+    letters: Mapping[str, str]  # of the images of the points, though several share one
 
 
 def turned(plan: Plan) -> TurnedPlan:
@@ -47,11 +37,10 @@ def turned(plan: Plan) -> TurnedPlan:
         again.draw(mark)
     made = again.made
     readings = {link: Reading(made[arm], made[turning]) for link, (arm, turning) in plan.readings.items()}
-    turned_images = {name: made[mark] for name, mark in images.items()}
-    letters: dict[Mark, tuple[str, ...]] = {}
-    for name, mark in turned_images.items():
-        letters[mark] = (*letters.get(mark, ()), f"{plan.letter(name)}'")
-    return TurnedPlan(again.board, made[plan.pole], turned_images, readings, letters)
+    letters = {name: f"{plan.letter(name)}'" for name in images}
+    return TurnedPlan(
+        again.board, made[plan.pole], {name: made[mark] for name, mark in images.items()}, readings, letters
+    )
 
 
 class _Redrawn:

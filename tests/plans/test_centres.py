@@ -23,8 +23,10 @@ RAM = {
     "slides": ["link = 3; along = { through = [0, 0], angle = 0 }"],
     "sketch": "A = [0.05, 0.09]",
 }
-MECHANISMS = {"four-bar": FOUR_BAR, "slider-crank": SLIDER_CRANK, "slotted link": SLOTTED, "sine": SINE, "tangent": TANGENT,
-              "six-link": SIX_LINK}  # fmt: skip
+MECHANISMS = {
+    "four-bar": FOUR_BAR, "slider-crank": SLIDER_CRANK, "slotted link": SLOTTED, "sine": SINE, "tangent": TANGENT,
+    "six-link": SIX_LINK,
+}  # fmt: skip
 ANGLES = (17.0, 29.3, 41.0)
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.transfer.quantities import TransferComparison, told
+from plans.transfer.quantities import TransferComparison, listed
 from plans.transfer.study import TransferStudy
 from plans.transfer.turned import loci
 from tests.plans.scenes import scene
@@ -153,4 +153,4 @@ def test_what_rounding_leaves_of_a_rod_that_does_not_turn_is_no_transfer_functio
     square = FOUR_BAR | {"lengths": "OA = 0.1; AB = 0.35; CB = 0.1", "sketch": "B = [0.4, 0.08]"}
     compared = study_of(square, 60, 61).of(TransferComparison)
     assert compared.agrees
-    assert [one.name for one in told(compared)] == ["u_31"]
+    assert [one.name for one in listed(compared)] == ["u_31"]
