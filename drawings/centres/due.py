@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+
+import numpy as np
 
 from drawings.checks.expected import Cell, Expected, cells
 from drawings.lettering.words import fixed, with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from plans.centres.kennedy import CENTRES, Centre, letter, pairs
+from plans.centres.kennedy import CENTRES, InstantCentre, letter, pairs
 from plans.centres.quantities import CentresComparison, common
 from plans.centres.study import CentresStudy
 from plans.model.mechanism import FRAME
@@ -27,33 +29,26 @@ def written(value: float, drafting: Drafting) -> str:
     return fixed(value, drafting.language, PLACES)
 
 
-def cells_of(centre: Centre | None, drafting: Drafting) -> tuple[str, str, str]:
+def cells_of(centre: InstantCentre | None, drafting: Drafting) -> tuple[str, str, str]:
     """Write over which links a centre was found, and where it lies: of one at infinity its direction."""
     if centre is None:
         return "—", "—", "—"
     over = ", ".join(map(str, centre.over)) or drafting.word("centre pair")
     if centre.infinite:
         return over, "∞", f"{written(_angle(centre.place), drafting)}°"
-    return over, *(written(1000 * part, drafting) for part in (centre.place.real, centre.place.imag))
+    x, y = (written(1000 * part, drafting) for part in (centre.place.real, centre.place.imag))
+    return over, x, y
 
 
 def _angle(way: complex) -> float:
     return round(math.degrees(cmath.phase(way)), PLACES) % HALF
 
 
-def spun(comparison: CentresComparison) -> Iterator[tuple[str, Callable[[int], tuple[float, float, float]]]]:
-    """Give the rates of the links that turn, each by centres, plan and analysis in a position."""
+def spun(comparison: CentresComparison) -> list[tuple[Quantity, Quantity]]:
+    """List the rates of the links that turn, by centres and by plan, each beside the analysis."""
     plans = {row.name: row for row in comparison.plans.of(VELOCITIES.plan)}
-    for found in comparison.findings:
-        if found.name in plans and abs(found.analysis).max(initial=0.0, where=found.analysis == found.analysis) > 0:
-            yield found.name, lambda k, by=found, plan=plans[found.name]: _three(by, plan, k)
-
-
-def _three(by: Quantity, plan: Quantity, k: int) -> tuple[float, float, float]:
-    return tuple(
-        0.0 if abs(row[k]) <= plan.allowed[k] else float(row[k])
-        for row in (by.construction, plan.construction, plan.analysis)
-    )
+    both = ((row, plans[row.name]) for row in comparison.findings if row.name in plans)
+    return [(by, plan) for by, plan in both if np.nanmax(np.abs(plan.analysis)) > np.nanmax(plan.allowed)]
 
 
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
@@ -84,8 +79,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
                 if centre.over:
                     yield Expected(Kind.POINT, CENTRES, letter(pair), complex(place[k]), off, k, may_lack=True)
             yield from cells(CENTRES, with_index(letter(pair)), told, k)
-    for name, values in spun(comparison):
+    for by, _ in spun(comparison):
+        name = f"{with_index(by.name)}, {drafting.word('rad/s')}"
         for k in positions:
-            true, off = values(k)[2], float(slack[name][k])
-            row_name = f"{with_index(name)}, {drafting.word('rad/s')}"
-            yield from cells(RATES, row_name, [(true, off)] * 3, k, digits=DIGITS)
+            yield from cells(RATES, name, [(float(by.analysis[k]), float(by.allowed[k]))] * 3, k, digits=DIGITS)

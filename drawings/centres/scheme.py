@@ -18,7 +18,7 @@ from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Line, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import arrowhead, fit_dashes
-from plans.centres.kennedy import CENTRES, Centre, Kennedy, letter, pairs
+from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy, letter, pairs
 
 MARGINS = Margins(4.5, 4.5, 5.0)
 LETTERS = 40.0  # it is drawn at least so many of its letters large
@@ -39,7 +39,7 @@ class CentresScheme(NamedTuple):
         return f"kennedy-{self.column}"
 
     @property
-    def near(self) -> list[Centre]:
+    def near(self) -> list[InstantCentre]:
         """The centres that are drawn in their places."""
         points = self.bones.points
         middle = sum(points) / len(points)
@@ -60,7 +60,7 @@ def measure(shown: CentresScheme, drafting: Drafting) -> Picture:
 def draw(shown: CentresScheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw it in its spot."""
     place, hand = room.place(*spot), drafting.hand
-    drawing = _Drawing(shown, Pairs(shown.bones, place, hand), place)
+    drawing = _DrawnCentres(shown, Pairs(shown.bones, place, hand), place)
     title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
     lines = (title, *drawing.lines(), *scheme(drawing.pairs, drawing.subject), *drawing.marks())
     return LetteredFigure(shown.name, lines, drawing.letters)
@@ -70,7 +70,7 @@ def _title(shown: CentresScheme, drafting: Drafting) -> str:
     return drafting.word("centres scheme", position=shown.column)
 
 
-class _Drawing:
+class _DrawnCentres:
     """A scheme with its centres at its place on paper."""
 
     def __init__(self, shown: CentresScheme, pairs: Pairs, place: Place) -> None:
@@ -91,7 +91,7 @@ class _Drawing:
                 found[centre.pair] = start, start + way / abs(way) * AWAY * self.hand.symbol
         return found
 
-    def _starts(self, centre: Centre) -> Iterator[complex]:
+    def _starts(self, centre: InstantCentre) -> Iterator[complex]:
         """Give where a direction may begin: at the block of a slide, or at centres on the lines that lead there."""
         for slide in self.pairs.bones.mechanism.slides if not centre.over else ():
             if {slide.slider, slide.owner} == set(centre.pair):
@@ -107,8 +107,9 @@ class _Drawing:
                 spots = [self.near[end] for end in (*ends, centre.pair) if end in self.near]
                 yield from self._line(spots)
         for start, end in self.away.values():
-            head = arrowhead(start, end, self.hand.symbol)
-            yield from (Line(start, end, self.hand.drafted), *([head] if head else []))
+            yield Line(start, end, self.hand.drafted)
+            if (head := arrowhead(start, end, self.hand.symbol)) is not None:
+                yield head
 
     def _line(self, spots: list[complex]) -> Iterator[Stroke]:
         first, last = max(

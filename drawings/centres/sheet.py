@@ -24,6 +24,7 @@ from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.centres.kennedy import CENTRES, letter, pairs
 from plans.centres.quantities import CentresComparison
 from plans.centres.study import CentresForm, CentresStudy
+from plans.quantity import Quantity
 from plans.study import Study
 
 
@@ -71,38 +72,36 @@ class _CentresSheet:
         word, text = self.drafting.word, self.drafting.hand.text
         every = pairs(list(self.study.linkage.mechanism.links))
         rows = [
-            TableRow(with_index(letter(pair)), tuple(c for k in self.positions for c in self._centre(pair, k)))
+            TableRow(
+                with_index(letter(pair)),
+                tuple(
+                    cell for k in self.positions for cell in cells_of(self.study.at(k).found.get(pair), self.drafting)
+                ),
+            )
             for pair in every
         ]
         heads = word("found over"), f"x, {word('mm')}", f"y, {word('mm')}"
         yield table(rows, word("centre"), heads, text, self.positions)._replace(name=CENTRES)
-        rates = [
-            TableRow(f"{with_index(name)}, {word('rad/s')}", tuple(
-                fixed(value, self.drafting.language, places) for k in self.positions for value in values(k)
-            ))
-            for name, values in spun(self.comparison)
-            for places in [max(DIGITS - 1 - math.floor(math.log10(max(map(abs, values(self.positions[0]))) or 1.0)), 0)]
-        ]  # fmt: skip
+        rates = [self._rate(by, plan) for by, plan in spun(self.comparison)]
         heads = word("by centres"), word("by plan"), word("by analysis")
         yield table(rates, word("quantity"), heads, text, self.positions)._replace(name="rates")
 
-    def _centre(self, pair: tuple[int, int], k: int) -> tuple[str, str, str]:
-        return cells_of(self.study.at(k).found.get(pair), self.drafting)
+    def _rate(self, by: Quantity, plan: Quantity) -> TableRow:
+        """Write a rate with the decimals of its largest by centres, by plan and by analysis."""
+        language, places = self.drafting.language, max(DIGITS - 1 - math.floor(math.log10(by.largest)), 0)
+        rows = by.construction, plan.construction, plan.analysis
+        told = (fixed(float(row[k].real), language, places) for k in self.positions for row in rows)
+        return TableRow(f"{with_index(by.name)}, {self.drafting.word('rad/s')}", tuple(told))
 
     def _notes(self) -> Iterator[str]:
         word, mechanism = self.drafting.word, self.study.linkage.mechanism
         yield word("centres known")
         yield word("centres over", pole=mechanism.drive.pivot)
         yield word("centres rates")
-        lacking = {
-            k: [pair for pair in pairs(list(mechanism.links)) if pair not in self.study.at(k).found]
-            for k in self.positions
-        }
-        told = [
-            word("centre open", letters=", ".join(with_index(letter(pair)) for pair in lost), position=k)
-            for k, lost in lacking.items()
-            if lost
-        ]
+        every, told = pairs(list(mechanism.links)), list[str]()
+        for k in self.positions:
+            if lost := [with_index(letter(pair)) for pair in every if pair not in self.study.at(k).found]:
+                told.append(word("centre open", letters=", ".join(lost), position=k))
         if told:
             yield word("centres open", told="; ".join(told))
 

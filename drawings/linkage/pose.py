@@ -67,10 +67,11 @@ def scheme(pairs: Pairs, subject: Subject, over: Iterable[Stroke] = ()) -> Itera
 
 def letters(pairs: Pairs, found: Iterable[tuple[complex, Sequence[str]]], labels: Labels) -> Iterator[Stroke]:
     """Letter the points with what else is found in their places, all else by itself; number the links."""
-    place, bars, beside = pairs.place, list(pairs.bars()), dict[complex, list[str]]()
-    points = {place.on(value): name for name, value in pairs.named.items()}
-    for value, names in ((value, [name]) for name, value in pairs.named.items()):
-        beside[place.on(value)] = names
+    place, bars, points = pairs.place, list(pairs.bars()), dict[complex, str]()
+    beside: dict[complex, list[str]] = {}
+    for name, value in pairs.named.items():
+        points[place.on(value)] = name
+        beside.setdefault(place.on(value), []).append(name)
     for value, names in found:
         spot = place.on(value)
         near = next((known for known in beside if abs(known - spot) < SAME), spot)

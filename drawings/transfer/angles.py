@@ -21,13 +21,6 @@ class EqualAngle(NamedTuple):
     on_scheme: Ways
 
 
-class RightAngle(NamedTuple):
-    """A right angle of the turned plan: its vertex in true units, and its sides."""
-
-    vertex: complex
-    ways: Ways
-
-
 class Sides(NamedTuple):
     """The two lines in which an image was found, and the ways to where they begin."""
 
@@ -39,9 +32,7 @@ class Sides(NamedTuple):
 def equal_angles(plan: TurnedPlan, points: dict[str, complex], column: int, least: float) -> Iterator[EqualAngle]:
     """Give for each named point that two lines find the angle between them, and the angle at the point itself.
 
-    On sides of less than the `least`, m, none is marked.
-
-    Both lines turned with the velocities: where neither is a link's own, both are turned back by a quarter.
+    Where neither line is a link's own both are turned back by a quarter. On sides below the `least` none is marked.
     """
     for name, image in plan.images.items():
         sides = _sides(image, column, least)
@@ -55,18 +46,18 @@ def equal_angles(plan: TurnedPlan, points: dict[str, complex], column: int, leas
         yield EqualAngle(sides.image, points[name], sides.ways, (sense * first, sense * second))
 
 
-def right_angles(marks: list[Mark], column: int, least: float) -> Iterator[RightAngle]:
-    """Give the right angles between two lines at an image, and of lines square to a link at their beginning."""
+def right_angles(marks: list[Mark], column: int, least: float) -> Iterator[tuple[complex, Ways]]:
+    """Give vertex and sides of the right angles at images, and of lines square to a link where they begin."""
     for mark in marks:
         sides = _sides(mark, column, least)
         if sides is None:
             continue
         if _square(*sides.ways):
-            yield RightAngle(sides.image, sides.ways)
+            yield sides.image, sides.ways
         for line, way in zip(sides.lines, sides.ways, strict=True):
             start, along = at(line.step.inputs[0].point, column), at(line.step.inputs[1].point, column)
             if line.step.op == "square" and start:
-                yield RightAngle(start, (-way, -along / abs(along)))
+                yield start, (-way, -along / abs(along))
 
 
 def _sides(image: Mark, column: int, least: float) -> Sides | None:

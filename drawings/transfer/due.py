@@ -17,16 +17,14 @@ from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Key, Kind, Leaf
 from plans.linkage.plan import PlanLetters
 from plans.model.mechanism import FRAME
-from plans.model.motion import POSITIONS, Motion
-from plans.quantity import by_hand as slipping
+from plans.model.motion import Motion
 from plans.study import Study
-from plans.transfer.quantities import TransferComparison, listed
+from plans.transfer.quantities import TransferComparison, by_scales, listed
 from plans.transfer.study import TRANSFER, TransferStudy, output_functions
 
 VALUES, SHORT = "values", 0.1  # mm: a shorter vector may be a point
 FAR = 1e-9  # of what a graph goes through: both roads agree far better
-STEPS, TALLEST = 720, 2.0  # of a turn; times the largest at a position that a course may go
-TURN = 360.0
+STEPS, TURN = 720, 360.0  # of a turn, its degrees
 
 
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
@@ -122,16 +120,12 @@ class _ExpectedTransfer:
 
     def values(self) -> Iterator[Expected]:
         """Give the cells of the table of values."""
-        for found in listed(self.comparison):
-            for k in self.positions:
-                mu = self.scales.get(f"turned-{k}")
-                boards = {} if mu is None else {TRANSFER: mu, POSITIONS.plan: mu}
-                error = (
-                    slipping(self.comparison.findings, boards, k).get((found.name, k), math.nan) if boards else math.nan
-                )
-                size = float(found.analysis[k]), float(found.allowed[k])
-                hand = by_hand(error, found.largest)
-                yield from by_roads(VALUES, named(found, self.drafting.language), size, hand, k, self.keys)
+        for k in self.positions:
+            errors = by_scales(self.comparison.findings, self.scales, k)
+            for found in listed(self.comparison):
+                row, size = named(found, self.drafting.language), (float(found.analysis[k]), float(found.allowed[k]))
+                hand = by_hand(errors.get((found.name, k), math.nan), found.largest)
+                yield from by_roads(VALUES, row, size, hand, k, self.keys)
 
 
 def _swing(stations: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> tuple[float, float]:

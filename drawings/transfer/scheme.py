@@ -113,8 +113,8 @@ def _vectors(shown: TurnedScheme, subject: Subject, place: Place, hand: Hand) ->
 
 def _angles(shown: TurnedScheme, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Mark right angles, and equal ones by as many arcs each."""
-    for right in right_angles(shown.images, shown.column, SHORT * shown.bones.reach):
-        spot, (first, second) = place.on(right.vertex), (way * SQUARE * hand.symbol for way in right.ways)
+    for vertex, ways in right_angles(shown.images, shown.column, SHORT * shown.bones.reach):
+        spot, (first, second) = place.on(vertex), (way * SQUARE * hand.symbol for way in ways)
         yield Polyline((spot + first, spot + first + second, spot + second), False, hand.drafted)
     for count, equal in enumerate(shown.equal, 1):
         yield from _equal(equal, count, place, hand)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
+from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -25,10 +26,8 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figu
 from drawings.transfer import scheme
 from drawings.transfer.due import expected
 from drawings.transfer.scheme import TurnedScheme, working
-from plans.model.motion import POSITIONS
-from plans.quantity import by_hand
 from plans.study import Study
-from plans.transfer.quantities import TransferComparison, listed
+from plans.transfer.quantities import TransferComparison, by_scales, listed
 from plans.transfer.study import STEPS, TRANSFER, TransferForm, TransferStudy, functions, output_functions
 
 LARGEST = 3.0  # times the least size at which a graph is legible
@@ -98,13 +97,8 @@ class _TransferSheet:
             yield value_table.table(lines, self.positions, self.drafting)
 
     def _by_hand(self, scales: Mapping[str, float]) -> Mapping[tuple[str, int], float]:
-        """Give what a hand may be out: scheme and turned plan are drawn at one scale."""
-        errors: dict[tuple[str, int], float] = {}
-        for k in self.positions:
-            mu = scales.get(f"turned-{k}")
-            boards = {} if mu is None else {TRANSFER: mu, POSITIONS.plan: mu}
-            errors |= by_hand(self.comparison.findings, boards, k) if boards else {}
-        return errors
+        found = self.comparison.findings
+        return dict(chain(*(by_scales(found, scales, k).items() for k in self.positions)))
 
     def _notes(self, schemes: Sequence[TurnedScheme]) -> Iterator[str]:
         drive, word = self.study.linkage.mechanism.drive, self.drafting.word

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -11,43 +10,30 @@ import numpy as np
 
 from geometry.board import Reading, at
 from geometry.meet import cross
-from plans.centres.kennedy import CENTRES, Centre, Kennedy
-from plans.linkage.reading.linkage import check_numbers
+from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy
+from plans.linkage.reading.form import ChosenTable
+from plans.linkage.reading.linkage import see_positions
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.scene import fields as f
-from plans.scene.readers import many
 from plans.scene.scene import Meaning, TechniqueForm
-from plans.scene.tables import Table, key, table
+from plans.scene.tables import key, table
 from plans.words.words import because
-
-
-class CentresTable(Table):
-    """The instant centres of a linkage: in which positions they are drawn."""
-
-    positions: tuple[int, ...] = key(
-        many(f.POSITION, f.NO_REPEATS, first=f.FEW),
-        (),
-        meaning="Positions whose instant centres are drawn; default: those of sheet.plans, or one.",
-    )
 
 
 class CentresForm(TechniqueForm):
     """What a scene says of the instant centres of its linkage."""
 
-    centres: CentresTable = key(
-        table(CentresTable),
-        CentresTable(),
+    centres: ChosenTable = key(
+        table(ChosenTable),
+        ChosenTable(),
         meaning="Instant centres of all links (мгновенные центры), by Aronhold and Kennedy.",
     )
 
 
 def survey_of(meaning: Meaning) -> LinkageSurvey:
     """See that the positions are there."""
-    survey, asked = replace(meaning.of(LinkageSurvey), faults=[]), meaning.scene.of(CentresForm).centres.positions
-    check_numbers(survey, {(CENTRES, "positions", index): number for index, number in enumerate(asked)})
-    return survey
+    return see_positions(meaning, CENTRES, meaning.scene.of(CentresForm).centres.positions)
 
 
 class CentreRate(NamedTuple):
@@ -98,31 +84,27 @@ class CentresStudy:
             best = max(arms, key=lambda n: arms[n], default=None)
             alike = next((n for n, both in others.items() if both.infinite), None)
             if best is not None and arms[best] > 0:
-                known[link] = self._turned(found, best, link, known[best].value)
+                known[link] = self._turned(found, best, link, (known[best].value, omega))
             elif alike is not None:  # all that they have in common lies at infinity: it turns as the other does
                 known[link] = known[alike]
         return known
 
-    def _moves(self, found: Kennedy, link: int, both: Centre) -> bool:
+    def _moves(self, found: Kennedy, link: int, both: InstantCentre) -> bool:
         """Tell whether the velocity of a link at a centre is known by its own centre, or by the drive."""
         drive, own = self.linkage.mechanism.drive, found.of(FRAME, link)
         return not both.infinite and own is not None and (not own.infinite or (drive.pushed and link == drive.link))
 
-    def _turned(self, found: Kennedy, other: int, link: int, omega: float) -> CentreRate:
-        """Read a link's rate off the velocity of the centre that it has in common with another link."""
+    def _turned(self, found: Kennedy, other: int, link: int, rates: tuple[float, float]) -> CentreRate:
+        """Read a link's rate off the velocity of a centre in common with another, by that one's rate or the drive's."""
         board, own, base, both = found.board, found.of(FRAME, link), found.of(FRAME, other), found.of(other, link)
         assert own is not None and both is not None and base is not None  # they were looked for
+        (omega, drive), guide = rates, self.linkage.mechanism.drive.guide
         arm = board.join(f"{own.mark.name}{both.mark.name}", own.mark, both.mark)
-        if base.infinite:
-            speed = board.given(f"v_{both.mark.name}", self._pushed(found), because("centre_slides", link=other))
+        if base.infinite and guide is not None:
+            way = self.linkage.mechanism.drive.unit * drive * guide.way(FRAME).direction
+            speed = board.given(f"v_{both.mark.name}", way, because("centre_slides", link=other))
         else:
             radius = board.join(f"{base.mark.name}{both.mark.name}", base.mark, both.mark)
             speed = board.turn(f"v_{both.mark.name}", radius, 1j * omega, because("centre_turns", link=other))
         reach = at(arm.point, 0)
         return CentreRate(float(cross(reach, at(speed.point, 0))) / abs(reach) ** 2, Reading(arm, speed))
-
-    def _pushed(self, found: Kennedy) -> complex:
-        """Give the velocity of a slide that drives, m/s."""
-        drive, k = self.linkage.mechanism.drive, next(k for k, one in self._found.items() if one is found)
-        assert drive.guide is not None  # it is pushed along it
-        return drive.unit * self.linkage.rates.at(k)[0] * drive.guide.way(FRAME).direction

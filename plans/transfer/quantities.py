@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from plans.explanation import Explanation, NoMark, in_position
 from plans.linkage.marks import UNITS, position_of, title
 from plans.linkage.quantities import MotionComparison, cap, compare, with_analysis
 from plans.model.motion import ACCELERATIONS, POSITIONS, VELOCITIES, Motion, Order
-from plans.quantity import Comparison, Quantity
+from plans.quantity import Comparison, Quantity, by_hand
 from plans.transfer.study import TRANSFER, TransferFunctions, TransferStudy, functions
 from plans.transfer.turned import TurnedPlan
 from plans.words.words import message
@@ -76,6 +76,12 @@ def listed(comparison: TransferComparison) -> list[Quantity]:
         for found in comparison.findings
         if np.nanmax(np.abs(found.analysis), initial=0.0) > np.nanmax(found.allowed, initial=0.0)
     ]
+
+
+def by_scales(found: Sequence[Quantity], scales: Mapping[str, float], k: int) -> Mapping[tuple[str, int], float]:
+    """Give what a hand may be out in a position: scheme and turned plan are drawn at one scale."""
+    mu = scales.get(f"turned-{k}")
+    return {} if mu is None else by_hand(found, {TRANSFER: mu, POSITIONS.plan: mu}, k)
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:

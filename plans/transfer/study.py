@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -11,48 +10,36 @@ import numpy as np
 
 from geometry.board import Reading, Span
 from plans.linkage.drafts import Drafts
-from plans.linkage.reading.linkage import check_numbers
+from plans.linkage.reading.form import ChosenTable
+from plans.linkage.reading.linkage import see_positions
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import at_angles
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Floats, Motion, Rates
-from plans.scene import fields as f
-from plans.scene.readers import many
 from plans.scene.scene import Meaning, TechniqueForm
-from plans.scene.tables import Table, key, table
+from plans.scene.tables import key, table
 from plans.transfer.turned import TURNED, TurnedPlan, turned
 
 TRANSFER = TURNED
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
 
-class TransferTable(Table):
-    """The transfer functions of a linkage: where the turned velocity plan is drawn on the scheme."""
-
-    positions: tuple[int, ...] = key(
-        many(f.POSITION, f.NO_REPEATS, first=f.FEW),
-        (),
-        meaning="Positions whose schemes bear the turned velocity plan; default: those of sheet.plans, or one.",
-    )
-
-
 class TransferForm(TechniqueForm):
     """What a scene says of the transfer functions of its linkage."""
 
-    transfer: TransferTable = key(
-        table(TransferTable),
-        TransferTable(),
+    transfer: ChosenTable = key(
+        table(ChosenTable),
+        ChosenTable(),
         meaning="Transfer functions u, u', S', S'' (передаточные функции), off the velocity plan turned by a quarter.",
     )
 
 
 def survey_of(meaning: Meaning) -> LinkageSurvey:
     """See that a crank turns, by whose angle all is derived, and that the positions are there."""
-    survey, asked = replace(meaning.of(LinkageSurvey), faults=[]), meaning.scene.of(TransferForm).transfer.positions
+    survey = see_positions(meaning, TRANSFER, meaning.scene.of(TransferForm).transfer.positions)
     if survey.form.drive.stroke is not None:
         survey.report(("drive", "stroke"), "no_crank")
-    check_numbers(survey, {(TRANSFER, "positions", index): number for index, number in enumerate(asked)})
     return survey
 
 
@@ -94,8 +81,8 @@ def functions(mechanism: Mechanism) -> list[TransferFunctions]:
     for link in sorted(least, key=lambda n: (not mechanism.links[n].points.keys() & fixed, n)):  # hinged ones first
         alike.setdefault(least[link], []).append(link)
     turning = sorted(links[0] for first, links in alike.items() if first not in (FRAME, least[mechanism.drive.link]))
-    sliding = (slide for slide in mechanism.slides if FRAME in (slide.owner, slide.slider))
-    return [TransferFunctions(mechanism, of) for of in (*turning, *sliding)]
+    told: list[int | Slide] = [*turning, *(slide for slide in mechanism.slides if FRAME in (slide.owner, slide.slider))]
+    return [TransferFunctions(mechanism, of) for of in told]
 
 
 def output_functions(study: TransferStudy) -> TransferFunctions | None:
