@@ -48,7 +48,7 @@ class _CentresSheet:
     def positions(self) -> tuple[int, ...]:
         """The positions that are drawn."""
         linkage = self.study.linkage
-        return shown(linkage, self.comparison.plans, linkage.scene.of(CentresForm).centres.positions)
+        return shown(linkage, self.comparison.plans, CENTRES, linkage.scene.of(CentresForm).centres.positions)
 
     @property
     def draft(self) -> Draft:
@@ -59,16 +59,14 @@ class _CentresSheet:
             exhibit(scheme, CentresScheme(one, self.study.at(k), k), drafting, weight=1.5, scale=CENTRES)
             for k, one in poses
         ]
-        if self.positions:
-            draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
-            shows.append(Exhibit(Panel(room(drafting)), draw))
+        draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
+        shows.append(Exhibit(Panel(room(drafting)), draw))
         title, facts = drafting.word("centres sheet title"), partial(figures_facts, centred=list(self.positions))
-        return Draft(CENTRES, title, tuple(shows), tuple(self._tables()), tuple(self._notes()), facts)
+        tables, said = tuple(self._tables()), tuple(self._notes())
+        return Draft(CENTRES, title, tuple(shows), tables, said, facts, later=lambda scales: {})  # graded by the scales
 
     def _tables(self) -> Iterator[RuledTable]:
         """Tell each centre and each rate in the positions that are drawn."""
-        if not self.positions:
-            return
         word, text = self.drafting.word, self.drafting.hand.text
         every = pairs(list(self.study.linkage.mechanism.links))
         rows = [
@@ -83,8 +81,9 @@ class _CentresSheet:
         heads = word("found over"), f"x, {word('mm')}", f"y, {word('mm')}"
         yield table(rows, word("centre"), heads, text, self.positions)._replace(name=CENTRES)
         rates = [self._rate(by, plan) for by, plan in spun(self.comparison)]
-        heads = word("by centres"), word("by plan"), word("by analysis")
-        yield table(rates, word("quantity"), heads, text, self.positions)._replace(name="rates")
+        if rates:
+            heads = word("by centres"), word("by plan"), word("by analysis")
+            yield table(rates, word("quantity"), heads, text, self.positions)._replace(name="rates")
 
     def _rate(self, by: Quantity, plan: Quantity) -> TableRow:
         """Write a rate with the decimals of its largest by centres, by plan and by analysis."""

@@ -18,10 +18,10 @@ from drawings.layout.picture import Margins, Picture, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
 from drawings.linkage.guides import axes, grounds
-from drawings.linkage.positions import position
+from drawings.linkage.positions import CHOICES, position
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
 from drawings.page.page import Drafting
-from drawings.paper.strokes import Stroke, Text
+from drawings.paper.strokes import SheetError, Stroke, Text
 from drawings.symbols.figure import Subject, around
 from drawings.symbols.symbols import ARROW_LENGTH, fit_dashes
 from drawings.symbols.trimming import trim
@@ -29,6 +29,7 @@ from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
+from plans.words.words import message, placed
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -93,8 +94,16 @@ def measured(
     return picture(name, points, ("l", "m"), around(margins, hand), width, letters * hand.letter)
 
 
-def shown(study: LinkageStudy, comparison: MotionComparison, asked: Sequence[int]) -> tuple[int, ...]:
-    """Give the positions that are drawn: those asked for, or those of the plans, or one; of each that moves."""
+def shown(study: LinkageStudy, comparison: MotionComparison, table: str, asked: Sequence[int]) -> tuple[int, ...]:
+    """Give the positions that are drawn: those that a table asks for, or those of the plans, or one.
+
+    One that has no velocities is refused.
+    """
     chosen = tuple(asked) or study.form.sheet.plans or (position(study, comparison),)
-    moving = ~np.isnan(comparison.construction.links[study.output.link].omega)
-    return tuple(k for k in chosen if moving[k])
+    moving = np.flatnonzero(~np.isnan(comparison.construction.links[study.output.link].omega)).tolist()
+    for k in (k for k in chosen if k not in moving):
+        others = ", ".join(map(str, moving[:CHOICES])) or "—"
+        refused = message("refused.no_motion", table=table, position=k, positions=others)
+        line, column = study.scene.place((table, "positions") if asked else ("sheet", "plans"))
+        raise SheetError(placed(f"{study.scene.file}:{line}:{column}", refused))
+    return chosen

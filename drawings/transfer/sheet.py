@@ -51,9 +51,9 @@ class _TransferSheet:
 
     @cached_property
     def positions(self) -> tuple[int, ...]:
-        """The positions whose turned plans are drawn: those that are asked for and can be assembled."""
+        """The positions whose turned plans are drawn."""
         linkage = self.study.linkage
-        return shown(linkage, self.comparison.even, linkage.scene.of(TransferForm).transfer.positions)
+        return shown(linkage, self.comparison.even, TRANSFER, linkage.scene.of(TransferForm).transfer.positions)
 
     @property
     def draft(self) -> Draft:
@@ -93,7 +93,7 @@ class _TransferSheet:
             value_table.value_row(found, named(found, self.drafting.language), self.positions, self.drafting.language)
             for found in listed(self.comparison)
         ]
-        if self.positions and lines:
+        if lines:
             yield value_table.table(lines, self.positions, self.drafting)
 
     def _by_hand(self, scales: Mapping[str, float]) -> Mapping[tuple[str, int], float]:

@@ -63,7 +63,8 @@ def compare_centres(study: CentresStudy) -> CentresComparison:
     motion = compare(study.linkage, VELOCITIES.number)
     both = _Compared(study, motion)
     found = (*both.places(), *both.rates())
-    return CentresComparison(motion.construction, motion.analysis, found, motion, motion=motion)
+    ours, theirs = (road._replace(gaps=()) for road in (motion.construction, motion.analysis))  # told of the motion
+    return CentresComparison(ours, theirs, found, motion, motion=motion)
 
 
 class _Compared:

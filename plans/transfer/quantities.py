@@ -39,7 +39,8 @@ def compare_transfer(study: TransferStudy) -> TransferComparison:
     """Put the turned plan, and the acceleration plan at 1 rad/s, beside the derivatives by analysis."""
     motion = compare(study.unit)
     found = cap(study.unit, [*_findings(study, motion)])
-    return TransferComparison(motion.construction, motion.analysis, found, motion, motion=motion)
+    ours, theirs = (road._replace(gaps=()) for road in (motion.construction, motion.analysis))  # told of the motion
+    return TransferComparison(ours, theirs, found, motion, motion=motion)
 
 
 def _findings(study: TransferStudy, motion: MotionComparison) -> Iterator[Quantity]:

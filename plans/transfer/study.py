@@ -62,6 +62,7 @@ class TransferFunctions:
         first, second = ((row * along).real for row in motion.points[self.of.point][1:])
         return first, second
 
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN
     def read(self, plan: TurnedPlan) -> Any:
         """Read the first off the turned plan: a segment over its link, both parallel, or as it is turned back."""
         start, end = self.shown(plan)
