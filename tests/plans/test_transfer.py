@@ -113,6 +113,30 @@ def test_the_images_of_the_turned_plan_lie_where_they_were_worked(mechanism, ang
     assert complex(np.ravel(board[name].point)[0]) == pytest.approx(place, abs=6e-11)
 
 
+def test_the_stone_slips_by_what_lies_between_its_two_images():
+    board = study_of(SLOTTED, 60).of(TransferStudy).turned.board
+    slip = complex(np.ravel(board["a3'"].point - board["a'"].point)[0])
+    assert abs(slip) == pytest.approx(0.04586441577, rel=6e-10)
+
+
+# Theme 5, task 1: the position functions at 30 degrees, rad of the output link or m of its point.
+PLACES = [
+    (FOUR_BAR, 3, radians(79.92059457)),
+    (SLIDER_CRANK, "B", 0.2517113678 + 0.02j),
+    (SLOTTED, 3, radians(75.77674282)),
+    (SINE, "D", 0.05j),
+    (TANGENT, "A", 0.15 + 0.08660254038j),
+]
+
+
+@pytest.mark.parametrize(("mechanism", "of", "value"), PLACES)
+def test_the_output_is_where_its_position_function_says(mechanism, of, value):
+    compared = study_of(mechanism, 30).of(TransferComparison)
+    for motion in (compared.construction, compared.analysis):
+        found = motion.links[of].angle[0] if isinstance(of, int) else motion.points[of].r[0]
+        assert found == pytest.approx(value, rel=6e-10)
+
+
 def test_the_triangle_of_a_four_bar_has_the_worked_angles():
     board = study_of(FOUR_BAR, 60).of(TransferStudy).turned.board
     a, b = (complex(np.ravel(board[name].point)[0]) for name in ("a'", "b'"))
