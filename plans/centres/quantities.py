@@ -17,7 +17,7 @@ from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.marks import UNITS, position_of, title
 from plans.linkage.quantities import ANALYSIS, MotionComparison, compare
 from plans.model.mechanism import FRAME, Mechanism
-from plans.model.motion import POSITIONS, VELOCITIES, Complexes, Floats, Motion
+from plans.model.motion import POSITIONS, VELOCITIES, Complexes, Floats, Motion, evenly
 from plans.quantity import Comparison, Quantity
 from plans.words.words import message
 
@@ -33,6 +33,7 @@ class CentresComparison(Comparison):
     analysis: Motion
     findings: tuple[Quantity, ...]
     plans: MotionComparison  # the motion up to velocities by plans and analysis
+    moving: MotionComparison  # the same, or of a drive that rests one at 1 rad/s: its centres are the same
 
 
 def spin(mechanism: Mechanism, motion: Motion, link: int) -> tuple[Complexes, Floats]:
@@ -61,15 +62,17 @@ def common(mechanism: Mechanism, motion: Motion, pair: Pair) -> Complexes:
 def compare_centres(study: CentresStudy) -> CentresComparison:
     """Put centres and rates beside those by analysis, in all positions."""
     motion = compare(study.linkage, VELOCITIES.number)
-    both = _Compared(study, motion)
+    rests = not np.any(study.linkage.rates.omega)
+    moving = compare(study.linkage.paced(evenly), VELOCITIES.number) if rests else motion
+    both = _Compared(study, motion, moving)
     found = (*both.places(), *both.rates())
     ours, theirs = (road._replace(gaps=()) for road in (motion.construction, motion.analysis))  # told of the motion
-    return CentresComparison(ours, theirs, found, motion, motion=motion)
+    return CentresComparison(ours, theirs, found, motion, moving, motion=motion)
 
 
 class _Compared:
-    def __init__(self, study: CentresStudy, motion: MotionComparison) -> None:
-        self.study, self.motion, self.mechanism = study, motion, study.linkage.mechanism
+    def __init__(self, study: CentresStudy, motion: MotionComparison, moving: MotionComparison) -> None:
+        self.study, self.motion, self.mechanism, self.moving = study, motion, study.linkage.mechanism, moving.analysis
         self.count = len(motion.analysis.phi)
         self.read = {k: study.rates(k) for k in study.whole}
         self.bounds = {k: self._bounds(study.at(k), rates) for k, rates in self.read.items()}
@@ -82,15 +85,15 @@ class _Compared:
 
     def places(self) -> Iterator[Quantity]:
         """Compare the centres that are not at infinity."""
-        fastest = max(float(np.nanmax(np.abs(point.v))) for point in self.motion.analysis.points.values())
+        fastest = max(float(np.nanmax(np.abs(point.v))) for point in self.moving.points.values())
         for pair in pairs(list(self.mechanism.links)):
             ours, bound = np.full(self.count, np.nan + 0j), np.full(self.count, np.nan)
             for k in self.study.whole:
                 centre = self.study.at(k).found.get(pair)
                 if centre is not None and not centre.infinite:
                     ours[k], bound[k] = centre.place, self.bounds[k][centre.mark]
-            (_, one), (_, two) = (spin(self.mechanism, self.motion.analysis, link) for link in pair)
-            theirs = common(self.mechanism, self.motion.analysis, pair)
+            (_, one), (_, two) = (spin(self.mechanism, self.moving, link) for link in pair)
+            theirs = common(self.mechanism, self.moving, pair)
             rates = np.maximum(np.abs(one), np.abs(two)) * np.abs(ours) + fastest
             apart = (
                 np.abs(one - two) if hinge_of(self.mechanism, pair) is None else np.maximum(np.abs(one), np.abs(two))

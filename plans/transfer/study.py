@@ -16,7 +16,7 @@ from plans.linkage.reading.survey import LinkageSurvey
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import at_angles
 from plans.model.mechanism import FRAME, Mechanism, Slide
-from plans.model.motion import Floats, Motion, Rates
+from plans.model.motion import Floats, Motion, evenly
 from plans.scene.scene import Meaning, TechniqueForm
 from plans.scene.tables import key, table
 from plans.transfer.turned import TURNED, TurnedPlan, turned
@@ -121,8 +121,3 @@ class TransferStudy:
         for row in found.rows():
             row[gone] = np.nan
         return found
-
-
-def evenly(phi: Floats) -> Rates:
-    """Turn a crank by 1 rad/s in every position, whose velocities are then transfer functions."""
-    return Rates(np.ones_like(phi), np.zeros_like(phi))

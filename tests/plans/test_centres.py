@@ -109,3 +109,11 @@ def test_a_position_that_is_not_there_is_told():
         'sheets = ["centres"]', **FOUR_BAR, drive="link = 1; speed = 1; positions = 4", centres="positions = [4]"
     )
     assert "a position from 0 to 3" in str(parse_scene(text).meaning.faults[0])
+
+
+def test_a_drive_that_rests_has_its_centres_too_and_no_rates():
+    drive = "link = 1; speed = 0; acceleration = 2; positions = [30, 70]"
+    compared = Study(parse_scene(scene('sheets = ["centres"]', **FOUR_BAR, drive=drive))).of(CentresComparison)
+    assert compared.agrees
+    assert all(np.abs(one.analysis).max() == 0 for one in compared.findings if one.unit == "rad/s")
+    assert np.isfinite(next(one for one in compared.findings if one.name == "P_02").analysis).all()
