@@ -87,21 +87,22 @@ class _Compared:
         """Compare the centres that are not at infinity."""
         fastest = max(float(np.nanmax(np.abs(point.v))) for point in self.moving.points.values())
         for pair in pairs(list(self.mechanism.links)):
-            ours, bound = np.full(self.count, np.nan + 0j), np.full(self.count, np.nan)
+            ours, bound, found = (
+                np.full(self.count, np.nan + 0j),
+                np.full(self.count, np.nan),
+                np.zeros(self.count, bool),
+            )
             for k in self.study.whole:
                 centre = self.study.at(k).found.get(pair)
                 if centre is not None and not centre.infinite:
-                    ours[k], bound[k] = centre.place, self.bounds[k][centre.mark]
+                    ours[k], bound[k], found[k] = centre.place, self.bounds[k][centre.mark], True
             (_, one), (_, two) = (spin(self.mechanism, self.moving, link) for link in pair)
-            theirs = common(self.mechanism, self.moving, pair)
-            rates = np.maximum(np.abs(one), np.abs(two)) * np.abs(ours) + fastest
-            apart = (
-                np.abs(one - two) if hinge_of(self.mechanism, pair) is None else np.maximum(np.abs(one), np.abs(two))
-            )
-            allowed = bound + self.kappa * rates / apart
-            there = np.isfinite(ours) & np.isfinite(theirs)  # two links that for a moment move as one have any
-            both = np.where(there, ours, np.nan), np.where(there, theirs, np.nan)
-            yield Quantity.of((CENTRES, letter(pair), "m"), both, np.where(there, allowed, np.nan))
+            theirs, fast = common(self.mechanism, self.moving, pair), np.maximum(np.abs(one), np.abs(two))
+            apart = np.abs(one - two) if hinge_of(self.mechanism, pair) is None else fast
+            found &= apart > self.kappa * fast  # two links that for a moment move as one have a centre anywhere
+            allowed = np.where(found, bound + self.kappa * (fast * np.abs(theirs) + fastest) / apart, np.nan)
+            both = np.where(found, ours, np.nan), np.where(found, theirs, np.nan)
+            yield Quantity.of((CENTRES, letter(pair), "m"), both, allowed)
 
     def rates(self) -> Iterator[Quantity]:
         """Compare the rates of the links."""

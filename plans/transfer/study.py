@@ -62,12 +62,12 @@ class TransferFunctions:
         first, second = ((row * along).real for row in motion.points[self.of.point][1:])
         return first, second
 
-    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN
     def read(self, plan: TurnedPlan) -> Any:
         """Read the first off the turned plan: a segment over its link, both parallel, or as it is turned back."""
         start, end = self.shown(plan)
         if isinstance(self.of, int):
-            return np.real(end.point / start.point)
+            with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
+                return np.real(end.point / start.point)
         return np.real(1j * end.point * np.conj(self.of.way(FRAME).direction))
 
     def shown(self, plan: TurnedPlan) -> Reading | Span:
