@@ -199,7 +199,7 @@ ROOMS = (
     ("plans.study",),
     ("plans.linkage",),
     ("plans.forces",),
-    ("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams"),
+    ("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams", "plans.transfer", "plans.centres"),
     ("plans.bank",),
     (ROADS,),
     ("plans.bench",),

@@ -80,6 +80,8 @@ RECORDS: Final[Mapping[str, str]] = MappingProxyType(
     {
         "linkage": "drawings.grading.techniques.forces:record_of_linkage",
         "forces": "drawings.grading.techniques.forces:record_of_forces",
+        "centres": "drawings.grading.techniques.forces:record_of_centres",
+        "transfer": "drawings.grading.techniques.forces:record_of_transfer",
         "balance": "drawings.grading.techniques.rotor:record_of_balance",
         "bank": "drawings.grading.techniques.rotor:record_of_bank",
         "rotor": "drawings.grading.techniques.rotor:record_of_rotor",

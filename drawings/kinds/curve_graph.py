@@ -31,6 +31,7 @@ SPARE = 0.5  # sizes of a number that stay free between two
 DOTTED = 3.0  # radii of a point from one point to the next: nearer ones run into a line
 
 
+NUMBER = "1"  # the unit of a bare number
 ANGLE, WAY = ("φ", "°"), ("s", "m")  # letter and unit of the scale of an axis
 
 
@@ -63,6 +64,10 @@ class GraphCurve(NamedTuple):
         """The least and the largest value, zero among them."""
         values = np.concatenate([self.values, self.ordinates, *([] if self.before is None else [self.before])])
         return float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))
+
+    def lettered(self, drafting: Drafting) -> str:
+        """Letter its axis, with the unit where it is no bare number."""
+        return self.letter if self.unit == NUMBER else f"{self.letter}, {drafting.word(self.unit)}"
 
     @property
     def symbol(self) -> str:
@@ -130,7 +135,7 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Pa
     if curve.closed:
         numbers.append(graph.number(curve.length, str(curve.divisions)))  # of no divisions: position 0 again
     across = TURNED if curve.axis == ANGLE else curve.axis[0]
-    ends = graph.ends((curve.length, across), (high, f"{curve.letter}, {drafting.word(curve.unit)}"))
+    ends = graph.ends((curve.length, across), (high, curve.lettered(drafting)))
     return Part(room.name, lines, (*ends, *_parted(numbers)))
 
 

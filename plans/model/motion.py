@@ -221,6 +221,11 @@ def rates_at(pace: Pace, phi: Floats) -> Rates:
     return Rates(*(np.broadcast_to(np.asarray(rate, dtype=np.float64), phi.shape) for rate in pace(phi)))
 
 
+def evenly(phi: Floats) -> Rates:
+    """Turn a drive by 1 rad/s in every position: its velocities are then transfer functions."""
+    return Rates(np.ones_like(phi), np.zeros_like(phi))
+
+
 def steady(drive: Drive) -> Rates:
     """Give the rates of a drive that has those of its scene in every position."""
     return Rates(drive.omega, drive.epsilon)

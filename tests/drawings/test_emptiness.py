@@ -20,17 +20,19 @@ from tests.parts import first
 LARGEST, LAST, SMALLEST = 0.15, 0.25, 0.30  # shares that an empty rectangle may take, on the last of some sheets, on A4
 # Of a chain of cams a bar chart that stands with the notes alone leaves a strip on an A4 (0.169), beside the profile of
 # a flat-faced cam one is left on an A3 (0.155).
-# Where one plan alone stands on a sheet, at a scale whose next larger one does not fit, a strip is left beside it: of a
-# press the slim plan with the notes (0.172), of a slotted lever the plan with its lengths (0.171), of a cam under a
-# spring its diagrams and its main sizes (0.174, 0.216). A load diagram, no longer than twenty letters, stands alone
-# between a pump's lever and its graph (0.231). Of a linkage at a scale that was asked for the plan alone is shown, of a
-# machine that does not turn a table alone. Beside the loop in projection a pump has two tables (0.201).
+# Where one plan alone stands on a sheet, at a scale whose next larger one does not fit, a strip is left beside it: of
+# a press the slim plan with the notes (0.172), of a slotted lever the plan with its lengths (0.171), of a six-link
+# one scheme with its centres (0.204), of a cam under a spring its diagrams and its main sizes (0.174, 0.216). A load
+# diagram, no longer than twenty letters, stands alone between a pump's lever and its graph (0.231). Of a linkage at a
+# scale that was asked for the plan alone is shown, of a machine that does not turn a table alone. Beside the loop in
+# projection a pump has two tables (0.201).
 NARROW, ALONE, SMALL, FEW = 0.17, 0.22, 0.24, 0.31
 STRIPS = {
     ("automaton", "A3"): NARROW,
     ("automaton", "A4"): NARROW,
     ("press-cycle", "A3"): ALONE,
     ("slotted-lever", "A4"): ALONE,
+    ("centres-shaper", "A4"): ALONE,
     ("spring-cam", "A4"): ALONE,
     ("rocking-pump", "A4"): SMALL,
     ("reciprocating-pump", "A3"): ALONE,

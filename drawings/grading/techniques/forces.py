@@ -16,6 +16,8 @@ from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.symbols.figure import plain_name
 from geometry.board import Board, Mark, Span
+from plans.centres.kennedy import CENTRES, letter
+from plans.centres.study import CentresStudy
 from plans.forces.cut import CutGroup
 from plans.forces.drive import BALANCING
 from plans.forces.force_template import ForcePlans
@@ -27,6 +29,8 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POSITIONS
 from plans.study import Study
+from plans.transfer.study import TRANSFER, TransferStudy
+from plans.transfer.turned import turned
 
 
 def record_of_linkage(study: Study, leaf: Leaf) -> Record:
@@ -45,6 +49,29 @@ def record_of_linkage(study: Study, leaf: Leaf) -> Record:
         names = comparison.analysis.points.keys() - linkage.mechanism.links[FRAME].points
         found |= {(POSITIONS.plan, drawn, "", name): Found(name, Span(plan.pole, plan.point(name))) for name in names}
     return Record(found, _plan_scales(leaf.metadata["scales"], shown, drawn), boards)
+
+
+def record_of_transfer(study: Study, leaf: Leaf) -> Record:
+    """Give the record of the turned plans of a sheet, each at the scale of the scheme that it is drawn on."""
+    transfer, scales = study.of(TransferStudy), leaf.metadata["scales"]
+    shown = {k: scales[f"turned-{k}"] for k in leaf.metadata["turned"] if f"turned-{k}" in scales}
+    found, boards = dict[Letters, Found](), dict[Place, Board]()
+    names = transfer.unit.motion(0).points.keys() - transfer.unit.mechanism.links[FRAME].points
+    for drafts, k in ((transfer.unit.drafts([k]), k) for k in shown):
+        boards[TRANSFER, k], plan = turned(drafts.velocities).board, drafts.positions
+        found |= {(TRANSFER, k, "", name): Found(name, Span(plan.pole, plan.point(name))) for name in names}
+    return Record(found, {TRANSFER: {**shown}, POSITIONS.plan: {**shown}}, boards)
+
+
+def record_of_centres(study: Study, leaf: Leaf) -> Record:
+    """Give the record of the schemes of a sheet with their instant centres."""
+    found, centres, scales = dict[Letters, Found](), study.of(CentresStudy), leaf.metadata["scales"]
+    shown = {k: scales[f"kennedy-{k}"] for k in leaf.metadata["centred"] if f"kennedy-{k}" in scales}
+    for drawn, k in ((centres.at(k), k) for k in shown):
+        marks = {letter(pair): centre.mark for pair, centre in drawn.found.items() if not centre.infinite}
+        for name, mark in (marks | dict(drawn.plan.letters)).items():
+            found[CENTRES, k, "", name] = Found(name, Span(drawn.plan.pole, mark))
+    return Record(found, {CENTRES: {**shown}, POSITIONS.plan: {**shown}})
 
 
 def _plan_scales(

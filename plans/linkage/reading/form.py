@@ -209,6 +209,16 @@ class PlansTable(Table):
     position: int | None = key(f.POSITION, None, meaning="The position in full lines; default: the first of plans.")
 
 
+class ChosenTable(Table):
+    """Of a technique that shows a linkage in single positions: which of them."""
+
+    positions: tuple[int, ...] = key(
+        many(f.POSITION, f.NO_REPEATS, first=f.FEW),
+        (),
+        meaning="Positions that are drawn; default: those of sheet.plans, or one.",
+    )
+
+
 class LinkageForm(TechniqueForm):
     """What a scene says of a linkage."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from itertools import combinations, pairwise
 
@@ -37,6 +38,13 @@ def check_numbers(survey: LinkageSurvey, numbers: Mapping[Path, int]) -> None:
     for path, number in numbers.items():
         if number >= count:
             survey.report(path, "position_number", most=count - 1, count=count)
+
+
+def see_positions(meaning: Meaning, table: str, numbers: Sequence[int]) -> LinkageSurvey:
+    """Examine the positions that a technique's table names; what else is at fault its linkage tells."""
+    survey = replace(meaning.of(LinkageSurvey), faults=[])
+    check_numbers(survey, {(table, "positions", index): number for index, number in enumerate(numbers)})
+    return survey
 
 
 def _check_commas(survey: LinkageSurvey) -> None:

@@ -1,0 +1,1 @@
+"""Instant centres on their sheet: schemes, polygon of links, tables, what is due (мгновенные центры)."""

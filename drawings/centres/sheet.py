@@ -1,0 +1,111 @@
+"""The sheet of instant centres: schemes, polygon of links, tables (лист мгновенных центров)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Final
+
+from drawings.centres import scheme
+from drawings.centres.due import DIGITS, cells_of, expected, spun
+from drawings.centres.scheme import CentresScheme, polygon, room
+from drawings.layout.contents import Panel
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.words import fixed, with_index
+from drawings.linkage.pose import pose, shown
+from drawings.linkage.positions import of_linkage
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.kind import FRAME, SheetKind
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
+from plans.centres.kennedy import CENTRES, letter, pairs
+from plans.centres.quantities import CentresComparison
+from plans.centres.study import CentresForm, CentresStudy
+from plans.quantity import Quantity
+from plans.study import Study
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's instant centres."""
+    return lay_out(study.scene, [_CentresSheet(study.of(CentresStudy), study.of(CentresComparison)).draft])
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class _CentresSheet:
+    """What the sheets are drawn from."""
+
+    study: CentresStudy
+    comparison: CentresComparison
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.study.linkage.scene)
+
+    @cached_property
+    def positions(self) -> tuple[int, ...]:
+        """The positions that are drawn."""
+        linkage = self.study.linkage
+        return shown(linkage, self.comparison.plans, CENTRES, linkage.scene.of(CentresForm).centres.positions)
+
+    @property
+    def draft(self) -> Draft:
+        """Title, figures, tables and notes."""
+        linkage, drafting = self.study.linkage, self.drafting
+        poses = [(k, pose(linkage, self.comparison.construction, k)) for k in self.positions]
+        shows = [
+            exhibit(scheme, CentresScheme(one, self.study.at(k), k), drafting, weight=1.5, scale=CENTRES)
+            for k, one in poses
+        ]
+        draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
+        shows.append(Exhibit(Panel(room(drafting)), draw))
+        title, facts = drafting.word("centres sheet title"), partial(figures_facts, centred=list(self.positions))
+        tables, said = tuple(self._tables()), tuple(self._notes())
+        return Draft(CENTRES, title, tuple(shows), tables, said, facts, later=lambda scales: {})  # graded by the scales
+
+    def _tables(self) -> Iterator[RuledTable]:
+        """Tell each centre and each rate in the positions that are drawn."""
+        word, text = self.drafting.word, self.drafting.hand.text
+        every = pairs(list(self.study.linkage.mechanism.links))
+        rows = [
+            TableRow(
+                with_index(letter(pair)),
+                tuple(
+                    cell for k in self.positions for cell in cells_of(self.study.at(k).found.get(pair), self.drafting)
+                ),
+            )
+            for pair in every
+        ]
+        heads = word("found over"), f"x, {word('mm')}", f"y, {word('mm')}"
+        yield table(rows, word("centre"), heads, text, self.positions)._replace(name=CENTRES)
+        rates = [self._rate(by, plan) for by, plan in spun(self.comparison)]
+        if rates:
+            heads = word("by centres"), word("by plan"), word("by analysis")
+            yield table(rates, word("quantity"), heads, text, self.positions)._replace(name="rates")
+
+    def _rate(self, by: Quantity, plan: Quantity) -> TableRow:
+        """Write a rate with the decimals of its largest by centres, by plan and by analysis."""
+        language, places = self.drafting.language, max(DIGITS - 1 - math.floor(math.log10(by.largest)), 0)
+        rows = by.construction, plan.construction, plan.analysis
+        told = (fixed(float(row[k].real), language, places) for k in self.positions for row in rows)
+        return TableRow(f"{with_index(by.name)}, {self.drafting.word('rad/s')}", tuple(told))
+
+    def _notes(self) -> Iterator[str]:
+        word, mechanism = self.drafting.word, self.study.linkage.mechanism
+        yield word("centres known")
+        yield word("centres over", pole=mechanism.drive.pivot)
+        yield word("centres rates")
+        every, told = pairs(list(mechanism.links)), list[str]()
+        for k in self.positions:
+            if lost := [with_index(letter(pair)) for pair in every if pair not in self.study.at(k).found]:
+                told.append(word("centre open", letters=", ".join(lost), position=k))
+        if told:
+            yield word("centres open", told="; ".join(told))
+
+
+FORM: Final = {"kennedy-": FRAME}
+SHEETS: Final = {
+    "centres": SheetKind(leaves, expected, {"kennedy-": "length"}, of_linkage, figures=FORM, tables=(CENTRES, "rates"))
+}

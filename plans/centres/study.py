@@ -1,0 +1,110 @@
+"""The instant centres of a linkage in its positions, and the rates that they give (мгновенные центры)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.board import Reading, at
+from geometry.meet import cross
+from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy
+from plans.linkage.reading.form import ChosenTable
+from plans.linkage.reading.linkage import see_positions
+from plans.linkage.reading.survey import LinkageSurvey
+from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME
+from plans.scene.scene import Meaning, TechniqueForm
+from plans.scene.tables import key, table
+from plans.words.words import because
+
+
+class CentresForm(TechniqueForm):
+    """What a scene says of the instant centres of its linkage."""
+
+    centres: ChosenTable = key(
+        table(ChosenTable),
+        ChosenTable(),
+        meaning="Instant centres of all links (мгновенные центры), by Aronhold and Kennedy.",
+    )
+
+
+def survey_of(meaning: Meaning) -> LinkageSurvey:
+    """See that the positions are there."""
+    return see_positions(meaning, CENTRES, meaning.scene.of(CentresForm).centres.positions)
+
+
+class CentreRate(NamedTuple):
+    """How a link turns by its centres with the frame and with another: what it is read from; None: it does not turn."""
+
+    value: float  # rad/s
+    read: Reading | None = None
+
+
+class CentresStudy:
+    """The instant centres of a linkage by construction, each position drawn on a board of its own."""
+
+    def __init__(self, linkage: LinkageStudy) -> None:
+        self.linkage = linkage
+        self.made: dict[str, None] = {}
+        self._found: dict[int, Kennedy] = {}
+
+    def construct(self, plans: Collection[str]) -> None:
+        """Find the centres, if they are asked for."""
+        if CENTRES in plans:
+            _ = self.whole
+
+    @cached_property
+    def whole(self) -> list[int]:
+        """The positions that have velocities: the centres of all of them are found."""
+        self.made.setdefault(CENTRES)
+        motion, link = self.linkage.motion(1), self.linkage.output.link
+        return [k for k in np.flatnonzero(~np.isnan(motion.links[link].omega)).tolist() if self.at(k)]
+
+    def at(self, k: int) -> Kennedy:
+        """Give the centres of a position."""
+        if k not in self._found:
+            self._found[k] = Kennedy(self.linkage.drafts((k,)).positions)
+        return self._found[k]
+
+    def rates(self, k: int) -> dict[int, CentreRate]:
+        """Find how each link turns in a position: from link to link, over the centres that lie farthest apart."""
+        found, drive = self.at(k), self.linkage.mechanism.drive
+        omega = self.linkage.rates.at(k)[0]
+        known = {drive.link: CentreRate(0.0 if drive.pushed else omega)}
+        for link in (n for n in sorted(self.linkage.mechanism.links) if n not in (FRAME, drive.link)):
+            own = found.of(FRAME, link)
+            if own is None or own.infinite:
+                known |= {} if own is None else {link: CentreRate(0.0)}
+                continue
+            others = {n: both for n in known if (both := found.of(n, link)) is not None}
+            arms = {n: abs(both.place - own.place) for n, both in others.items() if self._moves(found, n, both)}
+            best = max(arms, key=lambda n: arms[n], default=None)
+            alike = next((n for n, both in others.items() if both.infinite), None)
+            if best is not None and arms[best] > 0:
+                known[link] = self._turned(found, best, link, (known[best].value, omega))
+            elif alike is not None:  # all that they have in common lies at infinity: it turns as the other does
+                known[link] = known[alike]
+        return known
+
+    def _moves(self, found: Kennedy, link: int, both: InstantCentre) -> bool:
+        """Tell whether the velocity of a link at a centre is known by its own centre, or by the drive."""
+        drive, own = self.linkage.mechanism.drive, found.of(FRAME, link)
+        return not both.infinite and own is not None and (not own.infinite or (drive.pushed and link == drive.link))
+
+    def _turned(self, found: Kennedy, other: int, link: int, rates: tuple[float, float]) -> CentreRate:
+        """Read a link's rate off the velocity of a centre in common with another, by that one's rate or the drive's."""
+        board, own, base, both = found.board, found.of(FRAME, link), found.of(FRAME, other), found.of(other, link)
+        assert own is not None and both is not None and base is not None  # they were looked for
+        (omega, drive), guide = rates, self.linkage.mechanism.drive.guide
+        arm = board.join(f"{own.mark.name}{both.mark.name}", own.mark, both.mark)
+        if base.infinite and guide is not None:
+            way = self.linkage.mechanism.drive.unit * drive * guide.way(FRAME).direction
+            speed = board.given(f"v_{both.mark.name}", way, because("centre_slides", link=other))
+        else:
+            radius = board.join(f"{base.mark.name}{both.mark.name}", base.mark, both.mark)
+            speed = board.turn(f"v_{both.mark.name}", radius, 1j * omega, because("centre_turns", link=other))
+        reach = at(arm.point, 0)
+        return CentreRate(float(cross(reach, at(speed.point, 0))) / abs(reach) ** 2, Reading(arm, speed))
