@@ -21,7 +21,9 @@ if TYPE_CHECKING:
     from plans.study import Made, Study
     from plans.words.words import Message
 
-TECHNIQUES: Final = ("linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam")
+TECHNIQUES: Final = (
+    *("linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "structure"),
+)
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
 
