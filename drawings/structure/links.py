@@ -36,7 +36,9 @@ class ShownLinks:
     def points(self) -> list[complex]:
         """All places that a figure of them must hold, m."""
         spots = [complex(spot[0]) for spot in self.numbered.points.values()]
-        return [*spots, *(joint.at for joint in self.joints if joint.nature != TURNING)]
+        rims = [(centre.at, abs(centre.at - joint.at)) for joint in self.joints for centre in joint.centres]
+        round_ = [middle + radius * way for middle, radius in rims for way in (1, 1j, -1, -1j)]
+        return [*spots, *round_, *(joint.at for joint in self.joints if joint.nature != TURNING)]
 
     @property
     def reach(self) -> float:

@@ -10,7 +10,7 @@ from functools import cached_property
 
 from drawings.kinds.outlines import LinkOutline
 from drawings.kinds.scheme import Joints
-from drawings.paper.strokes import Arc, Circle, Line, Polyline, Stroke
+from drawings.paper.strokes import TURN, Arc, Circle, Line, Polyline, Stroke
 from drawings.structure.links import ShownLinks
 from drawings.symbols import symbols
 from drawings.symbols.symbols import BLOCK, fit
@@ -18,11 +18,10 @@ from drawings.symbols.trimming import Mask, trim
 from plans.model.mechanism import FRAME
 from plans.model.structure import CONTACT, CYLINDRICAL, SLIDING, SPHERICAL, TURNING, Joint
 
-CUP, OPEN = 3.2, math.radians(105)  # mm, radius of the cup about a ball; rad to either side that it reaches
+CUP, OPEN, CLEAR = 3.2, math.radians(85), math.radians(15)  # mm, radius of a cup; rad that it reaches, is clear
 SLEEVE, ROD = (7.0, 4.4), 6.5  # mm, length and width of a cylindrical pair's sleeve; half its rod
 SLANT = cmath.rect(1.0, math.pi / 4)  # an axis across the plane is seen aslant
 GUIDE, GROUND = 14.0, 20.0  # mm of a guide's axis on either side of its block; of the ground beside it
-TEETH = math.radians(35)  # rad to either side of a contact that its curves are drawn
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -90,11 +89,15 @@ class StructurePairs(Joints):
         return self.sleeves[name], *rods
 
     def _cupped(self, joint: Joint) -> float:
-        """Give the direction of the link that has the cup: the joint's last one."""
-        link = joint.links[-1]
-        spots = self.bones.mechanism.links[link].points.values()
-        middle = sum(spots) / len(spots)
-        return cmath.phase(middle - joint.at) if middle != joint.at else -math.pi / 2
+        """Give the direction of the cup: on the side of the joint's last link, and open to the other's bar."""
+        other, own = (self._way(link, joint.at) for link in (joint.links[0], joint.links[-1]))
+        apart = cmath.phase(own / other)
+        return cmath.phase(own) + math.copysign(max(0.0, min(OPEN + CLEAR - abs(apart), OPEN - CLEAR)), apart)
+
+    def _way(self, link: int, at: complex) -> complex:
+        """Give the direction in which a link leaves a place; that of a stand, or of a block alone, is down."""
+        spots = [spot for spot in self.bones.mechanism.links[link].points.values() if spot != at]
+        return sum(spots) / len(spots) - at if spots and link != FRAME else -1j
 
     def guides(self) -> Iterator[Stroke]:
         """Draw what slides are guided by: the axis of a guide on the frame or on a host that is not shown."""
@@ -121,13 +124,13 @@ class StructurePairs(Joints):
             yield from symbols.ground(foot - half, foot + half, side, self.hand)
 
     def contacts(self) -> Iterator[Stroke]:
-        """Draw the curves that touch in a contact, each about its centre; a flat side is a line."""
+        """Draw the curves that touch in a contact by their circles of curvature; a flat side is a line."""
         for joint in (joint for joint in self.bones.joints if joint.nature == CONTACT):
             at = self.place.on(joint.at)
             for centre in joint.centres:
                 middle = self.place.on(centre.at)
-                turn = cmath.phase(at - middle)
-                yield Arc(middle, abs(at - middle), turn - TEETH, turn + TEETH, self.hand.result)
+                rim = Arc(middle, abs(at - middle), 0.0, TURN, self.hand.result)
+                yield from trim([rim], self.rounds)
             if len(joint.centres) == 1:
                 run = 1j * joint.along * GUIDE * self.hand.symbol
                 yield Line(at - run, at + run, self.hand.result)

@@ -15,6 +15,7 @@ from drawings.paper.strokes import Group, Stroke, Text
 from drawings.structure.links import ShownLinks
 from drawings.structure.pairs import StructurePairs
 from drawings.symbols.figure import Subject, around, heading, heading_width
+from plans.model.structure import CONTACT
 
 MARGINS = Margins(5.0, 6.0, 3.0)  # paper around a scheme for letters, stands and numbers, in sizes of letters
 LETTERS = 14.0  # a scheme is drawn at least so many letters large
@@ -117,6 +118,8 @@ def _letters(
     """Letter points and number links."""
     for one in pairs:
         yield from one.letters(one.named, labels)
+        for joint in (joint for joint in one.bones.joints if joint.nature == CONTACT):
+            yield labels.beside(one.place.on(joint.at), joint.letter, drafting.hand.letter, 1.0)
         yield from link_numbers(one, one.bones.links, labels, drafting.hand)
         if len(shown.parts) == 1:
             yield from frame_number(one, labels, drafting.hand)

@@ -100,18 +100,16 @@ def rank_of(structure: Structure, links: frozenset[int]) -> int:
     """Give a group's class: the most inner pairs that are of one link, or that form one contour by themselves."""
     inner = [set(joint.links) & links for joint in structure.joints if len(set(joint.links) & links) > 1]
     rigid = [sum(link in ends for ends in inner) for link in links]
-    rings = (count for count in range(3, len(inner) + 1) for some in combinations(inner, count) if _ring(some))
-    return max([2, *rigid, *rings])
+    sets = (frozenset(some) for count in range(4, len(links) + 1) for some in combinations(links, count))
+    return max([2, *rigid, *(len(some) for some in sets if _ring(some, inner))])
 
 
-def _ring(joints: Sequence[set[int]]) -> bool:
-    """Tell whether some joints form one closed contour: each by two links of which each is at two joints."""
-    counts = {link: sum(link in ends for ends in joints) for ends in joints for link in ends}
-    twice = {link for link, count in counts.items() if count == 2}
-    if max(counts.values()) > 2 or len(twice) != len(joints) or any(len(ends & twice) != 2 for ends in joints):
+def _ring(links: frozenset[int], joints: Sequence[set[int]]) -> bool:
+    """Tell whether the pairs among some links join them to one closed contour: each to two others."""
+    ends = [pair for joint in joints if len(pair := joint & links) > 1]
+    if any(len(pair) > 2 for pair in ends) or any(sum(link in pair for pair in ends) != 2 for link in links):
         return False
-    reached, rest = set(joints[0]) & twice, list(joints[1:])
-    while near := [ends for ends in rest if ends & reached]:
-        reached |= {link for ends in near for link in ends & twice}
-        rest = [ends for ends in rest if ends not in near]
-    return not rest
+    reached = {min(links)}
+    while more := set().union(*(pair for pair in ends if pair & reached)) - reached:
+        reached |= more
+    return reached == links

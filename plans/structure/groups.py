@@ -36,10 +36,12 @@ def _groups(structure: Structure, known: Collection[int], left: Sequence[int]) -
 
 
 def _held(structure: Structure, known: Collection[int], links: tuple[int, ...]) -> bool:
-    """Tell whether some links have W = 3n - 2 p_1 - p_2 = 0 on known ones, and their angles are held but once."""
+    """Tell whether some links have W = 3n - 2 p_1 - p_2 = 0 on known ones; links that are held twice are refused."""
     taken = sum((1 if joint.nature == CONTACT else 2) * joint.within(links, known) for joint in structure.joints)
     slides = [joint for joint in structure.joints if joint.nature == SLIDING and joint.within(links, known)]
-    return taken == PLANAR * len(links) and not _turned_twice(slides, known)
+    if taken > PLANAR * len(links) or _turned_twice(slides, known):
+        raise no_division(links)
+    return taken == PLANAR * len(links)
 
 
 def _turned_twice(slides: Sequence[Joint], known: Collection[int]) -> bool:
@@ -71,22 +73,20 @@ def _number(links: tuple[int, ...], outer: Sequence[Joint], inner: Sequence[Join
 
 def _rank(links: tuple[int, ...], inner: Sequence[Joint]) -> int:
     """Give a group's class: how many inner pairs its most complex contour has, a rigid link or a movable chain."""
-    joints: dict[int | str, set[int | str]] = {
-        link: {joint.name for joint in inner if link in joint.links} for link in links
-    }
-    ends: dict[int | str, set[int | str]] = {joint.name: {*links} & {*joint.links} for joint in inner}
-    return max([2, *map(len, joints.values()), *_contours(joints | ends, links)])
+    own = {link: [joint for joint in inner if link in joint.links] for link in links}
+    beside = {link: {one for joint in own[link] for one in joint.links if one in own and one != link} for link in links}
+    return max([2, *map(len, own.values()), *_contours(beside)])
 
 
-def _contours(beside: Mapping[int | str, set[int | str]], links: Sequence[int]) -> Iterator[int]:
-    """Give of each closed contour of links and joints, that none of either cuts short, how many joints it has."""
-    waiting: list[tuple[int | str, ...]] = [(link,) for link in links]
+def _contours(beside: Mapping[int, set[int]]) -> Iterator[int]:
+    """Give how many links each closed chain has that no pair within it cuts short; of three it would be rigid."""
+    waiting: list[tuple[int, ...]] = [(link,) for link in beside]
     while waiting:
         path = waiting.pop()
         for step in beside[path[-1]] - {*path}:
-            met = [place for place in path[:-1] if place in beside[step]]
+            met = [link for link in path[:-1] if link in beside[step]]
             if met == [path[0]] and len(path) > 2:
-                yield (len(path) + 1) // 2
+                yield len(path) + 1
             elif not met:
                 waiting.append((*path, step))
 

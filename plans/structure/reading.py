@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from decimal import Decimal
 from itertools import pairwise
 from typing import Final
 
@@ -36,6 +37,9 @@ class ContactTable(Table):
     )
     along: tuple[str, ...] | None = key(
         g.LINE, None, meaning='The flat side, by two points of the second link, "CD"; then one centre is given.'
+    )
+    radius: Decimal | None = key(
+        f.LENGTH, None, meaning="Radius of curvature of the second link, m: of a roller; default: half of the distance."
     )
     kind: str = key(f.words(*CONTACTS), "line", meaning="What they touch in: a line, as cylinders do, or a point.")
 

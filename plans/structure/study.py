@@ -209,7 +209,9 @@ def contact(number: int, form: ContactTable, pose: Pose) -> Joint:
         at = start + ((places[0] - start) * run.conjugate()).real * run
         normal = 1j * run
     else:
-        at, normal = sum(places) / 2, (places[1] - places[0]) / abs(places[1] - places[0])
+        run = places[1] - places[0]
+        normal = run / abs(run)
+        at = places[1] - normal * (abs(run) / 2 if form.radius is None else float(form.radius))
     centres = tuple(map(CurvatureCentre, form.between, form.links, places))
     links = tuple(sorted(form.links))
     letter = "KMNPQ"[number % 5]
