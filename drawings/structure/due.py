@@ -23,7 +23,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     found, drafting = study.of(StructureStudy), drafting_of(study.scene)
     numbers = {one.name: float(one.analysis[0]) for one in study.comparison(STRUCTURE).findings}
     tables = _pairs(found, drafting), _divisions(found, numbers), _ways(found)
-    yield from chain(_points(found), *tables, _notes(found, numbers))
+    results = (cells("results", with_index(name), [(value, 0.0)]) for name, value in numbers.items())
+    yield from chain(_points(found), *results, *tables, _notes(found, numbers))
 
 
 def _points(study: StructureStudy) -> Iterator[Expected]:
@@ -61,5 +62,7 @@ def _notes(study: StructureStudy, numbers: dict[str, float]) -> Iterator[Expecte
     said = ("W", "W_s", "q", *(("N", "W'_s", "q'") if study.replacements else ()))
     for name in said:
         yield Expected(Kind.PHRASE, NOTES, name, numbers[name])
+    chosen = class_letters(study.chosen)
+    yield Expected(Kind.PHRASE, NOTES, chosen, numbers[chosen])
     yield Expected(Kind.PHRASE, NOTES, "W_c", study.structure.planar)
     yield Expected(Kind.PHRASE, NOTES, "q_w", study.freedom.within, may_lack=not study.freedom.within)

@@ -60,9 +60,16 @@ class ShownLinks:
         return complex(self.numbered.points[name][position])
 
 
-def whole(study: StructureStudy, structure: Structure) -> ShownLinks:
-    """Show all links of a structure: that of the scene, with contacts replaced, or with other kinds of pairs."""
-    return _shown(study, structure, structure.joints, structure.links)
+def whole(study: StructureStudy, structure: Structure, fixed: str = "") -> ShownLinks:
+    """Show all links of a structure: that of the scene, with contacts replaced, or with other kinds of pairs.
+
+    A fixed point that places are measured from is shown though no link hangs on it.
+    """
+    found = _shown(study, structure, structure.joints, structure.links)
+    held = found.mechanism.links[FRAME].points
+    extra = {name: place for name, place in study.pose.points.items() if name == fixed and name not in held}
+    links = {**found.mechanism.links, FRAME: Link(FRAME, {**held, **extra})}
+    return replace(found, mechanism=replace(found.mechanism, links=links))
 
 
 def primary(study: StructureStudy, link: int) -> ShownLinks:

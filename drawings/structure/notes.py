@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from drawings.lettering.words import Phrase, Slot, joined
+from drawings.lettering.words import Phrase, Slot, joined, with_index
 from drawings.page.page import Drafting
 from drawings.structure.scheme import formula_of
 from plans.model.structure import ROMAN, SPACE, Structure
+from plans.structure.quantities import class_letters
 from plans.structure.study import StructureStudy
 
 
@@ -55,7 +56,9 @@ class StructureNotes(NamedTuple):
     def ranks(self) -> Iterator[str]:
         """Say which primary link gives the lowest class."""
         chosen, lowest = self.study.chosen, self.study.lowest
-        yield self._said("structure chosen", formula=formula_of(chosen.formula), rank=ROMAN[chosen.rank])
+        letters = class_letters(chosen)
+        parts = {"rank": ROMAN[chosen.rank], "letters": with_index(letters), "k": Slot(letters, chosen.rank)}
+        yield self._said("structure chosen", formula=formula_of(chosen.formula), **parts)
         if lowest.rank < max(division.rank for division in self.study.divisions):
             links = ", ".join(str(link) for d in self.study.divisions if d.rank == lowest.rank for link in d.primaries)
             yield self._said("structure lowest", rank=ROMAN[lowest.rank], links=links)

@@ -8,11 +8,12 @@ from typing import Final
 
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
 from drawings.linkage.positions import of_linkage
 from drawings.linkage.skeleton import reference
 from drawings.page.page import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, Text
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
@@ -23,10 +24,11 @@ from drawings.structure.notes import StructureNotes
 from drawings.structure.scheme import StructureScheme, formula_of
 from plans.model.mechanism import FRAME
 from plans.model.structure import CYLINDRICAL, POINT, ROMAN, SPHERICAL, GroupDivision, KinematicPair
+from plans.quantity import Comparison
 from plans.structure.study import STRUCTURE, StructureStudy
 from plans.study import Study
 
-PAIRS, DIVISIONS, WAYS = "pairs", "divisions", "ways"  # the tables
+PAIRS, DIVISIONS, WAYS, RESULTS = "pairs", "divisions", "ways", "results"  # the tables
 SCHEME, FREED, LOWERED, DIVISION = "structure", "freed", "lowered", "division-"  # the figures
 
 
@@ -71,6 +73,13 @@ def ways_table(study: StructureStudy, drafting: Drafting) -> RuledTable:
     return _table(WAYS, lines, "structure way", tuple(f"pair {kind}" for kind in kinds), drafting)
 
 
+def results_table(comparison: Comparison, drafting: Drafting) -> RuledTable:
+    """Tell the numbers that are found."""
+    found = ((with_index(one.name), float(one.construction[0])) for one in comparison.findings)
+    lines = [TableRow(name, (drafting.number(value),)) for name, value in found]
+    return _table(RESULTS, lines, "quantity", ("structure value",), drafting)
+
+
 def _table(name: str, lines: list[TableRow], first: str, heads: Sequence[str], drafting: Drafting) -> RuledTable:
     words = tuple(drafting.word(head) for head in heads)
     return table(lines, drafting.word(first), words, drafting.hand.text)._replace(name=name)
@@ -80,10 +89,14 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's structure."""
     found, drafting = study.of(StructureStudy), drafting_of(study.scene)
     shows: tuple[Exhibit | Caption, ...] = (*_figures(found, drafting), *_captions(found, drafting))
-    tables = (pairs_table(found, drafting),)
+    tables = (pairs_table(found, drafting), results_table(study.comparison(STRUCTURE), drafting))
     notes = StructureNotes(found, drafting).all
     title = drafting.word("structure sheet title")
-    return lay_out(study.scene, [Draft(STRUCTURE, title, shows, tables, notes, figures_facts, scaled=SCHEME)])
+    size = drafting.hand.text
+    narrow = size + max(
+        text_width(Text(0j, note, size)) for note in notes if note.startswith("W")
+    )  # no formula is broken
+    return lay_out(study.scene, [Draft(STRUCTURE, title, shows, tables, notes, figures_facts, SCHEME, narrow)])
 
 
 def _figures(study: StructureStudy, drafting: Drafting) -> Iterator[Exhibit]:
@@ -95,7 +108,7 @@ def _figures(study: StructureStudy, drafting: Drafting) -> Iterator[Exhibit]:
 def schemes(study: StructureStudy, drafting: Drafting) -> Iterator[StructureScheme]:
     """Give the figures of the sheet in their order."""
     word, fixed = drafting.word, reference(study.mechanism)
-    first = whole(study, study.structure)
+    first = whole(study, study.structure, fixed)
     yield StructureScheme(SCHEME, word("structure scheme"), "", (("", first),), stated=fixed, weight=1.5)
     if study.structure.higher:
         yield StructureScheme(LOWERED, word("structure lowered"), "", (("", whole(study, study.plain)),))
@@ -118,7 +131,13 @@ def _division_scheme(study: StructureStudy, division: GroupDivision, drafting: D
         known += found.links
     title = drafting.word("structure primary", links=_links(division))
     further = drafting.word("structure class", rank=ROMAN[division.rank])
-    return StructureScheme(f"{DIVISION}{_links(division)}", title, formula_of(division.formula), tuple(parts), further)
+    return StructureScheme(
+        f"{DIVISION}{'-'.join(map(str, division.primaries))}",
+        title,
+        formula_of(division.formula),
+        tuple(parts),
+        further,
+    )
 
 
 def _captions(study: StructureStudy, drafting: Drafting) -> Iterator[Caption]:
@@ -130,6 +149,4 @@ def _captions(study: StructureStudy, drafting: Drafting) -> Iterator[Caption]:
 
 FORM: Final = {SCHEME: PLAN}
 SCALES: Final = {SCHEME: "structure"}
-SHEETS: Final = {
-    "structure": SheetKind(leaves, expected, SCALES, of_linkage, figures=FORM, tables=(PAIRS, DIVISIONS, WAYS))
-}
+SHEETS: Final = {"structure": SheetKind(leaves, expected, SCALES, of_linkage, figures=FORM, tables=(RESULTS,))}

@@ -129,8 +129,15 @@ def _rank(rows: Floats) -> int:
 
 
 def _passive(structure: Structure, mobility: int) -> Iterator[int]:
-    """Find links that may be left out with their pairs: the others move as before, with fewer redundant constraints."""
+    """Find links that may be left out with their pairs: the others move as before, with fewer redundant constraints.
+
+    None is a link that slides alone hold: it has no other to guide it.
+    """
+    slid = {link for joint in structure.joints if joint.nature == SLIDING for link in joint.links}
+    turned = {link for joint in structure.joints if joint.nature != SLIDING for link in joint.links}
     for link in structure.links:
+        if link in slid - turned:
+            continue
         rest = without(structure, link)
         plane = matrix(rest, in_plane)
         if PLANAR * len(rest.links) - _rank(plane) == mobility and len(plane) < len(matrix(structure, in_plane)) - 3:

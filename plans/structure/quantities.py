@@ -80,4 +80,4 @@ def _freely(structure: Structure) -> float:
 
 
 def _quantity(name: str, ours: float, theirs: float) -> Quantity:
-    return Quantity.of((STRUCTURE, name, "1"), (float(ours), float(theirs)), 0.0)
+    return Quantity.of((STRUCTURE, name, ""), (float(ours), float(theirs)), 0.0)

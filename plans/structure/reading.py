@@ -116,5 +116,4 @@ def _see_contact(survey: LinkageSurvey, number: int, contact: ContactTable) -> N
         *((contact.links[1], name) for name in contact.along or ()),
     ]
     for link, name in pairs:
-        if survey.know((*path, "between"), (name,)) and name not in survey.points_of[link]:
-            survey.report((*path, "between"), "not_its_point", name=name, link=link)
+        _ = survey.know((*path, "between"), (name,)) and survey.on_link((*path, "between"), link, name)

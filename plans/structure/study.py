@@ -179,11 +179,11 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
         return
     try:
         study = StructureStudy(Study(scene))
-        chosen, drive, best = study.chosen, study.division_of(study.mechanism.drive.link), study.lowest
+        chosen, drive = study.chosen, study.division_of(study.mechanism.drive.link)
     except DraftError:
         return  # what is wrong is told where it is asked for
     if chosen.primaries != drive.primaries and chosen.rank >= drive.rank:
-        ranks = {"found": ROMAN[chosen.rank], "drive": ROMAN[drive.rank], "best": best.primaries[0]}
+        ranks = {"found": ROMAN[chosen.rank], "drive": ROMAN[drive.rank]}
         yield scene.fault(("structure", "primary"), "class_not_lower", link=study.form.primary, **ranks)
 
 
