@@ -44,8 +44,8 @@ class StructureNotes(NamedTuple):
     def redundant(self) -> Iterator[str]:
         """Name local mobilities and passive links, and count redundant constraints."""
         freedom, structure = self.study.freedom, self.study.structure
-        for link in freedom.local:
-            yield self._said("structure local", link=link)
+        for key, links in (("structure local", freedom.local), ("structure spinning", freedom.spinning)):
+            yield from (self._said(key, link=link) for link in links)
         if freedom.within:
             links = ", ".join(map(str, freedom.passive)) or "—"
             yield self._said("structure passive", within=Slot("q_w", freedom.within), links=links)

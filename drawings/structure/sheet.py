@@ -121,7 +121,13 @@ def schemes(study: StructureStudy, drafting: Drafting) -> Iterator[StructureSche
             for pair in study.freed.pairs
             if pair.key in changed
         )
-        yield StructureScheme(FREED, word("structure freed"), "", (("", whole(study, study.freed)),), ", ".join(names))
+        yield StructureScheme(
+            FREED,
+            word("structure freed across" if study.freedom.within else "structure freed"),
+            "",
+            (("", whole(study, study.freed)),),
+            ", ".join(names),
+        )
 
 
 def _division_scheme(study: StructureStudy, division: GroupDivision, drafting: Drafting) -> StructureScheme:

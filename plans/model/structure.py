@@ -7,7 +7,7 @@ spherical pair turns as a turning one does. A pair is counted by its mobility: o
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import Final, NamedTuple
 
@@ -102,6 +102,15 @@ class Joint(NamedTuple):
         rest = self.nature, self.kind, self.at, self.along
         return tuple(KinematicPair(self.letter, ends, *rest) for ends in pairwise(sorted(self.links)))
 
+    def altered(self, kinds: Mapping[str, str]) -> Iterator[Joint]:
+        """Give it with other kinds of its pairs, each by itself if there are any."""
+        if not any(pair.key in kinds for pair in self.pairs):
+            yield self
+            return
+        for pair in self.pairs:
+            name, kind = f"{pair.letter} {pair.key}", kinds.get(pair.key, pair.kind)
+            yield self._replace(name=name, links=pair.links, kind=kind)
+
     def within(self, links: Iterable[int], known: Iterable[int] = ()) -> int:
         """Count its pairs among some links, and of these with links whose places are known."""
         own = len(set(self.links).intersection(links))
@@ -146,11 +155,6 @@ class Structure(NamedTuple):
         return SPACE * len(self.links) - sum(pair.constraints for pair in self.pairs)
 
     @property
-    def contours(self) -> int:
-        """Number of independent closed contours (независимые контуры)."""
-        return len(self.pairs) - len(self.links)
-
-    @property
     def primaries(self) -> tuple[int, ...]:
         """The links that a pair of one mobility joins to the frame: each may be the primary link (начальное звено)."""
         framed = {
@@ -159,13 +163,8 @@ class Structure(NamedTuple):
         return tuple(sorted(framed - {FRAME}))
 
     def altered(self, kinds: Mapping[str, str]) -> Structure:
-        """Give it with other kinds of some pairs, by their links; a hinge of several links is parted."""
-        parted = [(joint, pair) for joint in self.joints for pair in joint.pairs]
-        joints = (
-            joint._replace(name=f"{pair.letter} {pair.key}", links=pair.links, kind=kinds.get(pair.key, pair.kind))
-            for joint, pair in parted
-        )
-        return self._replace(joints=tuple(joints))
+        """Give it with other kinds of some pairs, by their links; a hinge of several links is parted for that."""
+        return self._replace(joints=tuple(part for joint in self.joints for part in joint.altered(kinds)))
 
     def lowered(self) -> Structure:
         """Replace each contact by a link with two lower pairs at its centres of curvature (замена высших пар)."""
@@ -182,14 +181,13 @@ class Structure(NamedTuple):
 
 
 class AssurGroup(NamedTuple):
-    """A structural group of no mobility (группа Ассура): its links, the joints that it brings, its hosts, its class.
+    """A structural group of no mobility (группа Ассура): its links, the joints that it brings, its class.
 
     `number` is the kind of a two-lead group, 1 to 5; `order` is how many pairs it hangs by (порядок).
     """
 
     links: tuple[int, ...]
     joints: tuple[Joint, ...]
-    hosts: tuple[int, ...]
     rank: int
     order: int
     number: int = 0

@@ -40,16 +40,24 @@ Rows: TypeAlias = list[list[float]]
 
 
 class Freedom(NamedTuple):
-    """What the constraints of a mechanism leave and hold: its mobility W, and redundant ones in the plane and across.
+    """What the constraints of a mechanism leave and hold: mobility and redundant constraints in its plane and across.
 
-    `passive` are links each of which may be left out; `local` are links that move though no other does.
+    `passive` are links each of which may be left out; `local` are links that move in the plane though no other does,
+    `spinning` those that move across it.
     """
 
-    mobility: int
+    plane: int
+    free: int
     within: int
     across: int
     passive: tuple[int, ...] = ()
     local: tuple[int, ...] = ()
+    spinning: tuple[int, ...] = ()
+
+    @property
+    def mobility(self) -> int:
+        """Mobility W, local ones among it."""
+        return self.plane + self.free
 
     @property
     def redundant(self) -> int:
@@ -59,7 +67,7 @@ class Freedom(NamedTuple):
     @property
     def main(self) -> int:
         """Mobility without local ones."""
-        return self.mobility - len(self.local)
+        return self.plane - len(self.local)
 
 
 def freedom(structure: Structure) -> Freedom:
@@ -67,9 +75,10 @@ def freedom(structure: Structure) -> Freedom:
     plane, lift = matrix(structure, in_plane), matrix(structure, across)
     ranks, free = (_rank(plane), _rank(lift)), PLANAR * len(structure.links)
     twice = len(plane) - ranks[0]
-    passive = tuple(_passive(structure, free - ranks[0])) if twice else ()
-    local = _local(structure, plane) + (_moving(structure, lift) if ranks[1] < free else ())
-    return Freedom(2 * free - sum(ranks), twice, len(lift) - ranks[1], passive, tuple(dict.fromkeys(local)))
+    left = free - ranks[0], free - ranks[1]
+    passive = tuple(_passive(structure, left[0])) if twice else ()
+    spinning = _moving(structure, lift) if left[1] else ()
+    return Freedom(*left, twice, len(lift) - ranks[1], passive, _local(structure, plane), spinning)
 
 
 def in_plane(pair: KinematicPair) -> Rows:

@@ -59,9 +59,8 @@ def _group(structure: Structure, known: Collection[int], links: tuple[int, ...])
     joints = tuple(joint for joint in structure.joints if joint.within(links, known))
     outer = [joint for joint in joints if not set(joint.links).isdisjoint(known)]
     inner = [joint for joint in joints if len(set(joint.links).intersection(links)) > 1]
-    hosts = tuple(min(set(joint.links).intersection(known)) for joint in outer)
     number = _number(links, outer, inner) if len(links) == 2 else 0
-    return AssurGroup(links, joints, hosts, _rank(links, inner), len(outer), number)
+    return AssurGroup(links, joints, _rank(links, inner), len(outer), number)
 
 
 def _number(links: tuple[int, ...], outer: Sequence[Joint], inner: Sequence[Joint]) -> int:

@@ -103,15 +103,14 @@ class StructureStudy:
     @cached_property
     def structure(self) -> Structure:
         """The links and joints as the scene gives them."""
-        return self._structure(self.pose)
+        kinds = {key: KINDS[kind] for key, kind in self.form.pairs.items()}
+        return self._structure(self.pose).altered(kinds)
 
     def _structure(self, pose: Pose) -> Structure:
         joints = [*hinges(self.mechanism, pose), *slides(self.mechanism, pose)]
         contacts = (contact(k, form, pose) for k, form in enumerate(self.form.contacts))
         links = tuple(sorted(set(self.mechanism.links) - {FRAME}))
-        kinds = {key: KINDS[kind] for key, kind in self.form.pairs.items()}
-        found = Structure(links, (*joints, *contacts))
-        return found.altered(kinds) if kinds else found
+        return Structure(links, (*joints, *contacts))
 
     @cached_property
     def freedom(self) -> Freedom:
@@ -129,7 +128,7 @@ class StructureStudy:
     @cached_property
     def plain(self) -> Structure:
         """The structure that is divided: contacts replaced, passive links and links of local mobility left out."""
-        found = self.structure
+        found = self._structure(self.pose)
         if self.freedom.passive:
             found = without(found, self.freedom.passive[-1])
         found = found.lowered()

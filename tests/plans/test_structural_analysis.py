@@ -143,7 +143,7 @@ def test_what_only_lets_a_link_spin_frees_nothing() -> None:
     sliders = {next(iter(way.of(SPHERICAL))) for way in ways if "0-3" in way.of(CYLINDRICAL)}
     assert len(ways) == 7 and sliders == {"1-2"}
     spun = freedom(whole._replace(joints=joints).altered({"0-3": CYLINDRICAL, "2-3": SPHERICAL}))
-    assert spun.local == (3,) and spun.redundant == 1
+    assert spun.spinning == (3,) and spun.redundant == 1
 
 
 # M3.11: p pairs of n links, their W in the plane and in space.
