@@ -15,6 +15,7 @@ from plans.structure.study import STRUCTURE, StructureStudy
 from plans.study import Study
 
 PAIRS, DIVISIONS, WAYS = "pairs", "divisions", "ways"
+MOST_WAYS = 40  # that a sheet lists
 FAR = 1e-9  # of a place: both roads take it from one position of the linkage
 
 
@@ -52,7 +53,7 @@ def _divisions(study: StructureStudy, numbers: dict[str, float]) -> Iterator[Exp
 def _ways(study: StructureStudy) -> Iterator[Expected]:
     names = {pair.key: pair.name.replace("_", "") for pair in study.structure.pairs}
     kinds = [kind for kind in "SCK" if any(way.of(kind) for way in study.replacements)]
-    for number, way in enumerate(study.replacements, 1):
+    for number, way in enumerate(study.replacements[:MOST_WAYS], 1):
         row = [", ".join(names[key] for key in names if key in way.of(kind)) or None for kind in kinds]
         yield from cells(WAYS, str(number), row)
 

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.kinds.outlines import Poses
+from drawings.kinds.outlines import Poses, is_centre
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
 from plans.model.structure import CONTACT, SLIDING, TURNING, AssurGroup, Joint, Structure
 from plans.structure.study import StructureStudy
@@ -103,7 +103,8 @@ def _shown(study: StructureStudy, structure: Structure, joints: Iterable[Joint],
 def _own(study: StructureStudy, structure: Structure, link: int) -> Iterator[tuple[str, complex]]:
     """Give the points of a link, those too that it has for others than are shown."""
     known = study.mechanism.links.get(link)
-    yield from ((name, study.pose.points[name]) for name in (known.points if known else ()))
+    names = (name for name in (known.points if known else ()) if not is_centre(name))
+    yield from ((name, study.pose.points[name]) for name in names)
     hung = (joint for joint in structure.joints if joint.nature == TURNING and link in joint.links)
     yield from ((joint.letter, joint.at) for joint in hung)
 

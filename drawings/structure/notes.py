@@ -12,6 +12,8 @@ from plans.model.structure import ROMAN, SPACE, Structure
 from plans.structure.quantities import class_letters
 from plans.structure.study import StructureStudy
 
+LISTED = 40  # ways that a sheet lists
+
 
 class StructureNotes(NamedTuple):
     """The notes on a structure."""
@@ -66,9 +68,12 @@ class StructureNotes(NamedTuple):
     def removal(self) -> Iterator[str]:
         """Say how the redundant constraints are removed."""
         if not self.study.replacements:
+            yield from [self._said("structure unsearched")] if self.study.freedom.across else []
             return
         freed = self.study.freed
-        yield self._said("structure ways", count=Slot("N", len(self.study.replacements)))
+        count = len(self.study.replacements)
+        key = "structure ways" if count <= LISTED else "structure first ways"
+        yield self._said(key, count=Slot("N", count), listed=LISTED)
         yield self._formula("W'_{s}", 6, freed, _spatial(freed), Slot("W'_s", freed.spatial))
         yield self._said("structure freed note", q=Slot("q'", self.study.freedom.within))
 

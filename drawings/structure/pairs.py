@@ -10,7 +10,7 @@ from functools import cached_property
 
 from drawings.kinds.outlines import LinkOutline
 from drawings.kinds.scheme import Joints
-from drawings.paper.strokes import TURN, Arc, Circle, Line, Polyline, Stroke
+from drawings.paper.strokes import INK, TURN, Arc, Circle, Line, Polyline, Stroke
 from drawings.structure.links import ShownLinks
 from drawings.symbols import symbols
 from drawings.symbols.symbols import BLOCK, fit
@@ -20,6 +20,7 @@ from plans.model.structure import CONTACT, CYLINDRICAL, SLIDING, SPHERICAL, TURN
 
 CUP, OPEN, CLEAR = 3.2, math.radians(85), math.radians(15)  # mm, radius of a cup; rad that it reaches, is clear
 SLEEVE, ROD = (7.0, 4.4), 6.5  # mm, length and width of a cylindrical pair's sleeve; half its rod
+DOT = 0.6  # mm, radius of the middle of a sleeve
 SLANT = cmath.rect(1.0, math.pi / 4)  # an axis across the plane is seen aslant
 GUIDE, GROUND = 14.0, 20.0  # mm of a guide's axis on either side of its block; of the ground beside it
 
@@ -86,7 +87,8 @@ class StructurePairs(Joints):
             return (*self.hinges[name][:1], cup)
         reach = ROD * self.hand.symbol * self._slant(name)
         rods = trim([Line(at - reach, at + reach, self.hand.result)], [self.sleeves[name]])
-        return self.sleeves[name], *rods
+        dot = Circle(at, DOT * self.hand.symbol, INK)  # its middle is what is measured
+        return dot, self.sleeves[name]._replace(style=self.hand.result), *rods
 
     def _cupped(self, joint: Joint) -> float:
         """Give the direction of the cup: on the side of the joint's last link, and open to the other's bar."""

@@ -20,7 +20,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figu
 from drawings.structure import scheme
 from drawings.structure.due import expected
 from drawings.structure.links import group, primary, whole
-from drawings.structure.notes import StructureNotes
+from drawings.structure.notes import LISTED, StructureNotes
 from drawings.structure.scheme import StructureScheme, formula_of
 from plans.model.mechanism import FRAME
 from plans.model.structure import CYLINDRICAL, POINT, ROMAN, SPHERICAL, GroupDivision, KinematicPair
@@ -60,15 +60,15 @@ def _division(division: GroupDivision) -> tuple[str, ...]:
     return formula_of(division.formula), ROMAN[division.rank], orders
 
 
-def ways_table(study: StructureStudy, drafting: Drafting) -> RuledTable:
-    """Tell all ways of fewest changes to a mechanism without redundant constraints."""
+def ways_table(study: StructureStudy, drafting: Drafting, most: int | None = None) -> RuledTable:
+    """Tell the ways of fewest changes to a mechanism without redundant constraints, all of them or the first."""
     names = {pair.key: with_index(pair.name) for pair in study.structure.pairs}
     kinds = [kind for kind in (SPHERICAL, CYLINDRICAL, POINT) if any(way.of(kind) for way in study.replacements)]
     lines = [
         TableRow(
             str(number), tuple(", ".join(names[key] for key in names if key in way.of(kind)) or "—" for kind in kinds)
         )
-        for number, way in enumerate(study.replacements, 1)
+        for number, way in enumerate(study.replacements[:most], 1)
     ]
     return _table(WAYS, lines, "structure way", tuple(f"pair {kind}" for kind in kinds), drafting)
 
@@ -148,7 +148,7 @@ def _division_scheme(study: StructureStudy, division: GroupDivision, drafting: D
 
 def _captions(study: StructureStudy, drafting: Drafting) -> Iterator[Caption]:
     tables = [divisions_table(study, drafting)]
-    tables += [ways_table(study, drafting)] if study.replacements else []
+    tables += [ways_table(study, drafting, LISTED)] if study.replacements else []
     for each in tables:
         yield Caption(Panel(each.block(each.name)), partial(each.write, drafting=drafting))
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, islice, product
+from math import comb
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -35,6 +36,7 @@ from plans.model.structure import (
 )
 
 LOST = 1e-9  # of the largest: an independence so small is rounding, of places that scenes give with nine sound digits
+MOST = 300_000  # choices of one number of changes that are looked at: of eleven moving links there are fewer
 BATCH = 2048  # choices whose constraints are looked at together
 Rows: TypeAlias = list[list[float]]
 
@@ -187,12 +189,14 @@ def replacements(structure: Structure) -> tuple[Replacement, ...]:
     """Find all ways of fewest changes to a mechanism without redundant constraints across its plane, the best first.
 
     The constraints that are left are as many as the motions across the plane, and independent: none of the freed pairs
-    only adds a local mobility. Of equally many changes those are better that leave as they are hinges of several links,
-    then the bearings of the frame, then guides.
+    only adds a local mobility. Of more links than can be looked through there are none. Of equally many changes those
+    are better that leave as they are hinges of several links, then the bearings of the frame, then guides.
     """
     found: list[Replacement] = []
     surplus = freedom(structure).across
     for count in range((surplus + 1) // 2, len(structure.pairs) + 1 if surplus else 0):
+        if comb(len(structure.pairs), count) * comb(count, min(surplus - count, count // 2)) > MOST:
+            break
         found = list(_sound(structure, _choices(structure, count, surplus)))
         if found:
             break
