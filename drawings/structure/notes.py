@@ -49,8 +49,8 @@ class StructureNotes(NamedTuple):
         for key, links in (("structure local", freedom.local), ("structure spinning", freedom.spinning)):
             yield from (self._said(key, link=link) for link in links)
         if freedom.within:
-            links = ", ".join(map(str, freedom.passive)) or "—"
-            yield self._said("structure passive", within=Slot("q_w", freedom.within), links=links)
+            passive = ", ".join(map(str, freedom.passive)) or "—"
+            yield self._said("structure passive", within=Slot("q_w", freedom.within), links=passive)
         spatial = self.drafting.number(structure.spatial)
         parts = {"w": Slot("W", freedom.mobility), "spatial": f"({spatial})" if structure.spatial < 0 else spatial}
         yield self._said("structure redundant", **parts, q=Slot("q", freedom.redundant))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
 from drawings.kinds.scheme import frame_number, link_numbers
 from drawings.layout.labels import Labels
-from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
-from drawings.lettering.words import with_index
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Spot, picture
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Group, Stroke, Text
 from drawings.structure.links import ShownLinks
@@ -31,8 +31,8 @@ class StructureScheme(NamedTuple):
 
     name: str
     title: str
-    under: str
     parts: tuple[tuple[str, ShownLinks], ...]
+    under: str = ""
     further: str = ""
     stated: str = ""  # the point from which its points are measured
     weight: float = 1.0
@@ -65,18 +65,10 @@ def draw(shown: StructureScheme, room: Picture, spot: Spot, drafting: Drafting) 
     scale = drafting.scale(spot.scale)
     below = (shown.under, f"{shown.further};  {scale}") if shown.under else (scale, *filter(None, [shown.further]))
     head = heading(spot.box, shown.title, below[0], hand, *below[1:])
-    pairs = [
-        StructurePairs(part, _moved(place, by), hand) for (_, part), by in zip(shown.parts, shifts(shown), strict=True)
-    ]
-    lines: list[Stroke] = [head]
-    for one in pairs:
-        lines.append(Group(tuple(_lines(one, shown))))
-    lines += _labels(shown, pairs, place, drafting)
-    return LetteredFigure(shown.name, tuple(lines), partial(_letters, shown, pairs, drafting))
-
-
-def _moved(place: Place, by: complex) -> Place:
-    return place._replace(zero=place.zero - by)
+    moved = [place._replace(zero=place.zero - by) for by in shifts(shown)]
+    pairs = [StructurePairs(part, there, hand) for (_, part), there in zip(shown.parts, moved, strict=True)]
+    lines = (head, *(Group(tuple(_lines(one, shown))) for one in pairs), *_labels(shown, pairs, drafting))
+    return LetteredFigure(shown.name, lines, partial(_letters, shown, pairs, drafting))
 
 
 def _lines(pairs: StructurePairs, shown: StructureScheme) -> Iterator[Stroke]:
@@ -86,22 +78,17 @@ def _lines(pairs: StructurePairs, shown: StructureScheme) -> Iterator[Stroke]:
     yield from pairs.bars()
     yield from pairs.corners()
     yield from pairs.contacts()
-    if len(shown.parts) == 1 or (
-        0 in {link for joint in pairs.bones.joints for link in joint.links} and len(pairs.bones.links) == 1
-    ):
+    if not shown.parts[0][0] or len(pairs.bones.links) == 1:  # a whole mechanism, or a primary link
         yield from pairs.grounds()
         yield from pairs.stands()
     if shown.stated:
         yield from pairs.marks(Subject(shown.name, "r", None), shown.stated)
     else:
-        yield from (
-            stroke for name, value in pairs.named.items() for stroke in pairs.symbol(name, pairs.place.on(value))
-        )
+        for name, value in pairs.named.items():
+            yield from pairs.symbol(name, pairs.place.on(value))
 
 
-def _labels(
-    shown: StructureScheme, pairs: Sequence[StructurePairs], place: Place, drafting: Drafting
-) -> Iterator[Stroke]:
+def _labels(shown: StructureScheme, pairs: Sequence[StructurePairs], drafting: Drafting) -> Iterator[Stroke]:
     """Write under each part drawn apart what it is."""
     hand = drafting.hand
     for (label, _), one in zip(shown.parts, pairs, strict=True):
@@ -131,15 +118,4 @@ def formula_of(text: str) -> str:
     >>> formula_of("I(0,1) -> II3(2,3)")
     'I(0,1) → II_{3}(2,3)'
     """
-    pieces = (piece.split("(", 1) for piece in text.split(" -> "))
-    return " → ".join(f"{head.rstrip('12345')}{_lowered(head)}({rest}" for head, rest in pieces)
-
-
-def _lowered(head: str) -> str:
-    kind = head[len(head.rstrip("12345")) :]
-    return f"_{{{kind}}}" if kind else ""
-
-
-def lettered(names: Sequence[str]) -> str:
-    """Write the letters of pairs in a row."""
-    return ", ".join(map(with_index, names))
+    return re.sub(r"II([1-5])\(", r"II_{\1}(", text).replace(" -> ", " → ")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Final
 
@@ -14,7 +14,8 @@ from drawings.linkage.positions import of_linkage
 from drawings.linkage.skeleton import reference
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, Text
-from drawings.sheets.kind import PLAN, SheetKind
+from drawings.sheets.kind import FRAME as FRAMED
+from drawings.sheets.kind import SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from drawings.structure import scheme
@@ -23,66 +24,61 @@ from drawings.structure.links import group, primary, whole
 from drawings.structure.notes import LISTED, StructureNotes
 from drawings.structure.scheme import StructureScheme, formula_of
 from plans.model.mechanism import FRAME
-from plans.model.structure import CYLINDRICAL, POINT, ROMAN, SPHERICAL, GroupDivision, KinematicPair
+from plans.model.structure import ROMAN, GroupDivision
 from plans.quantity import Comparison
 from plans.structure.study import STRUCTURE, StructureStudy
 from plans.study import Study
 
 PAIRS, DIVISIONS, WAYS, RESULTS = "pairs", "divisions", "ways", "results"  # the tables
+KEY = "structure "  # how the words of the sheet begin
 SCHEME, FREED, LOWERED, DIVISION = "structure", "freed", "lowered", "division-"  # the figures
 
 
 def pairs_table(study: StructureStudy, drafting: Drafting) -> RuledTable:
     """Tell the pairs of a mechanism: links, kind, mobility, class."""
-    lines = [TableRow(with_index(pair.name), _pair(pair, drafting)) for pair in study.structure.pairs]
-    heads = ("structure links", "structure kind", "structure mobility", "structure pair class")
-    return _table(PAIRS, lines, "structure pairs", heads, drafting)
-
-
-def _pair(pair: KinematicPair, drafting: Drafting) -> tuple[str, ...]:
-    kind = drafting.word(f"pair {pair.kind}")
-    return ", ".join(map(str, pair.links)), kind, f"p_{pair.mobility}", ROMAN[pair.constraints]
+    rows = {
+        pair.name: (_row(pair.links), drafting.word(f"pair {pair.kind}"), f"p_{pair.mobility}", ROMAN[pair.constraints])
+        for pair in study.structure.pairs
+    }
+    return _table(PAIRS, rows, "pairs", ("links", "kind", "mobility", "pair class"), drafting)
 
 
 def divisions_table(study: StructureStudy, drafting: Drafting) -> RuledTable:
     """Tell the divisions of a mechanism for each choice of its primary link."""
-    lines = [TableRow(_links(division), _division(division)) for division in study.divisions]
-    heads = ("structure formula", "structure rank", "structure order")
-    return _table(DIVISIONS, lines, "structure primary head", heads, drafting)
+    rows = {
+        _row(one.primaries): (formula_of(one.formula), ROMAN[one.rank], _row(group.order for group in one.groups))
+        for one in study.divisions
+    }
+    return _table(DIVISIONS, rows, "primary head", ("formula", "rank", "order"), drafting)
 
 
-def _links(division: GroupDivision) -> str:
-    return ", ".join(map(str, division.primaries))
-
-
-def _division(division: GroupDivision) -> tuple[str, ...]:
-    orders = ", ".join(str(group.order) for group in division.groups)
-    return formula_of(division.formula), ROMAN[division.rank], orders
+def _row(parts: Iterable[object]) -> str:
+    return ", ".join(map(str, parts))
 
 
 def ways_table(study: StructureStudy, drafting: Drafting, most: int | None = None) -> RuledTable:
     """Tell the ways of fewest changes to a mechanism without redundant constraints, all of them or the first."""
     names = {pair.key: with_index(pair.name) for pair in study.structure.pairs}
-    kinds = [kind for kind in (SPHERICAL, CYLINDRICAL, POINT) if any(way.of(kind) for way in study.replacements)]
-    lines = [
-        TableRow(
-            str(number), tuple(", ".join(names[key] for key in names if key in way.of(kind)) or "—" for kind in kinds)
-        )
+    kinds = [kind for kind in "SCK" if any(way.of(kind) for way in study.replacements)]
+    rows = {
+        str(number): tuple(_row(names[key] for key in names if key in way.of(kind)) or "—" for kind in kinds)
         for number, way in enumerate(study.replacements[:most], 1)
-    ]
-    return _table(WAYS, lines, "structure way", tuple(f"pair {kind}" for kind in kinds), drafting)
+    }
+    return _table(WAYS, rows, "way", [f"pair {kind}" for kind in kinds], drafting, "")
 
 
 def results_table(comparison: Comparison, drafting: Drafting) -> RuledTable:
     """Tell the numbers that are found."""
-    found = ((with_index(one.name), float(one.construction[0])) for one in comparison.findings)
-    lines = [TableRow(name, (drafting.number(value),)) for name, value in found]
-    return _table(RESULTS, lines, "quantity", ("structure value",), drafting)
+    rows = {one.name: (drafting.number(float(one.construction[0])),) for one in comparison.findings}
+    return _table(RESULTS, rows, "number", ("value",), drafting)
 
 
-def _table(name: str, lines: list[TableRow], first: str, heads: Sequence[str], drafting: Drafting) -> RuledTable:
-    words = tuple(drafting.word(head) for head in heads)
-    return table(lines, drafting.word(first), words, drafting.hand.text)._replace(name=name)
+def _table(
+    name: str, rows: Mapping[str, tuple[str, ...]], first: str, heads: Sequence[str], drafting: Drafting, key: str = KEY
+) -> RuledTable:
+    lines = [TableRow(with_index(head) if "_" in head else head, cells) for head, cells in rows.items()]
+    words = tuple(drafting.word(key + head) for head in heads)
+    return table(lines, drafting.word(KEY + first), words, drafting.hand.text)._replace(name=name)
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -91,11 +87,9 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     shows: tuple[Exhibit | Caption, ...] = (*_figures(found, drafting), *_captions(found, drafting))
     tables = (pairs_table(found, drafting), results_table(study.comparison(STRUCTURE), drafting))
     notes = StructureNotes(found, drafting).all
-    title = drafting.word("structure sheet title")
-    size = drafting.hand.text
-    narrow = size + max(
-        text_width(Text(0j, note, size)) for note in notes if note.startswith("W")
-    )  # no formula is broken
+    title, size = drafting.word("structure sheet title"), drafting.hand.text
+    # No formula is broken
+    narrow = size + max(text_width(Text(0j, note, size)) for note in notes if note.startswith("W"))
     return lay_out(study.scene, [Draft(STRUCTURE, title, shows, tables, notes, figures_facts, SCHEME, narrow)])
 
 
@@ -109,25 +103,15 @@ def schemes(study: StructureStudy, drafting: Drafting) -> Iterator[StructureSche
     """Give the figures of the sheet in their order."""
     word, fixed = drafting.word, reference(study.mechanism)
     first = whole(study, study.structure, fixed)
-    yield StructureScheme(SCHEME, word("structure scheme"), "", (("", first),), stated=fixed, weight=1.5)
+    yield StructureScheme(SCHEME, word("structure scheme"), (("", first),), stated=fixed, weight=1.5)
     if study.structure.higher:
-        yield StructureScheme(LOWERED, word("structure lowered"), "", (("", whole(study, study.plain)),))
-    for division in study.divisions:
-        yield _division_scheme(study, division, drafting)
+        yield StructureScheme(LOWERED, word("structure lowered"), (("", whole(study, study.plain)),))
+    yield from (_division_scheme(study, division, drafting) for division in study.divisions)
     if study.replacements:
-        changed = dict(study.replacements[0].kinds)
-        names = (
-            f"{with_index(pair.name)} – {word(f'pair {pair.kind}')}"
-            for pair in study.freed.pairs
-            if pair.key in changed
-        )
-        yield StructureScheme(
-            FREED,
-            word("structure freed across" if study.freedom.within else "structure freed"),
-            "",
-            (("", whole(study, study.freed)),),
-            ", ".join(names),
-        )
+        title = word("structure freed across" if study.freedom.within else "structure freed")
+        changed = [pair for pair in study.freed.pairs if pair.key in dict(study.replacements[0].kinds)]
+        names = _row(f"{with_index(pair.name)} – {word(f'pair {pair.kind}')}" for pair in changed)
+        yield StructureScheme(FREED, title, (("", whole(study, study.freed)),), further=names)
 
 
 def _division_scheme(study: StructureStudy, division: GroupDivision, drafting: Drafting) -> StructureScheme:
@@ -135,15 +119,10 @@ def _division_scheme(study: StructureStudy, division: GroupDivision, drafting: D
     for found in division.groups:
         parts.append((formula_of(found.label), group(study, found, known)))
         known += found.links
-    title = drafting.word("structure primary", links=_links(division))
+    name = f"{DIVISION}{'-'.join(map(str, division.primaries))}"
+    title = drafting.word("structure primary", links=_row(division.primaries))
     further = drafting.word("structure class", rank=ROMAN[division.rank])
-    return StructureScheme(
-        f"{DIVISION}{'-'.join(map(str, division.primaries))}",
-        title,
-        formula_of(division.formula),
-        tuple(parts),
-        further,
-    )
+    return StructureScheme(name, title, tuple(parts), formula_of(division.formula), further)
 
 
 def _captions(study: StructureStudy, drafting: Drafting) -> Iterator[Caption]:
@@ -153,6 +132,6 @@ def _captions(study: StructureStudy, drafting: Drafting) -> Iterator[Caption]:
         yield Caption(Panel(each.block(each.name)), partial(each.write, drafting=drafting))
 
 
-FORM: Final = {SCHEME: PLAN}
+FORM: Final = {SCHEME: FRAMED}
 SCALES: Final = {SCHEME: "structure"}
 SHEETS: Final = {"structure": SheetKind(leaves, expected, SCALES, of_linkage, figures=FORM, tables=(RESULTS,))}

@@ -15,28 +15,14 @@ import numpy as np
 
 from plans.model.mechanism import FRAME
 from plans.model.motion import Floats
-from plans.model.structure import (
-    CYLINDRICAL,
-    FINGER,
-    LINE,
-    PLANE,
-    POINT,
-    SLIDING,
-    SPACE,
-    SPHERICAL,
-    TUBE,
-    TURNING,
-    KinematicPair,
-    Structure,
-)
+from plans.model.structure import SPACE, TURNING, KinematicPair, Structure
 
 LOST = 1e-8  # of the largest singular value: rounding of the data, and far under what a perturbation brings about
 ASKEW = 0.05  # rad and shares of the size: how far axes and places are off in the perturbed position
 # Which turns and shifts each kind holds: about and along its axis 0, its other direction 1, and square to both 2.
 HELD: Final[Mapping[str, tuple[tuple[int, ...], tuple[int, ...]]]] = {
-    **{TURNING: ((1, 2), (0, 1, 2)), SLIDING: ((0, 1, 2), (1, 2)), CYLINDRICAL: ((1, 2), (1, 2))},
-    **{FINGER: ((1,), (0, 1, 2)), SPHERICAL: ((), (0, 1, 2)), PLANE: ((1, 2), (0,))},
-    **{TUBE: ((), (1, 2)), LINE: ((2,), (0,)), POINT: ((), (0,))},
+    **{"R": ((1, 2), (0, 1, 2)), "P": ((0, 1, 2), (1, 2)), "C": ((1, 2), (1, 2)), "T": ((1,), (0, 1, 2))},
+    **{"S": ((), (0, 1, 2)), "E": ((1, 2), (0,)), "B": ((), (1, 2)), "L": ((2,), (0,)), "K": ((), (0,))},
 }
 NORMAL = np.array([0.0, 0.0, 1.0])  # to the plane of a mechanism
 
@@ -93,7 +79,7 @@ def _spatial(pair: KinematicPair, place: complex) -> SpatialPair:
     at, along = np.array([place.real, place.imag, 0.0]), np.array([pair.along.real, pair.along.imag, 0.0])
     if pair.nature == TURNING:
         return SpatialPair(pair.links, pair.kind, at, NORMAL, along)
-    if pair.kind == PLANE:
+    if pair.kind == "E":
         return SpatialPair(pair.links, pair.kind, at, np.cross(NORMAL, along), NORMAL)
     return SpatialPair(pair.links, pair.kind, at, along, NORMAL)
 

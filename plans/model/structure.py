@@ -15,20 +15,12 @@ from plans.model.mechanism import FRAME, StructureError
 from plans.words.words import message
 
 TURNING, SLIDING, CONTACT = "R", "P", "K"  # what a pair is in its plane
-CYLINDRICAL, FINGER, SPHERICAL, PLANE, TUBE, LINE = "C", "T", "S", "E", "B", "L"
-POINT = CONTACT  # a contact in a point is one in space too
-# How many of the six motions in space each kind of pair allows.
-MOBILITIES: Final[Mapping[str, int]] = {
-    **{TURNING: 1, SLIDING: 1, CYLINDRICAL: 2, FINGER: 2},
-    **{SPHERICAL: 3, PLANE: 3, TUBE: 4, LINE: 4, POINT: 5},
-}
+CYLINDRICAL, SPHERICAL, LINE, POINT = "C", "S", "L", CONTACT  # a contact in a point is one in space too
+# How many of six motions in space each kind of pair allows: T is spherical with a finger, E plane, B a ball in a tube.
+MOBILITIES: Final[Mapping[str, int]] = {"R": 1, "P": 1, "C": 2, "T": 2, "S": 3, "E": 3, "B": 4, "L": 4, "K": 5}
 SPACE, PLANAR = 6, 3  # motions of a free body
 # What makes a pair freer without a change in its plane, the least change first.
-FREER: Final[Mapping[str, tuple[str, ...]]] = {
-    TURNING: (CYLINDRICAL, SPHERICAL),
-    SLIDING: (CYLINDRICAL,),
-    LINE: (POINT,),
-}
+FREER: Final[Mapping[str, str]] = {TURNING: CYLINDRICAL + SPHERICAL, SLIDING: CYLINDRICAL, LINE: POINT}
 
 
 class KinematicPair(NamedTuple):

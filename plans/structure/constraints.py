@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, islice, product
 from math import comb
-from typing import NamedTuple, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -21,14 +21,9 @@ from plans.model.structure import (
     CONTACT,
     CYLINDRICAL,
     FREER,
-    LINE,
     MOBILITIES,
     PLANAR,
-    PLANE,
-    POINT,
     SLIDING,
-    SPHERICAL,
-    TUBE,
     TURNING,
     Joint,
     KinematicPair,
@@ -93,22 +88,16 @@ def in_plane(pair: KinematicPair) -> Rows:
     return [shift] if pair.nature == CONTACT else [shift, [0, 0, 1]]
 
 
+# What is equal across the plane: lift, tilts along x and y, tilt along the pair's own direction or square to that.
+ACROSS: Final[Mapping[str, str]] = {"R": "lxy", "P": "lxy", "S": "l", "T": "la", "L": "a", "E": "s", "K": "", "B": ""}
+CYLINDERS: Final[Mapping[str, str]] = {TURNING: "xy", SLIDING: "la"}  # of a cylindrical pair by what it is in the plane
+
+
 def across(pair: KinematicPair) -> Rows:
     """Give what a pair makes equal of the motions across the plane: lift of the origin, tilts along x and y."""
-    lift, tilts = [1.0, pair.at.real, pair.at.imag], [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-    along, square = ([0.0, way.real, way.imag] for way in (pair.along, 1j * pair.along))
-    match pair.kind, pair.nature:
-        case (kind, _) if kind in (TURNING, SLIDING):
-            return [lift, *tilts]
-        case (kind, nature) if kind == CYLINDRICAL:
-            return tilts if nature == TURNING else [lift, along]
-        case (kind, _) if kind == SPHERICAL:
-            return [lift]
-        case (kind, _) if kind in (LINE, PLANE):
-            return [along if kind == LINE else square]
-        case (kind, _) if kind in (POINT, TUBE):
-            return []
-    raise TypeError(f"{pair.name} is no pair of a planar mechanism")
+    lift, tilts = [1.0, pair.at.real, pair.at.imag], {"x": 1 + 0j, "y": 1j, "a": pair.along, "s": 1j * pair.along}
+    held = CYLINDERS[pair.nature] if pair.kind == CYLINDRICAL else ACROSS[pair.kind]
+    return [lift if one == "l" else [0.0, tilts[one].real, tilts[one].imag] for one in held]
 
 
 def matrix(structure: Structure, rows_of: Callable[[KinematicPair], Rows]) -> Floats:
@@ -144,11 +133,8 @@ def _passive(structure: Structure, mobility: int) -> Iterator[int]:
 
     None is a link that slides alone hold: it has no other to guide it.
     """
-    slid = {link for joint in structure.joints if joint.nature == SLIDING for link in joint.links}
     turned = {link for joint in structure.joints if joint.nature != SLIDING for link in joint.links}
-    for link in structure.links:
-        if link in slid - turned:
-            continue
+    for link in sorted(turned.intersection(structure.links)):
         rest = without(structure, link)
         plane = matrix(rest, in_plane)
         if PLANAR * len(rest.links) - _rank(plane) == mobility and len(plane) < len(matrix(structure, in_plane)) - 3:
@@ -223,10 +209,10 @@ def _choices(structure: Structure, count: int, surplus: int) -> Iterator[Replace
 def _sound(structure: Structure, choices: Iterator[Replacement]) -> Iterator[Replacement]:
     """Keep the choices whose constraints are independent."""
     placed = _placed(structure)
+    ways = ((pair, kind) for pair in placed for kind in pair.kind + FREER.get(pair.kind, ""))
     rows = {
         (pair.key, kind): np.array([_spread(row, pair, structure.links) for row in across(pair._replace(kind=kind))])
-        for pair in placed
-        for kind in (pair.kind, *FREER.get(pair.kind, ()))
+        for pair, kind in ways
     }
     while batch := list(islice(choices, BATCH)):
         kinds = [{pair.key: pair.kind for pair in placed} | dict(way.kinds) for way in batch]

@@ -30,10 +30,11 @@ def _told(study: StructureStudy) -> Mapping[str, Message]:
     n, counts = len(structure.links), {f"p{k}": count for k, count in enumerate(structure.counts, 1)}
     parts = {"n": n, "w": _signed(freedom.mobility), "spatial": _signed(structure.spatial)}
     plane = {"p1": structure.lower, "p2": structure.higher, "planar": _signed(structure.planar)}
+    spatial = f"({parts['spatial']})" if structure.spatial < 0 else parts["spatial"]
     found = {
         "W": message("structure.told_w", **plane, n=n, w=parts["w"], within=freedom.within),
         "W_s": message("structure.told_spatial", n=n, **counts, spatial=parts["spatial"]),
-        "q": message("structure.told_q", w=parts["w"], spatial=parts["spatial"], q=freedom.redundant),
+        "q": message("structure.told_q", w=parts["w"], spatial=spatial, q=freedom.redundant),
     }
     for division in study.divisions:
         for group in division.groups:

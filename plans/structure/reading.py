@@ -11,13 +11,13 @@ from typing import Final
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.mechanism import FRAME
-from plans.model.structure import CYLINDRICAL, LINE, PLANE, POINT, SPHERICAL, TUBE
+from plans.model.structure import CYLINDRICAL, LINE, POINT, SPHERICAL
 from plans.scene import fields as f
 from plans.scene.readers import Check, many, named
 from plans.scene.scene import Meaning, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
-KINDS: Final = {"cylindrical": CYLINDRICAL, "spherical": SPHERICAL, "plane": PLANE, "tube": TUBE}
+KINDS: Final = {"cylindrical": CYLINDRICAL, "spherical": SPHERICAL, "plane": "E", "tube": "B"}
 CONTACTS: Final = {"line": LINE, "point": POINT}
 
 

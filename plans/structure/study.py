@@ -12,7 +12,7 @@ import numpy as np
 
 from geometry.errors import DraftError
 from plans.linkage.reading.form import LinkageForm
-from plans.linkage.reading.survey import LinkageSurvey
+from plans.linkage.reading.linkage import described
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.structure import (
@@ -26,7 +26,7 @@ from plans.model.structure import (
     NoMechanism,
     Structure,
 )
-from plans.scene.faults import Fault, SceneError
+from plans.scene.faults import Fault
 from plans.scene.scene import Scene
 from plans.structure.constraints import Freedom, Replacement, freedom, in_plane, matrix, replacements, without
 from plans.structure.groups import divisions, lowest
@@ -67,10 +67,7 @@ class StructureStudy:
     @cached_property
     def mechanism(self) -> Mechanism:
         """The mechanism of the scene, whatever its mobility is."""
-        found = self.scene.meaning.of(LinkageSurvey).mechanism
-        if self.scene.meaning.faults or found is None:
-            raise SceneError(self.scene.meaning.faults)
-        return found
+        return described(self.scene)
 
     @cached_property
     def pose(self) -> Pose:

@@ -96,7 +96,7 @@ AXES: Mapping[str, Callable[[int, np.random.Generator], tuple[np.ndarray, ...]]]
 
 @over("row", PRINTED)
 def test_mobility_and_redundant_constraints_are_those_of_the_handbooks(row: Printed) -> None:
-    assert row.source in CASES["sources"]
+    assert row.source in CASES["sources"] and len(PRINTED) > 50
     if row.axes == "plane":
         structure = planar(row.pairs)
         ours, theirs = freedom(structure), in_place(structure)
@@ -106,10 +106,6 @@ def test_mobility_and_redundant_constraints_are_those_of_the_handbooks(row: Prin
         pairs = spatial(row)
         theirs = ranks(sorted({link for pair in pairs for link in pair.links} - {0}), pairs)
     assert (theirs.mobility, theirs.redundant) == (row.mobility, row.redundant)
-
-
-def test_there_are_forty_of_them() -> None:
-    assert len(PRINTED) >= 40
 
 
 @over("row", [row for row in PLANAR if row.redundant])
@@ -154,16 +150,14 @@ def test_what_only_lets_a_link_spin_frees_nothing() -> None:
         ("R01 R12 R23 R03", 1, -2),
         ("R01 S12 C23 R03", 1, 1),
         ("R01 R02 L12", 1, 0),
+        ("R01 R12 R02", 0, -3),  # groups: of two links, of four, of one with a contact
+        ("R01 R02 R03 R14 R24 R34", 0, -6),
+        ("R01 L01", 0, -1),
     ],
 )
 def test_the_formulas_of_structure(pairs: str, plane: int, space: int) -> None:
     structure = planar(pairs)
     assert (structure.planar, structure.spatial) == (plane, space)
-
-
-@pytest.mark.parametrize(("n", "lower", "higher"), [(2, 3, 0), (4, 6, 0), (1, 1, 1)])
-def test_groups_have_no_mobility(n: int, lower: int, higher: int) -> None:
-    assert 3 * n - 2 * lower - higher == 0
 
 
 # Groups by their links, 1 and on, and what they hang on, 0: pairs, class, order, kind of a dyad.
