@@ -10,7 +10,6 @@ from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
 from plans.model.structure import ROMAN, SPACE
-from plans.structure.quantities import class_letters
 from plans.structure.study import STRUCTURE, StructureStudy
 from plans.study import Study
 
@@ -46,7 +45,7 @@ def _divisions(study: StructureStudy, numbers: dict[str, float]) -> Iterator[Exp
     for division in study.divisions:
         formula = division.formula.replace(" -> ", " → ")
         orders = ", ".join(str(group.order) for group in division.groups) or "—"
-        rank = ROMAN[max(int(numbers[class_letters(division)]), 0)]
+        rank = ROMAN[max(int(numbers[division.letters]), 0)]
         yield from cells(DIVISIONS, ", ".join(map(str, division.primaries)), (formula, rank, orders))
 
 
@@ -63,7 +62,7 @@ def _notes(study: StructureStudy, numbers: dict[str, float]) -> Iterator[Expecte
     said = ("W", "W_s", "q", *(("N", "W'_s", "q'") if study.replacements else ()))
     for name in said:
         yield Expected(Kind.PHRASE, NOTES, name, numbers[name])
-    chosen = class_letters(study.chosen)
+    chosen = study.chosen.letters
     yield Expected(Kind.PHRASE, NOTES, chosen, numbers[chosen])
     yield Expected(Kind.PHRASE, NOTES, "W_c", study.structure.planar)
     yield Expected(Kind.PHRASE, NOTES, "q_w", study.freedom.within, may_lack=not study.freedom.within)

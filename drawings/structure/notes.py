@@ -9,7 +9,6 @@ from drawings.lettering.words import Phrase, Slot, joined, with_index
 from drawings.page.page import Drafting
 from drawings.structure.scheme import formula_of
 from plans.model.structure import ROMAN, SPACE, Structure
-from plans.structure.quantities import class_letters
 from plans.structure.study import StructureStudy
 
 LISTED = 40  # ways that a sheet lists
@@ -58,7 +57,7 @@ class StructureNotes(NamedTuple):
     def ranks(self) -> Iterator[str]:
         """Say which primary link gives the lowest class."""
         chosen, lowest = self.study.chosen, self.study.lowest
-        letters = class_letters(chosen)
+        letters = chosen.letters
         parts = {"rank": ROMAN[chosen.rank], "letters": with_index(letters), "k": Slot(letters, chosen.rank)}
         yield self._said("structure chosen", formula=formula_of(chosen.formula), **parts)
         if lowest.rank < max(division.rank for division in self.study.divisions):

@@ -126,6 +126,6 @@ def in_place(structure: Structure) -> Ranks:
 
 
 def perturbed(structure: Structure, seed: int = 1) -> Ranks:
-    """Give the rank where all axes and places are a little off in space."""
+    """Give the rank where all axes and places are a little off in space: it has all rows, or all motions."""
     chance = np.random.default_rng(seed)
     return ranks(structure.links, [pair.askew(chance) for pair in spatial(structure.pairs)])

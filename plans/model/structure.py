@@ -210,6 +210,15 @@ class GroupDivision(NamedTuple):
         return max((group.rank for group in self.groups), default=1)
 
     @property
+    def letters(self) -> str:
+        """The letters of its class.
+
+        >>> GroupDivision((1,), ()).letters, GroupDivision((1, 5), ()).letters
+        ('k_1', 'k_1,5')
+        """
+        return f"k_{','.join(map(str, self.primaries))}"
+
+    @property
     def name(self) -> str:
         """The primary link as the formula writes it; of several all of them."""
         return " + ".join(f"I(0,{link})" for link in self.primaries)

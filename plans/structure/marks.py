@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from plans.explanation import Explanation, NoMark, UnknownMark
-from plans.structure.quantities import class_letters
 from plans.structure.study import StructureStudy
 from plans.words.words import Message, message
 
@@ -41,7 +40,7 @@ def _told(study: StructureStudy) -> Mapping[str, Message]:
             links = ", ".join(map(str, group.links))
             sizes = {"n": len(group.links), "p": 3 * len(group.links) // 2, "order": group.order}
             found[group.label] = message("structure.told_group", links=links, rank=group.roman, **sizes)
-    numbers = {class_letters(one): one.rank for one in study.divisions} | {"N": len(study.replacements)}
+    numbers = {one.letters: one.rank for one in study.divisions} | {"N": len(study.replacements)}
     numbers |= {"W'": freedom.mobility, "W'_s": study.freed.spatial, "q'": freedom.within}
     told = {name: message("structure.told_number", mark=name, value=str(value)) for name, value in numbers.items()}
     return told | found

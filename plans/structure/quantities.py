@@ -40,16 +40,7 @@ def _mobilities(study: StructureStudy) -> Iterator[Quantity]:
 def _classes(study: StructureStudy) -> Iterator[Quantity]:
     """Compare the class of each division."""
     for division in study.divisions:
-        yield _quantity(class_letters(division), division.rank, _class(study.plain, division))
-
-
-def class_letters(division: GroupDivision) -> str:
-    """Letter the class of the mechanism with its primary links.
-
-    >>> class_letters(GroupDivision((1,), ())), class_letters(GroupDivision((1, 5), ()))
-    ('k_1', 'k_1,5')
-    """
-    return f"k_{','.join(map(str, division.primaries))}"
+        yield _quantity(division.letters, division.rank, _class(study.plain, division))
 
 
 def _class(structure: Structure, division: GroupDivision) -> float:
@@ -69,8 +60,13 @@ def _freed(study: StructureStudy) -> Iterator[Quantity]:
     yield _quantity("W'_s", freed.spatial, space)
     yield _quantity("q'", study.freedom.within, true.redundant)
     ways = (study.structure.altered(dict(way.kinds)) for way in study.replacements)
-    sound = [in_place(way).redundant == study.freedom.within and _freely(way) == freed.spatial for way in ways]
-    yield _quantity("N", len(study.replacements), sum(sound))
+    yield _quantity("N", len(study.replacements), sum(_sound(way, study.freedom.within) for way in ways))
+
+
+def _sound(structure: Structure, within: int) -> bool:
+    """Tell whether no constraint across the plane is redundant in place, and none at all where nothing is parallel."""
+    place, space = in_place(structure), perturbed(structure)
+    return place.redundant == within and min(space.mobility, space.redundant) == 0
 
 
 def _freely(structure: Structure) -> float:

@@ -35,6 +35,7 @@ from plans.study import Study
 from plans.words.words import Message, message, placed
 
 STRUCTURE = "structure"
+SOME = 24  # positions among which the one that is shown is chosen: others are no farther from dead centres to speak of
 
 
 class Slid(NamedTuple):
@@ -85,7 +86,8 @@ class StructureStudy:
             motion = self._study.of(LinkageStudy).motion(0)
         except DraftError:
             return
-        for k in range(len(motion.phi)) if asked is None else (asked,):
+        every = max(len(motion.phi) // SOME, 1)
+        for k in range(0, len(motion.phi), every) if asked is None else (asked,):
             places = {name: complex(point.r[k]) for name, point in motion.points.items()}
             places = dict(self.mechanism.links[FRAME].points) | places
             if not any(cmath.isnan(spot) for spot in places.values()):

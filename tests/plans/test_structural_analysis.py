@@ -120,6 +120,7 @@ def test_each_replacement_leaves_no_constraint_redundant_and_adds_no_motion(row:
         ours, place, space = freedom(freed), in_place(freed), perturbed(freed)
         assert (ours.mobility, ours.redundant) == (place.mobility, place.redundant) == (found.mobility, within)
         assert space.mobility - space.redundant == freed.spatial == found.mobility - within
+        assert min(space.mobility, space.redundant) == 0
 
 
 def test_the_four_bar_is_freed_by_a_spherical_and_a_cylindrical_pair_wherever_they_are() -> None:
