@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from plans.model.motion import Floats
 from plans.model.structure import SPACE, TURNING, KinematicPair, Structure
 
 LOST = 1e-8  # of the largest singular value: rounding of the data, and far under what a perturbation brings about
-ASKEW = 0.05  # rad and shares of the size: how far axes and places are off in the perturbed position
+ASKEW = 0.05  # shares of the size: how far axes and places are off in the perturbed position
 # Which turns and shifts each kind holds: about and along its axis 0, its other direction 1, and square to both 2.
 HELD: Final[Mapping[str, tuple[tuple[int, ...], tuple[int, ...]]]] = {
     **{"R": ((1, 2), (0, 1, 2)), "P": ((0, 1, 2), (1, 2)), "C": ((1, 2), (1, 2)), "T": ((1,), (0, 1, 2))},
@@ -53,19 +53,9 @@ class SpatialPair:
         return np.array(rows)
 
     def askew(self, chance: np.random.Generator) -> SpatialPair:
-        """Give it with its place and its axes a little off, as a real one is."""
-        turn = _turned(ASKEW * chance.standard_normal(3))
-        return SpatialPair(
-            self.links, self.kind, self.at + ASKEW * chance.standard_normal(3), turn @ self.axis, turn @ self.other
-        )
-
-
-def _turned(by: Floats) -> Floats:
-    """Give the matrix of a turn about a vector by its size, rad (формула Родрига)."""
-    size = float(np.linalg.norm(by))
-    x, y, z = by / size
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.asarray(np.eye(3) + np.sin(size) * cross + (1 - np.cos(size)) * cross @ cross)
+        """Give it with its place and its directions a little off, as a real one is."""
+        at, axis, other = (way + ASKEW * chance.standard_normal(3) for way in (self.at, self.axis, self.other))
+        return SpatialPair(self.links, self.kind, at, axis / np.linalg.norm(axis), other)
 
 
 def spatial(pairs: Sequence[KinematicPair]) -> list[SpatialPair]:
@@ -84,23 +74,11 @@ def _spatial(pair: KinematicPair, place: complex) -> SpatialPair:
     return SpatialPair(pair.links, pair.kind, at, along, NORMAL)
 
 
-@dataclass(frozen=True, eq=False)
-class Ranks:
-    """The rank of a Jacobian, its rows, and the motions that it is asked of."""
+class Ranks(NamedTuple):
+    """What the rank of a Jacobian comes to: how many motions are left, and how many rows depend on others."""
 
-    rank: int
-    rows: int
-    motions: int
-
-    @property
-    def mobility(self) -> int:
-        """How many motions are left."""
-        return self.motions - self.rank
-
-    @property
-    def redundant(self) -> int:
-        """How many rows depend on others."""
-        return self.rows - self.rank
+    mobility: int
+    redundant: int
 
 
 def ranks(links: Sequence[int], pairs: Iterable[SpatialPair]) -> Ranks:
@@ -108,7 +86,8 @@ def ranks(links: Sequence[int], pairs: Iterable[SpatialPair]) -> Ranks:
     rows = [_row(wrench, pair, links) for pair in pairs for wrench in pair.wrenches]
     jacobian = np.array(rows or np.zeros((0, SPACE * len(links))))
     sizes = np.linalg.svd(jacobian, compute_uv=False) if rows else np.zeros(0)
-    return Ranks(int((sizes > LOST * max(sizes, default=1.0)).sum()), len(rows), SPACE * len(links))
+    rank = int((sizes > LOST * max(sizes, default=1.0)).sum())
+    return Ranks(SPACE * len(links) - rank, len(rows) - rank)
 
 
 def _row(wrench: Floats, pair: SpatialPair, links: Sequence[int]) -> Floats:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import pairwise
 from typing import Final, NamedTuple
 
 from plans.model.mechanism import FRAME, StructureError
@@ -90,9 +89,10 @@ class Joint(NamedTuple):
 
     @property
     def pairs(self) -> tuple[KinematicPair, ...]:
-        """Its pairs: a hinge of k links counts k - 1 times."""
+        """Its pairs: a hinge of k links counts k - 1 times, each time with the link of the lowest number."""
+        first, *others = sorted(self.links)
         rest = self.nature, self.kind, self.at, self.along
-        return tuple(KinematicPair(self.letter, ends, *rest) for ends in pairwise(sorted(self.links)))
+        return tuple(KinematicPair(self.letter, (first, other), *rest) for other in others)
 
     def altered(self, kinds: Mapping[str, str]) -> Iterator[Joint]:
         """Give it with other kinds of its pairs, each by itself if there are any."""

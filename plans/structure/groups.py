@@ -10,9 +10,10 @@ from plans.model.mechanism import FRAME
 from plans.model.structure import CONTACT, PLANAR, SLIDING, AssurGroup, GroupDivision, Joint, Structure, no_division
 
 
-def divisions(structure: Structure, mobility: int) -> tuple[GroupDivision, ...]:
-    """Divide a mechanism for every choice of its primary links."""
-    return tuple(divide(structure, chosen) for chosen in combinations(structure.primaries, mobility))
+def divisions(structure: Structure, mobility: int, among: Collection[int]) -> tuple[GroupDivision, ...]:
+    """Divide a mechanism for every choice of its primary links among some."""
+    able = (link for link in structure.primaries if link in among)
+    return tuple(divide(structure, chosen) for chosen in combinations(able, mobility))
 
 
 def divide(structure: Structure, primaries: Sequence[int]) -> GroupDivision:

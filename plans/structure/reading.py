@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from decimal import Decimal
-from itertools import pairwise
 from typing import Final
 
 from plans.linkage.reading import fields as g
@@ -98,14 +97,14 @@ def _joined(survey: LinkageSurvey) -> Iterator[tuple[int, ...]]:
     """Give the links of each pair."""
     assert survey.mechanism is not None  # asked before
     for links in survey.mechanism.hinges.values():
-        yield from pairwise(links)
+        yield from ((links[0], other) for other in links[1:])
     yield from ((slide.slider, slide.owner) for slide in survey.mechanism.slides)
 
 
 def _see_contact(survey: LinkageSurvey, number: int, contact: ContactTable) -> None:
     """See that the centres of a contact are points of its links, two of them, or one beside a flat side."""
     path = ("structure", "contacts", number)
-    if not all(survey.know_link((*path, "links", k), link) for k, link in enumerate(contact.links)):
+    if not all(link == FRAME or survey.know_link((*path, "links", k), link) for k, link in enumerate(contact.links)):
         return
     wanted = 1 if contact.along else 2
     if len(contact.between) != wanted:

@@ -139,10 +139,10 @@ class StructureStudy:
     def divisions(self) -> tuple[GroupDivision, ...]:
         """Its divisions into groups, for each choice of the primary link."""
         self.made.add(STRUCTURE)
-        if not self.plain.primaries:
+        if not self.structure.primaries:
             raise NoMechanism(self._at(message("structure.no_primary")))
         try:
-            return divisions(self.plain, self.freedom.main)
+            return divisions(self.plain, self.freedom.main, self.structure.primaries)
         except NoMechanism as error:
             raise NoMechanism(self._at(error.args[0]), error.links) from None
 
@@ -212,8 +212,7 @@ def contact(number: int, form: ContactTable, pose: Pose) -> Joint:
         at = places[1] - normal * (abs(run) / 2 if form.radius is None else float(form.radius))
     centres = tuple(map(CurvatureCentre, form.between, form.links, places))
     links = tuple(sorted(form.links))
-    letter = "KMNPQ"[number % 5]
-    return Joint(f"{letter} {links[0]}-{links[1]}", links, CONTACT, CONTACTS[form.kind], at, normal, centres)
+    return Joint(f"K{number or ''} {links[0]}-{links[1]}", links, CONTACT, CONTACTS[form.kind], at, normal, centres)
 
 
 def posed(mechanism: Mechanism, points: Mapping[str, complex], turns: Mapping[int, complex]) -> Pose:
