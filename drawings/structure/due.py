@@ -37,7 +37,7 @@ def _pairs(study: StructureStudy, drafting: Drafting) -> Iterator[Expected]:
     for pair in study.structure.pairs:
         kind = drafting.word(f"pair {pair.kind}")
         row = ", ".join(map(str, pair.links)), kind, f"p{pair.mobility}", ROMAN[SPACE - pair.mobility]
-        yield from cells(PAIRS, with_index(pair.name), row)
+        yield from cells(PAIRS, with_index(pair.mark), row)
 
 
 def _divisions(study: StructureStudy, numbers: dict[str, float]) -> Iterator[Expected]:
@@ -50,7 +50,7 @@ def _divisions(study: StructureStudy, numbers: dict[str, float]) -> Iterator[Exp
 
 
 def _ways(study: StructureStudy) -> Iterator[Expected]:
-    names = {pair.key: pair.name.replace("_", "") for pair in study.structure.pairs}
+    names = {pair.key: pair.mark.replace("_", "") for pair in study.structure.pairs}
     kinds = [kind for kind in "SCK" if any(way.of(kind) for way in study.replacements)]
     for number, way in enumerate(study.replacements[:MOST_WAYS], 1):
         row = [", ".join(names[key] for key in names if key in way.of(kind)) or None for kind in kinds]

@@ -37,7 +37,7 @@ SCHEME, FREED, LOWERED, DIVISION = "structure", "freed", "lowered", "division-" 
 def pairs_table(study: StructureStudy, drafting: Drafting) -> RuledTable:
     """Tell the pairs of a mechanism: links, kind, mobility, class."""
     rows = {
-        pair.name: (_row(pair.links), drafting.word(f"pair {pair.kind}"), f"p_{pair.mobility}", ROMAN[pair.constraints])
+        pair.mark: (_row(pair.links), drafting.word(f"pair {pair.kind}"), f"p_{pair.mobility}", ROMAN[pair.constraints])
         for pair in study.structure.pairs
     }
     return _table(PAIRS, rows, "pairs", ("links", "kind", "mobility", "pair class"), drafting)
@@ -58,7 +58,7 @@ def _row(parts: Iterable[object]) -> str:
 
 def ways_table(study: StructureStudy, drafting: Drafting, most: int | None = None) -> RuledTable:
     """Tell the ways of fewest changes to a mechanism without redundant constraints, all of them or the first."""
-    names = {pair.key: with_index(pair.name) for pair in study.structure.pairs}
+    names = {pair.key: with_index(pair.mark) for pair in study.structure.pairs}
     kinds = [kind for kind in "SCK" if any(way.of(kind) for way in study.replacements)]
     rows = {
         str(number): tuple(_row(names[key] for key in names if key in way.of(kind)) or "—" for kind in kinds)
@@ -110,7 +110,7 @@ def schemes(study: StructureStudy, drafting: Drafting) -> Iterator[StructureSche
     if study.replacements:
         title = word("structure freed across" if study.freedom.within else "structure freed")
         changed = [pair for pair in study.freed.pairs if pair.key in dict(study.replacements[0].kinds)]
-        names = _row(f"{with_index(pair.name)} – {word(f'pair {pair.kind}')}" for pair in changed)
+        names = _row(f"{with_index(pair.mark)} – {word(f'pair {pair.kind}')}" for pair in changed)
         yield StructureScheme(FREED, title, (("", whole(study, study.freed)),), further=names)
 
 

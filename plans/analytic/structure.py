@@ -15,7 +15,7 @@ import numpy as np
 
 from plans.model.mechanism import FRAME
 from plans.model.motion import Floats
-from plans.model.structure import SPACE, TURNING, KinematicPair, Structure
+from plans.model.structure import SPACE, TURNING, Joint, Structure
 
 LOST = 1e-8  # of the largest singular value: rounding of the data, and far under what a perturbation brings about
 ASKEW = 0.05  # shares of the size: how far axes and places are off in the perturbed position
@@ -35,7 +35,7 @@ class SpatialPair:
     finger, or of the line of contact.
     """
 
-    links: tuple[int, int]
+    links: tuple[int, ...]
     kind: str
     at: Floats
     axis: Floats
@@ -58,14 +58,14 @@ class SpatialPair:
         return SpatialPair(self.links, self.kind, at, axis / np.linalg.norm(axis), other)
 
 
-def spatial(pairs: Sequence[KinematicPair]) -> list[SpatialPair]:
+def spatial(pairs: Sequence[Joint]) -> list[SpatialPair]:
     """Put the pairs of a planar mechanism in space, places in shares of how far they lie apart."""
     middle = sum(pair.at for pair in pairs) / len(pairs)
     size = max((abs(pair.at - middle) for pair in pairs), default=0.0) or 1.0
     return [_spatial(pair, (pair.at - middle) / size) for pair in pairs]
 
 
-def _spatial(pair: KinematicPair, place: complex) -> SpatialPair:
+def _spatial(pair: Joint, place: complex) -> SpatialPair:
     at, along = np.array([place.real, place.imag, 0.0]), np.array([pair.along.real, pair.along.imag, 0.0])
     if pair.nature == TURNING:
         return SpatialPair(pair.links, pair.kind, at, NORMAL, along)

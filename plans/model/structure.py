@@ -7,7 +7,7 @@ spherical pair turns as a turning one does. A pair is counted by its mobility: o
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Final, NamedTuple
 
 from plans.model.mechanism import FRAME, StructureError
@@ -22,44 +22,6 @@ SPACE, PLANAR = 6, 3  # motions of a free body
 FREER: Final[Mapping[str, str]] = {TURNING: CYLINDRICAL + SPHERICAL, SLIDING: CYLINDRICAL, LINE: POINT}
 
 
-class KinematicPair(NamedTuple):
-    """A kinematic pair (кинематическая пара) of two links: its letter, what it is in the plane, and its kind.
-
-    `at` is its place m in one position; `along` the direction of a slide, or the normal of a contact.
-    """
-
-    letter: str
-    links: tuple[int, int]
-    nature: str
-    kind: str
-    at: complex = 0j
-    along: complex = 1 + 0j
-
-    @property
-    def key(self) -> str:
-        """Its links as a scene names them.
-
-        >>> KinematicPair("A", (1, 2), TURNING, TURNING).key, KinematicPair("A", (1, 12), TURNING, TURNING).name
-        ('1-2', 'A_1,12')
-        """
-        return "-".join(map(str, self.links))
-
-    @property
-    def name(self) -> str:
-        """Its letter with its links: A_12."""
-        return f"{self.letter}_{self.key.replace('-', ',' if max(self.links) > 9 else '')}"
-
-    @property
-    def mobility(self) -> int:
-        """How many motions it allows (подвижность пары)."""
-        return MOBILITIES[self.kind]
-
-    @property
-    def constraints(self) -> int:
-        """How many it takes: its class by Artobolevsky (класс пары)."""
-        return SPACE - self.mobility
-
-
 class CurvatureCentre(NamedTuple):
     """A centre of curvature of a contact: a point of one of its links, by its letter, and its place m."""
 
@@ -69,9 +31,10 @@ class CurvatureCentre(NamedTuple):
 
 
 class Joint(NamedTuple):
-    """A joint: a hinge of two links or more, a slide, or a contact with its centres of curvature.
+    """A joint: a kinematic pair (кинематическая пара) of two links, or a hinge of several; what it is in the plane.
 
-    A flat side of a contact has no centre. No two joints share a name, though their letters may be the same.
+    `at` is its place m in one position; `along` the direction of a slide, or the normal of a contact, which has its
+    centres of curvature but at a flat side. No two joints share a name, though their letters may be the same.
     """
 
     name: str
@@ -88,20 +51,40 @@ class Joint(NamedTuple):
         return self.name.partition(" ")[0]
 
     @property
-    def pairs(self) -> tuple[KinematicPair, ...]:
+    def key(self) -> str:
+        """Its links as a scene names them.
+
+        >>> Joint("A", (1, 2), TURNING, TURNING).key, Joint("A", (1, 12), TURNING, TURNING).mark
+        ('1-2', 'A_1,12')
+        """
+        return "-".join(map(str, self.links))
+
+    @property
+    def mark(self) -> str:
+        """Its letter with its links: A_12."""
+        return f"{self.letter}_{self.key.replace('-', ',' if max(self.links) > 9 else '')}"
+
+    @property
+    def mobility(self) -> int:
+        """How many motions it allows (подвижность пары)."""
+        return MOBILITIES[self.kind]
+
+    @property
+    def constraints(self) -> int:
+        """How many it takes: its class by Artobolevsky (класс пары)."""
+        return SPACE - self.mobility
+
+    @property
+    def pairs(self) -> tuple[Joint, ...]:
         """Its pairs: a hinge of k links counts k - 1 times, each time with the link of the lowest number."""
         first, *others = sorted(self.links)
-        rest = self.nature, self.kind, self.at, self.along
-        return tuple(KinematicPair(self.letter, (first, other), *rest) for other in others)
+        return tuple(self._replace(name=f"{self.letter} {first}-{one}", links=(first, one)) for one in others)
 
-    def altered(self, kinds: Mapping[str, str]) -> Iterator[Joint]:
+    def altered(self, kinds: Mapping[str, str]) -> tuple[Joint, ...]:
         """Give it with other kinds of its pairs, each by itself if there are any."""
         if not any(pair.key in kinds for pair in self.pairs):
-            yield self
-            return
-        for pair in self.pairs:
-            name, kind = f"{pair.letter} {pair.key}", kinds.get(pair.key, pair.kind)
-            yield self._replace(name=name, links=pair.links, kind=kind)
+            return (self,)
+        return tuple(pair._replace(kind=kinds.get(pair.key, pair.kind)) for pair in self.pairs)
 
     def within(self, links: Iterable[int], known: Iterable[int] = ()) -> int:
         """Count its pairs among some links, and of these with links whose places are known."""
@@ -116,7 +99,7 @@ class Structure(NamedTuple):
     joints: tuple[Joint, ...]
 
     @property
-    def pairs(self) -> tuple[KinematicPair, ...]:
+    def pairs(self) -> tuple[Joint, ...]:
         """All kinematic pairs, in the order of their links."""
         return tuple(sorted((pair for joint in self.joints for pair in joint.pairs), key=lambda pair: pair.links))
 

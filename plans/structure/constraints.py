@@ -17,18 +17,7 @@ import numpy as np
 
 from plans.model.mechanism import FRAME
 from plans.model.motion import Floats
-from plans.model.structure import (
-    CONTACT,
-    CYLINDRICAL,
-    FREER,
-    MOBILITIES,
-    PLANAR,
-    SLIDING,
-    TURNING,
-    Joint,
-    KinematicPair,
-    Structure,
-)
+from plans.model.structure import CONTACT, CYLINDRICAL, FREER, MOBILITIES, PLANAR, SLIDING, TURNING, Joint, Structure
 
 LOST = 1e-9  # of the largest: an independence so small is rounding, of places that scenes give with nine sound digits
 MOST = 300_000  # choices of one number of changes that are looked at: of eleven moving links there are fewer
@@ -78,7 +67,7 @@ def freedom(structure: Structure) -> Freedom:
     return Freedom(*left, twice, len(lift) - ranks[1], passive, _local(structure, plane), spinning)
 
 
-def in_plane(pair: KinematicPair) -> Rows:
+def in_plane(pair: Joint) -> Rows:
     """Give what a pair makes equal of the plane motions of its links: shifts of the origin, turn."""
     x, y = pair.at.real, pair.at.imag
     if pair.nature == TURNING:
@@ -93,21 +82,21 @@ ACROSS: Final[Mapping[str, str]] = {"R": "lxy", "P": "lxy", "S": "l", "T": "la",
 CYLINDERS: Final[Mapping[str, str]] = {TURNING: "xy", SLIDING: "la"}  # of a cylindrical pair by what it is in the plane
 
 
-def across(pair: KinematicPair) -> Rows:
+def across(pair: Joint) -> Rows:
     """Give what a pair makes equal of the motions across the plane: lift of the origin, tilts along x and y."""
     lift, tilts = [1.0, pair.at.real, pair.at.imag], {"x": 1 + 0j, "y": 1j, "a": pair.along, "s": 1j * pair.along}
     held = CYLINDERS[pair.nature] if pair.kind == CYLINDRICAL else ACROSS[pair.kind]
     return [lift if one == "l" else [0.0, tilts[one].real, tilts[one].imag] for one in held]
 
 
-def matrix(structure: Structure, rows_of: Callable[[KinematicPair], Rows]) -> Floats:
+def matrix(structure: Structure, rows_of: Callable[[Joint], Rows]) -> Floats:
     """Put the constraints of all pairs in rows, three columns a link."""
     place = _placed(structure)
     rows = [_spread(row, pair, structure.links) for pair in place for row in rows_of(pair)]
     return np.array(rows or np.zeros((0, PLANAR * len(structure.links))))
 
 
-def _placed(structure: Structure) -> list[KinematicPair]:
+def _placed(structure: Structure) -> list[Joint]:
     """Measure the places of pairs from their middle, in shares of how far they lie apart: no unit decides a rank."""
     pairs = structure.pairs
     middle = sum(pair.at for pair in pairs) / len(pairs)
@@ -115,7 +104,7 @@ def _placed(structure: Structure) -> list[KinematicPair]:
     return [pair._replace(at=(pair.at - middle) / size) for pair in pairs]
 
 
-def _spread(row: Sequence[float], pair: KinematicPair, links: Sequence[int]) -> Floats:
+def _spread(row: Sequence[float], pair: Joint, links: Sequence[int]) -> Floats:
     full = np.zeros(PLANAR * len(links))
     for link, sign in zip(pair.links, (-1, 1), strict=True):
         if link != FRAME:

@@ -38,18 +38,11 @@ STRUCTURE = "structure"
 SOME = 24  # positions among which the one that is shown is chosen: others are no farther from dead centres to speak of
 
 
-class Slid(NamedTuple):
-    """Where a slide's block stands, and the direction of its line."""
-
-    at: complex
-    along: complex
-
-
 class Pose(NamedTuple):
-    """A mechanism in one position: the places m of its points, its slides."""
+    """A mechanism in one position: the places m of its points, the place of each slide's block and its direction."""
 
     points: Mapping[str, complex]
-    slides: Mapping[Slide, Slid]
+    slides: Mapping[Slide, tuple[complex, complex]]
 
 
 class StructureStudy:
@@ -106,10 +99,9 @@ class StructureStudy:
         return self._structure(self.pose).altered(kinds)
 
     def _structure(self, pose: Pose) -> Structure:
-        joints = [*hinges(self.mechanism, pose), *slides(self.mechanism, pose)]
         contacts = (contact(k, form, pose) for k, form in enumerate(self.form.contacts))
         links = tuple(sorted(set(self.mechanism.links) - {FRAME}))
-        return Structure(links, (*joints, *contacts))
+        return Structure(links, (*joints(self.mechanism, pose), *contacts))
 
     @cached_property
     def freedom(self) -> Freedom:
@@ -185,14 +177,10 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
         yield scene.fault(("structure", "primary"), "class_not_lower", link=study.form.primary, **ranks)
 
 
-def hinges(mechanism: Mechanism, pose: Pose) -> Iterator[Joint]:
-    """Give the hinges of a mechanism."""
+def joints(mechanism: Mechanism, pose: Pose) -> Iterator[Joint]:
+    """Give the hinges and the slides of a mechanism."""
     for name, links in mechanism.hinges.items():
         yield Joint(name, links, TURNING, TURNING, pose.points[name])
-
-
-def slides(mechanism: Mechanism, pose: Pose) -> Iterator[Joint]:
-    """Give the slides of a mechanism."""
     for slide in mechanism.slides:
         first, last = sorted((slide.slider, slide.owner))
         yield Joint(f"{slide.point} {first}-{last}", (first, last), SLIDING, SLIDING, *pose.slides[slide])
@@ -224,7 +212,7 @@ def posed(mechanism: Mechanism, points: Mapping[str, complex], turns: Mapping[in
         base = origin if slide.owner == FRAME else points[first]
         through = base + turn * (slide.on_owner.through - origin)
         along = turn * slide.on_owner.direction
-        found[slide] = Slid(through + ((points[slide.point] - through) * along.conjugate()).real * along, along)
+        found[slide] = through + ((points[slide.point] - through) * along.conjugate()).real * along, along
     return Pose(points, found)
 
 
