@@ -13,7 +13,7 @@ PRODUCT = ("geometry", "plans", "drawings")
 MOST: Mapping[str, tuple[int, tuple[str, ...]]] = {
     "product": (93_493, tuple(f"{top}/**/*.py" for top in PRODUCT)),
     "self-check": (5_220, ("drawings/checks/**/*.py", "drawings/*/due*.py")),
-    "tests": (42_403, ("tests/**/*.py", "tests/**/*.toml", "tests/**/*.json")),
+    "tests": (42_397, ("tests/**/*.py", "tests/**/*.toml", "tests/**/*.json")),
 }
 LONGEST = 400  # lines of a file of the product
 
