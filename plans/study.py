@@ -124,8 +124,10 @@ class Study:
 
 
 def rows_of(scene: Scene) -> Iterator[Technique]:
-    """Give the techniques that a scene has tables of, or of what a technique without any rests on."""
-    return (row for row in techniques().values() if any(scene.has((table,)) for table in _homes(row)))
+    """Give the techniques that a scene has tables or sheets of, or tables of what one without any rests on."""
+    asked = frozenset(scene.sheets)
+    rows = techniques().values()
+    return (row for row in rows if asked & row.sheets.keys() or any(scene.has((table,)) for table in _homes(row)))
 
 
 def _homes(row: Technique) -> Iterable[str]:

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from plans.words.words import Message
 
 TECHNIQUES: Final = (
-    "linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "transfer", "centres",
+    "linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "structure",
+    "transfer", "centres",
 )  # fmt: skip
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")

@@ -22,6 +22,7 @@ CONSTRUCTIONS = (
     *("geometry.board", "geometry.meet", "plans.linkage.drafts", "plans.linkage.motion_plans"),
     *("plans.forces.force_template", "plans.forces.polygon", "plans.forces.lever"),
     *("plans.cam.profile", "plans.cam.centre", "plans.dynamics.loop", "plans.balance.sums", "plans.bank.polygons"),
+    *("plans.structure.groups", "plans.structure.constraints"),
 )
 # Where a technique is drawn.
 DRAWN = tuple(f"drawings.{name}" for name in TECHNIQUES)
@@ -77,6 +78,7 @@ SHARED = (
     "plans.model.cam_motion",
     "plans.model.cyclogram",
     "plans.model.diagrams",
+    "plans.model.structure",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
@@ -199,7 +201,10 @@ ROOMS = (
     ("plans.study",),
     ("plans.linkage",),
     ("plans.forces",),
-    ("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams", "plans.transfer", "plans.centres"),
+    (
+        *("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams"),
+        *("plans.structure", "plans.transfer", "plans.centres"),
+    ),
     ("plans.bank",),
     (ROADS,),
     ("plans.bench",),

@@ -180,7 +180,7 @@ def _poles(leaf: Leaf) -> Iterator[Group]:
 
 def _about(pole: Group) -> Frame:
     """Read the frame about a pole, which says of which true place it is."""
-    scale, (spot,) = float(pole.data["scale"]), spots(pole.strokes)
+    scale, spot = float(pole.data["scale"]), next(spots(pole.strokes))  # of a hinge of several links two circles
     x, y = map(float, pole.data["value"].split())
     return Frame(spot - complex(x, y) / scale, 1 + 0j, 1j, scale, scale)
 

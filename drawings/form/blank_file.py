@@ -15,7 +15,7 @@ from drawings.pens.svg import svg
 from drawings.reading.measure import check
 from drawings.reading.sheet import SeenSheet, see
 from drawings.sheets.kind import table_of
-from plans.linkage.study import LinkageStudy
+from plans.linkage.reading.linkage import described
 from plans.model.mechanism import FRAME
 from plans.study import Study
 from plans.words.words import message
@@ -55,7 +55,7 @@ def _marks(sheet: SeenSheet, study: Study) -> Iterator[str]:
     """Name the vectors, the points that the scene does not fix, and those that are not drawn where they are."""
     yield from (f"{miss.key.plan} {miss.key.name}" for miss in check(sheet.measured))
     yield from (f"{vector.plan} {vector.name}" for vector in (*sheet.measured.vectors, *sheet.measured.profiles))
-    fixed = study.of(LinkageStudy).mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
+    fixed = described(study.scene).links[FRAME].points if "linkage" in study.scene.techniques else {}
     for point in sheet.measured.points:
         if point.name not in fixed or abs(point.stated - fixed[point.name]) > NEAR * abs(point.stated):
             yield f"{point.plan} {point.name}"

@@ -40,7 +40,8 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, key_of
 from drawings.symbols import symbols
 from drawings.symbols.figure import heading
-from plans.linkage.study import LinkageStudy
+from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.linkage import described
 from plans.model.mechanism import FRAME as GROUND
 from plans.model.mechanism import Mechanism
 from plans.scene.scene import Scene
@@ -288,8 +289,7 @@ def _fixed(study: Study) -> Fixed:
     """Give what the scene fixes of its mechanism, if it has one."""
     if "linkage" not in study.scene.techniques:
         return NOTHING
-    linkage = study.of(LinkageStudy)
-    return fixed(linkage.mechanism, len(linkage.turn))
+    return fixed(described(study.scene), study.scene.of(LinkageForm).drive.count)
 
 
 def _exhibit(kind: str, figure: LaidFigure, fixed: Fixed, scene: Scene, drafting: Drafting) -> Exhibit:

@@ -23,6 +23,7 @@ from plans.forces.reading.form import ForceForm
 from plans.linkage.drafts import Drafts
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.linkage import described
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, Motion
@@ -49,7 +50,7 @@ class NothingToMeasure(DraftError):  # noqa: N818  (the message's own word)
 
 def turns(scene: Scene) -> bool:
     """Tell whether a scene has a crank that turns, so that a turn may have any number of positions."""
-    return scene.has(("mechanism",)) and LinkageStudy(scene).mechanism.drive.turns
+    return scene.has(("mechanism",)) and described(scene).drive.turns
 
 
 def with_positions(scene: Scene, count: int) -> Scene:

@@ -147,9 +147,18 @@ def linkages() -> Iterator[Odd]:
     yield Odd("stroke whose ticks lie under a block", ram.replace("positions = 6", "positions = 60"))
 
 
+STRUCTURES = {  # what is said of their structure
+    "triad": ("Наименьший класс II",),
+    "roller": ("Local mobility: link 3 turns by itself",),
+    "parallelogram": ("пассивные звенья 1, 3, 4",),
+    "slider": ("link 2 moves across the plane by itself",),
+}
+
+
 def filed() -> Iterator[Odd]:
-    for path in sorted((CASES / "odd_balances").glob("*.toml")):
-        yield Odd(path.stem, path.read_text(encoding="utf-8"))
+    for folder in ("odd_balances", "odd_structures"):
+        for path in sorted((CASES / folder).glob("*.toml")):
+            yield Odd(path.stem, path.read_text(encoding="utf-8"), STRUCTURES.get(path.stem, ()))
 
 
 EVERY = (*banks(), *balances(), *machines(), *cams(), *linkages(), *filed())

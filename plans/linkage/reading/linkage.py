@@ -116,12 +116,18 @@ def _doubled(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> Iterator[tuple
 
 def mechanism_of(scene: Scene) -> Mechanism:
     """Make the mechanism of a scene; all its faults together are one SceneError, a wrong mobility a StructureError."""
+    mechanism = described(scene)
+    if mechanism.mobility != 1:
+        raise _wrong_mobility(scene, mechanism)
+    return mechanism
+
+
+def described(scene: Scene) -> Mechanism:
+    """Make the mechanism of a scene, whatever its mobility is."""
     mechanism = scene.meaning.of(LinkageSurvey).mechanism
     faults = scene.meaning.faults
     if faults or mechanism is None:
         raise SceneError(faults)
-    if mechanism.mobility != 1:
-        raise _wrong_mobility(scene, mechanism)
     return mechanism
 
 
