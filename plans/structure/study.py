@@ -38,7 +38,7 @@ STRUCTURE = "structure"
 SOME = 24  # positions among which the one that is shown is chosen: others are no farther from dead centres to speak of
 
 
-class Pose(NamedTuple):
+class SchemePose(NamedTuple):
     """A mechanism in one position: the places m of its points, the place of each slide's block and its direction."""
 
     points: Mapping[str, complex]
@@ -64,14 +64,14 @@ class StructureStudy:
         return described(self.scene)
 
     @cached_property
-    def pose(self) -> Pose:
+    def pose(self) -> SchemePose:
         """The position in which it is shown: one that is asked for, else of all the one farthest from a dead centre."""
         poses = [*self._poses()]
         if not poses:
             return sketched(self.scene, self.mechanism)
         return max(poses, key=self._openness) if len(poses) > 1 else poses[0]
 
-    def _poses(self) -> Iterator[Pose]:
+    def _poses(self) -> Iterator[SchemePose]:
         """Give the positions of the linkage, if it can be constructed; the one that is asked for alone."""
         sheet = self.scene.of(LinkageForm).sheet
         asked = sheet.position if sheet.position is not None else next(iter(sheet.plans), None)
@@ -87,7 +87,7 @@ class StructureStudy:
                 turns = {link: cmath.rect(1.0, float(turning.angle[k])) for link, turning in motion.links.items()}
                 yield posed(self.mechanism, places, {FRAME: 1 + 0j} | turns)
 
-    def _openness(self, pose: Pose) -> float:
+    def _openness(self, pose: SchemePose) -> float:
         """Measure how independent the constraints are: little near dead centres; to two digits, for no last bit."""
         sizes = np.linalg.svd(matrix(self._structure(pose), in_plane), compute_uv=False)
         return float(f"{sizes[-1] / sizes[0]:.2g}")
@@ -98,7 +98,7 @@ class StructureStudy:
         kinds = {key: KINDS[kind] for key, kind in self.form.pairs.items()}
         return self._structure(self.pose).altered(kinds)
 
-    def _structure(self, pose: Pose) -> Structure:
+    def _structure(self, pose: SchemePose) -> Structure:
         contacts = (contact(k, form, pose) for k, form in enumerate(self.form.contacts))
         links = tuple(sorted(set(self.mechanism.links) - {FRAME}))
         return Structure(links, (*joints(self.mechanism, pose), *contacts))
@@ -177,7 +177,7 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
         yield scene.fault(("structure", "primary"), "class_not_lower", link=study.form.primary, **ranks)
 
 
-def joints(mechanism: Mechanism, pose: Pose) -> Iterator[Joint]:
+def joints(mechanism: Mechanism, pose: SchemePose) -> Iterator[Joint]:
     """Give the hinges and the slides of a mechanism."""
     for name, links in mechanism.hinges.items():
         yield Joint(name, links, TURNING, TURNING, pose.points[name])
@@ -186,7 +186,7 @@ def joints(mechanism: Mechanism, pose: Pose) -> Iterator[Joint]:
         yield Joint(f"{slide.point} {first}-{last}", (first, last), SLIDING, SLIDING, *pose.slides[slide])
 
 
-def contact(number: int, form: ContactTable, pose: Pose) -> Joint:
+def contact(number: int, form: ContactTable, pose: SchemePose) -> Joint:
     """Give a contact: its normal goes through the centres of curvature, or is square to a flat side."""
     places = [pose.points[name] for name in form.between]
     if form.along:
@@ -203,7 +203,7 @@ def contact(number: int, form: ContactTable, pose: Pose) -> Joint:
     return Joint(f"K{number or ''} {links[0]}-{links[1]}", links, CONTACT, CONTACTS[form.kind], at, normal, centres)
 
 
-def posed(mechanism: Mechanism, points: Mapping[str, complex], turns: Mapping[int, complex]) -> Pose:
+def posed(mechanism: Mechanism, points: Mapping[str, complex], turns: Mapping[int, complex]) -> SchemePose:
     """Give a position by the places of its points and the directions of its links."""
     found = {}
     for slide in mechanism.slides:
@@ -213,10 +213,10 @@ def posed(mechanism: Mechanism, points: Mapping[str, complex], turns: Mapping[in
         through = base + turn * (slide.on_owner.through - origin)
         along = turn * slide.on_owner.direction
         found[slide] = through + ((points[slide.point] - through) * along.conjugate()).real * along, along
-    return Pose(points, found)
+    return SchemePose(points, found)
 
 
-def sketched(scene: Scene, mechanism: Mechanism) -> Pose:
+def sketched(scene: Scene, mechanism: Mechanism) -> SchemePose:
     """Give the position that the sketch shows: of a mechanism that is not constructed, its scheme needs no scale."""
     points = dict(mechanism.links[FRAME].points) | dict(mechanism.sketch)
     drive, first = mechanism.drive, scene.of(LinkageForm).drive.first

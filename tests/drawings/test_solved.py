@@ -156,7 +156,7 @@ def test_explain_tells_at_first_a_dozen_steps_the_vector_equation_and_the_length
 
 
 @pytest.mark.parametrize(
-    ("name", "link", "key", "unit"), [("omega_3", "3", "omega", "rad/s"), ("epsilon_4", "4", "epsilon", "rad/s2")]
+    ("name", "link", "key", "unit"), [("omega_3", "3", "omega", "rad/s"), ("epsilon_4", "4", "epsilon", "rad/s²")]
 )
 def test_explain_ends_with_the_rate_that_is_read_off(run: Run, name: str, link: str, key: str, unit: str) -> None:
     _, out, _ = run("explain", SHAPER, name, "--position", "2")

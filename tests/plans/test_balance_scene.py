@@ -72,7 +72,7 @@ WRONG = {
     ),
     "a share below 0": (f'aim = "share"\nshare = -0.5\n{ONE}', "share", "share_of_mass"),
     "per cent above 100": (f'aim = "share"\nshare = "150 %"\n{ONE}', "share", "share_of_mass"),
-    "a share in another word": (f'aim = "share"\nshare = "forces"\n{ONE}', "share", "share_of_mass"),
+    "a share in another word": (f'aim = "share"\nshare = "weights"\n{ONE}', "share", "share_of_mass"),
     "a share without an aim": (f"share = 0.5\n{ONE}", "share", "share_aim"),
     "another word": (f'aim = "static"\n{ONE}', "aim", "choice"),
     "a sector of nothing": (

@@ -106,7 +106,7 @@ def test_a_way_that_a_load_does_not_go_is_refused_where_the_loads_stand() -> Non
     ("text", "where", "said"),
     [
         ("[output]\n", "output", "either link or point"),
-        ('[output]\nworking = "upward"\n', "output.working", 'Fix: write "slower"'),
+        ('[output]\nworking = "upward"\n', "output.working", 'did you mean "up"'),
         (ON_D + 'value = [1, 0]\nworking = "up"\n', "loads.forces[0].working", "a stroke of the load's own"),
         (
             ON_D + 'value = [1, 0]\nduring = "idle stroke"\nworking = "up"\n',
