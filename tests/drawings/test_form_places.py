@@ -49,7 +49,7 @@ def test_a_polygon_on_a_form_is_that_of_its_place_though_it_does_not_keep_within
 
 
 def test_of_a_form_of_several_pages_due_is_what_has_its_place_on_this_one() -> None:
-    own, leaf = task("oscillating-cylinder"), form_leaf("oscillating-cylinder")
+    own, leaf = task("screen"), form_leaf("screen")
     placed = {one.plan: one.scale for one in form_places(leaf)}
     plans = [plan for plan in own.plans if plan.place in placed and plan.lettered]
     source = on_form(leaf, plans, placed[plans[0].place]).replace(b"</svg>", b'<text x="150" y="9">J = 2</text></svg>')
