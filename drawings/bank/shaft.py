@@ -1,4 +1,4 @@
-"""The view across the shaft of a bank: its mechanisms at their places, their cranks at phi = 0 (вид поперёк вала).
+"""The view across the shaft of a bank: its mechanisms at their places, their cranks at phi = 0 (вид сбоку).
 
 Places and cranks are to the scale of the view, cranks as they are seen: one that points to the eye is a circle alone.
 """

@@ -200,7 +200,8 @@ class LawPlate(RowPlate[LawRow]):
 
     def title(self, row: LawRow) -> str:
         """Give the title of a row."""
-        return f"{self.drafting.word(f'law {row.key}')} {row.letter}"
+        key = "turn" if row.key == TRAVEL and self.cam.rocks else row.key
+        return f"{self.drafting.word(f'law {key}')} {row.letter}"
 
     def said(self, row: LawRow) -> Iterator[str]:
         """Tell where there are shocks, or by how much the chords are off."""

@@ -39,6 +39,7 @@ from plans.model.cam_motion import CamFound
 from plans.scene.scene import Scene
 from plans.study import Study
 
+ALONE = "1"  # what an only cam is named without a word
 LENGTHS = "lengths"  # the diagram of the sizes, whose O is the profile's, has its scale
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
 JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axis; both apart with one scale of the turn
@@ -50,7 +51,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     comparison, drafting = study.comparison("cam"), drafting_of(scene)
     pairs = zip(cams, comparison.analysis.cams, strict=True)
     shared = [] if CYCLOGRAM in scene.sheets else charts(scene, [drawing.cam for drawing in cams])
-    return lay_out_each([*((scene, _draft(*pair, drafting)) for pair in pairs), *shared])
+    several = len(cams) > 1
+    return lay_out_each([*((scene, _draft(*pair, several, drafting)) for pair in pairs), *shared])
 
 
 class _CamContents(NamedTuple):
@@ -63,11 +65,13 @@ class _CamContents(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
+def _draft(drawing: CamDrawing, exact: CamFound, several: bool, drafting: Drafting) -> Draft:
     """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
     ways = (JOINED, TURN, "") if drawing.cam.pressed else ("",)
     contents = _contents(drawing, exact, drafting)
-    first, *further = (_variant(contents, drafting, way) for way in ways)
+    named = several or drawing.cam.name != ALONE
+    title = drafting.word("cam sheet title" + (" of" if named else ""), name=drawing.cam.name)
+    first, *further = (_variant(contents, title, drafting, way) for way in ways)
     return first._replace(instead=tuple(further))
 
 
@@ -84,10 +88,9 @@ def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _CamC
     )
 
 
-def _variant(contents: _CamContents, drafting: Drafting, way: str) -> Draft:
+def _variant(contents: _CamContents, title: str, drafting: Drafting, way: str) -> Draft:
     cam = contents.drawing.cam
     shows = (*_shows(contents, way, drafting), contents.profile)
-    title = drafting.word("cam sheet title", name=cam.name)
     facts, later = partial(_facts, cam, way == JOINED), partial(cam_by_hand, contents.drawing)
     return Draft("cam", title, shows, (contents.table,), contents.notes, facts, later=later)
 

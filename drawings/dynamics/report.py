@@ -55,6 +55,7 @@ class DynamicsNotes(NamedTuple):
         return (
             *self.asked(),
             *self.works(),
+            *self.directed(),
             *self.stopping(),
             *self.reasons(),
             *self.bare(),
@@ -110,7 +111,9 @@ class DynamicsNotes(NamedTuple):
         excess = high.surplus - low.surplus
         share = excess / (self.task.speed**2 * self.task.delta)
         said = {"fast": self._angle("Δφ fastest", high.turned), "slow": self._angle("Δφ slowest", low.turned)}
-        said |= {"excess": self._slot("A excess", excess), "whole": self._slot("J_0", wheel.whole)}
+        taken = "taken over drive" if cycle.net <= 0 else "taken together"
+        said |= {"taken": self.drafting.phrase(taken, excess=self._slot("A excess", excess))}
+        said |= {"whole": self._slot("J_0", wheel.whole)}
         said |= {"most": self._slot("M_us most", resisting(cycle, high.turned, low.turned))}
         if abs(wheel.whole - share) <= NOTES_NOISE * wheel.whole:  # the links have one inertia at both angles
             yield self.drafting.phrase("why loads alone", **said)
@@ -328,7 +331,7 @@ def _concluded(study: Study) -> Iterator[str]:
     """Say what flywheel the machine needs, and how even it runs with it for what was asked."""
     notes = notes_of(study, DIGITS)
     task, speeds, language = notes.task, notes.account.speeds, notes.drafting.language
-    yield from map(entry, (*notes.works(), *notes.missing()))
+    yield from map(entry, (*notes.works(), *notes.directed(), *notes.missing()))
     if task.delta and speeds is not None:
         key = "report.even_enough" if speeds.delta <= task.delta * (1 + EVEN) else "report.uneven"
         text = notes.drafting.number(speeds.delta, DIGITS)

@@ -117,7 +117,7 @@ def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
 
 
 BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
-# What speaks against a place: that it runs along a line, out of the figure, across an arm before it, that the symbol of
+# What speaks against a place: that it, or the line to it from the pivot, runs along a line, out of the figure, across an arm before it, that the symbol of
 # its pivot would hide arrows that stand outside, and how far it is from its own.
 ON_LINE, OUTSIDE, ACROSS, HIDDEN, FURTHER = 4, 3, 1, 3, 0.2
 
@@ -134,6 +134,7 @@ def _aside(arm: Arm, around: Sequence[Segment], before: Sequence[Segment], box: 
     def cost(trial: Arm) -> float:
         reach = trial.reach(hand)
         over = ON_LINE * sum(merging(reach, other) for other in (*around, *before))
+        over += ON_LINE * any(merging((arm.about, trial.ends[0]), line) for line in around if trial.aside)
         outside = OUTSIDE * sum(box is not None and not within(end, box) for end in reach)
         tight = reach != trial.ends
         across = ACROSS * sum(_cross(reach, other) for other in ((*around, *before) if tight else before))

@@ -290,7 +290,6 @@ def _corners(figure: str, load: Force | Moment) -> Iterator[Expected]:
     doubtful = any(bend < STRAIGHT * DOUBT for bend in found.values())
     most = max((abs(size) for _, size in found), default=0.0)
     many = doubtful or len(found) > FEW
-    for k, (_, size) in enumerate(found):
-        for name in (ascii_lowercase[k],) if not many else (str(k + 1), *ascii_lowercase[k : k + 1]):
-            allowed, short = math.inf if many else KNOWN * most, not abs(size) > SHORT * most
-            yield Expected(Kind.VECTOR, figure, name, 1j * size, allowed, may_lack=many or short)
+    for name, (_, size) in zip(ascii_lowercase, found, strict=False):
+        allowed, short = math.inf if many else KNOWN * most, not abs(size) > SHORT * most
+        yield Expected(Kind.VECTOR, figure, name, 1j * size, allowed, may_lack=many or short)

@@ -46,8 +46,11 @@ class SheetEquations:
 
     def passage(self, name: str) -> EquationBlock:
         """Write arms, equations of moments with what they give, and the equation of forces."""
-        turning = (line for equation in self.cut.equations for line in self._moments(equation))
-        lines = *self._given(), *self._slotted(), *turning, *self._forces(), *self._found()
+        turning, holding = (
+            [line for each in self.cut.equations if self.cut.holds(each) is late for line in self._moments(each)]
+            for late in (False, True)
+        )
+        lines = *self._given(), *self._slotted(), *turning, *self._forces(), *self._found(), *holding
         return EquationBlock(name, lines, self.drafting.hand.text, figure=f"{name}-{self.column}")
 
     def letter(self, name: str) -> str:
@@ -116,7 +119,7 @@ class SheetEquations:
     def _about(self, equation: MomentEquation) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""
         links = {load.link for load in equation.loads} | {couple.link for couple in equation.couples}
-        several = len(self.cut.equations) > 1
+        several = len(self.cut.equations) > 1 or self.cut.holds(equation)
         return f"{equation.about.name}({min(links)})" if several and links else equation.about.name
 
     def _term(self, arm: Leverage) -> tuple[str, str]:
@@ -139,15 +142,11 @@ class SheetEquations:
         return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
 
     def _found(self) -> Iterator[WrittenEquation]:
-        """Tell the reactions that the polygon gives."""
+        """Tell the reactions that the polygon gives; the moments of sliding pairs follow with their equations."""
         found = [support.force for support in self.cut.reactions]
         if self.cut.group is None and not self.cut.equations and self.plan.drive is not None:
             found.insert(0, self.plan.drive)  # of a slide the polygon gives the driving force too
-        statements = [self.statement(force.name, self._size(force), "N") for force in found]
-        for moment in (support.moment for support in self.cut.reactions):
-            if moment is not None and self._size(moment) > 0:
-                statements.append(self.statement(moment.name, self._value(moment).real, "N*m"))
-        yield listed(*statements)
+        yield listed(*(self.statement(force.name, self._size(force), "N") for force in found))
 
 
 def _statement(name: str, letter: str, value: float, unit: str, drafting: Drafting) -> Phrase:

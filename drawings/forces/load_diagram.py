@@ -151,8 +151,8 @@ NAME = "load_diagram"
 FORM = GraphForm(1.6, 1.6, Margins(3.2, 1.6, 1.0), 12.0)
 MOST = 20.0  # sizes of a letter, its length at most
 LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
-FEW = 12  # corners that are lettered a, b, c; more are numbered
-APART = 2.6  # sizes of a number from one numbered corner to the next
+FEW = 12  # corners that all are lettered a, b, c; of more those that have room
+APART = 2.6  # sizes of a letter from one corner of many to the next
 SPARE = 0.5  # sizes of a number that stay free between those of two positions
 ABOVE = 1.2  # mm from a dimension line to its letters
 DIGITS = 4
@@ -161,7 +161,7 @@ SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "ψ")  # letters of the way an
 
 
 class LoadMark(NamedTuple):
-    """A corner of a load diagram: its letter or number, and the true place."""
+    """A corner of a load diagram: its letter, and the true place."""
 
     letter: str
     at: complex
@@ -173,13 +173,13 @@ def name_of(course: LoadCourse) -> str:
 
 
 def marks(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[LoadMark, ...]:
-    """Letter the corners that are no zero; of many, number those that have room for it."""
+    """Letter the corners that are no zero; of many those that have room for it, as far as the alphabet goes."""
     corners = course.corners
     if len(corners) <= FEW:
         return tuple(map(LoadMark, ascii_lowercase, corners))
     places = [axes.on(corner.real, corner.imag) for corner in corners]
     kept = spaced(places, APART * hand.number, (0, len(corners) - 1, *range(len(corners))))
-    return tuple(LoadMark(str(k), corners[corner]) for k, corner in enumerate(sorted(kept), 1))
+    return tuple(LoadMark(*pair) for pair in zip(ascii_lowercase, (corners[k] for k in sorted(kept)), strict=False))
 
 
 def measure(course: LoadCourse, drafting: Drafting) -> Picture:

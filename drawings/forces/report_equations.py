@@ -57,7 +57,7 @@ class CutEquations:
         """Write the equations of moments with what they give, the equation of forces, and the reactions."""
         arms = leverages(self.plan, cut, self.column)
         for equation in cut.equations:
-            yield from self._moments(equation, arms, cut)
+            yield from () if cut.holds(equation) else self._moments(equation, arms, cut)
         # Write the part along a slot, which holds nothing along it.
         for part in (part for support in cut.supports for part in support.parts if part.name.startswith("R^u")):
             size = self._sized(abs(self.value(part)))
@@ -65,6 +65,8 @@ class CutEquations:
             yield f"- {inline(self.letter(part.name), known, self.formula.quantity(size, 'N'))}"
         yield from self._forces(cut)
         yield from self._reactions(cut)
+        for equation in cut.equations:
+            yield from self._moments(equation, arms, cut) if cut.holds(equation) else ()
 
     def given(self, cut: CutGroup) -> Iterator[str]:
         """Write the weights, inertia forces and couples of a cut's links, and its loads."""
@@ -118,7 +120,7 @@ class CutEquations:
         found = self.letter(unknown)
         first = found if lever_arm is None else _signed(lever_arm.sense, f"{found} {formula.letter(lever_arm.letter)}")
         links = {load.link for load in equation.loads} | {couple.link for couple in equation.couples}
-        where = f"{about}({min(links)})" if len(cut.equations) > 1 and links else about
+        where = f"{about}({min(links)})" if (len(cut.equations) > 1 or cut.holds(equation)) and links else about
         yield rf"$$\sum M_{{{where}}} = {total([first, *letters])} = 0$$"
         sign = -1 if lever_arm is None else -lever_arm.sense
         sizes = {load.name: formula.number(abs(self.value(load.force))) for load in equation.loads}
@@ -153,7 +155,7 @@ class CutEquations:
             yield f"$${' + '.join(terms)} = 0$$"
 
     def _reactions(self, cut: CutGroup) -> Iterator[str]:
-        """Write the reactions: their lengths on the force plan by its scale, the moments of sliding pairs."""
+        """Write the reactions: their lengths on the force plan by its scale."""
         formula = self.formula
         for support in cut.reactions:
             size = self._sized(abs(self.value(support.force)))
@@ -161,10 +163,6 @@ class CutEquations:
             if self.scale is not None and size:
                 measured = [rf"{formula.number(size / self.scale)} \cdot {formula.number(self.scale)}"]
             yield f"- {inline(self.letter(support.force.name), *measured, formula.quantity(size, 'N'))}"
-            if support.moment is not None:
-                value = self._turned(self.value(support.moment).real)
-                if value:
-                    yield f"- {inline(self.letter(support.moment.name), formula.quantity(value, 'N*m'))}"
 
     def _sized(self, force: float) -> float:
         return force if force > self.nothing[0] else 0.0

@@ -1,4 +1,4 @@
-"""The view across the shaft of a rotor: bearings, planes of masses and of correction, arms (вид поперёк вала)."""
+"""The view across the shaft of a rotor: bearings, planes of masses and of correction, arms (вид сбоку)."""
 
 from __future__ import annotations
 

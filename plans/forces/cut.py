@@ -145,6 +145,16 @@ class Couple(NamedTuple):
     kind: str
 
 
+class MomentEquation(NamedTuple):
+    """An equation of moments about a point: loads and couples in it, and the force along a line that it gives."""
+
+    about: Mark
+    loads: tuple[Load, ...]
+    couples: tuple[Couple, ...]
+    line: Mark | None  # None: the moment itself is found
+    found: Mark
+
+
 class Support(NamedTuple):
     """A reaction as it was found: the force of one link on another, its parts, and of a sliding pair its moment.
 
@@ -159,6 +169,7 @@ class Support(NamedTuple):
     slide: Slide | None
     moment: Mark | None
     point: str  # the letter of the hinge, or of the slider's point
+    holding: MomentEquation | None = None  # that gives the moment
 
 
 class PolygonSide(NamedTuple):
@@ -168,16 +179,6 @@ class PolygonSide(NamedTuple):
     start: Mark
     end: Mark
     kind: str
-
-
-class MomentEquation(NamedTuple):
-    """An equation of moments about a point: loads and couples in it, and the force along a line that it gives."""
-
-    about: Mark
-    loads: tuple[Load, ...]
-    couples: tuple[Couple, ...]
-    line: Mark | None  # None: the moment itself is found
-    found: Mark
 
 
 class CutGroup(NamedTuple):
@@ -196,6 +197,10 @@ class CutGroup(NamedTuple):
     def reactions(self) -> tuple[Support, ...]:
         """All reactions that the cut gives: the outer ones and the inner one."""
         return self.supports if self.inner is None else (*self.supports, self.inner)
+
+    def holds(self, equation: MomentEquation) -> bool:
+        """Tell whether an equation gives the moment of a sliding pair, so that reactions of the group stand in it."""
+        return self.group is not None and equation.line is None
 
     @property
     def label(self) -> str:

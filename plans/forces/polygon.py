@@ -224,7 +224,8 @@ def cut(
 ) -> CutGroup:  # fmt: skip
     """Put the group together as it was cut out."""
     loads, couples = plan.acting(*dyad.links)
-    kept = tuple(equation for equation in equations if equation is not None)
+    holding = (reaction.holding for reaction in (*supports, inner))
+    kept = tuple(equation for equation in (*equations, *holding) if equation is not None)
     return CutGroup(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), inner, kept, tuple(sides))
 
 
@@ -238,8 +239,11 @@ def support(
     at = plan.positions.point(joint.point)
     terms = moments(plan, at, others, couples)
     name, why = f"M_{indices(*pair)}", because("moments", point=at.name, link=pair[1])
-    moment = plan.board.close(name, *terms, why=why) if terms else None
-    return Support(*pair, at, force, tuple(parts), joint, moment, joint.point)
+    if not terms:
+        return Support(*pair, at, force, tuple(parts), joint, None, joint.point)
+    moment, armed = plan.board.close(name, *terms, why=why), tuple(load for load in others if load.at is not at)
+    holding = MomentEquation(at, armed, tuple(couples), None, moment)
+    return Support(*pair, at, force, tuple(parts), joint, moment, joint.point, holding)
 
 
 def on_taker(reaction: Support) -> tuple[list[Load], list[Couple]]:

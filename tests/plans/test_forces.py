@@ -89,6 +89,21 @@ def test_the_power_of_all_forces_but_the_drive_is_that_of_the_worked_example() -
 # The construction in fifty digits
 
 
+@pytest.mark.parametrize("name", ["kind-4", "kind-5"])
+def test_the_moment_of_a_slide_stands_in_an_equation_with_those_it_holds(name: str) -> None:
+    cuts = worked(name)[0].drafts().plans.plan.cuts
+    found = [(cut, one.moment) for cut in cuts for one in cut.reactions if one.moment is not None]
+    for cut, moment in found:
+        loads, couples, about = next((e.loads, e.couples, e.about) for e in cut.equations if e.found is moment)
+        arms = [complex(at(load.at.point, 0) - at(about.point, 0)) for load in loads]
+        forces = [complex(at(load.force.point, 0)) for load in loads]
+        terms = [(arm.conjugate() * force).imag for arm, force in zip(arms, forces, strict=True)]
+        assert sum(terms) + sum(at(couple.moment.point, 0).real for couple in couples) + at(moment.point, 0).real == (
+            pytest.approx(0.0, abs=1e-12 * sum(map(abs, terms)))
+        )
+    assert found
+
+
 def marks_of(statics: Statics) -> list[Mark]:
     """Give all reactions, moments and what the drive gives."""
     plans = statics.drafts().plans
