@@ -85,7 +85,7 @@ class CamNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is asked, over which phases, how it runs, what is wrong with it; the sizes are in the table."""
-        asked = (self.asked, self.phases, self.smoothed, self.face, self.pressure, self.rolling)
+        asked = (self.asked, self.phases, self.smoothed, self.face, self.pressure, self._radius)
         return tuple(line for part in (*asked, self.shocks, self.pressing, self.flaws) for line in part())
 
     @property
@@ -178,12 +178,6 @@ class CamNotes(NamedTuple):
         if found.hollow is not None and not self.cam.flat:
             yield phrase("cam hollow radius", **self._radius_at("ρ_hol", found.hollow, -1))
         yield from self._radius()
-
-    def rolling(self) -> Iterator[str]:
-        """Say how large the roller is, and which line shows where its centre goes."""
-        yield from self._radius()
-        if self.found.roller:
-            yield self.drafting.word("cam lines")
 
     def _radius(self) -> Iterator[str]:
         if self.found.roller:

@@ -19,7 +19,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Fill, Group, Line, Stroke, Text
 from drawings.paper.walk import tied
-from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.figure import Subject, explained, heading, point
 from drawings.symbols.symbols import HINGE, fit, fixed_hinge, ground, hinge, pole, tick
 from plans.model.cam import POINTED
 
@@ -178,7 +178,12 @@ def measure(view: ProfileView, drafting: Drafting) -> Picture:
     else:
         margins = Margins(far, far, far + 2 * hand.title + hand.text)
     room = picture(NAME, view.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
-    return room._replace(most=MOST * hand.letter)
+    return explained(room._replace(most=MOST * hand.letter), _lines(view, drafting), hand)
+
+
+def _lines(view: ProfileView, drafting: Drafting) -> list[str]:
+    """Say which line shows where the centre of a roller goes."""
+    return drafting.word("cam lines").split("\n") if view.found.roller else []
 
 
 def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -186,7 +191,7 @@ def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> Le
     place, hand = room.place(*spot), drafting.hand
     rings = ProfileRings(view, place, hand)
     lines = (
-        heading(spot.box, drafting.word("cam profile"), drafting.scale(spot.scale), hand),
+        heading(spot.box, drafting.word("cam profile"), drafting.scale(spot.scale), hand, *_lines(view, drafting)),
         *_shaft(view, place, hand),
         *inversion.construction(view, rings),
         *size_marks.thin(view, place, hand),

@@ -84,7 +84,7 @@ def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _CamC
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
         exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
         size_view.sizes(ours, theirs, by_hand, drafting),
-        (*CamNotes(drawing.found, drafting).all, *([drafting.word("cam chord")] if drawing.sizing.chord else [])),
+        CamNotes(drawing.found, drafting).all,
     )
 
 

@@ -21,7 +21,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Kind, Line, Polyline, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
-from drawings.symbols.figure import Dimension, Subject, around, heading, point
+from drawings.symbols.figure import Dimension, Subject, around, explained, heading, point
 from drawings.symbols.symbols import HINGE, TICK, fit, hinge, pole
 from plans.cam.centre.place import SizeTangent
 from plans.model.cam import MM
@@ -45,13 +45,13 @@ def measure(view: SizeView, drafting: Drafting) -> Picture:
     margins = around(MARGINS, hand, AXIS, above=AXIS)
     corners = [*view.box, *(end for tangent in view.sizing.tangents for end in view.ruler(tangent))]
     found = picture(NAME, corners, ("l", "m"), margins, title, LETTERS * hand.letter)
-    return found._replace(most=MOST * hand.letter)
+    return explained(found._replace(most=MOST * hand.letter), _lines(view, drafting), hand)
 
 
 def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the diagram in its spot: region and construction thin, the curve thick, rulers between, O over all."""
     place, hand = room.place(*spot), drafting.hand
-    title = heading(spot.box, _title(view, drafting), drafting.scale(spot.scale), hand)
+    title = heading(spot.box, _title(view, drafting), drafting.scale(spot.scale), hand, *_lines(view, drafting))
     drawn, angles = rulers(view, place, drafting)
     sizes = tuple(_sizes(view, place, drafting))
     lines = (
@@ -79,6 +79,11 @@ def _lettered(sizes: Sequence[Dimension], letters: Sequence[Letter], hand: Hand,
 def _title(view: SizeView, drafting: Drafting) -> str:
     kind = "flat" if view.cam.flat else view.cam.follower.motion
     return drafting.word(f"cam sizes by {kind}")
+
+
+def _lines(view: SizeView, drafting: Drafting) -> list[str]:
+    """Say what stands dashed where the arc of a rocker's end is replaced by its chord."""
+    return drafting.word("cam chord").split("\n") if view.sizing.chord else []
 
 
 def _axes(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.diagrams.rows import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
+from drawings.diagrams.rows import SLIDING, TURNING
 from drawings.kinds.graph import TURNED
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.lettering import every
@@ -26,38 +26,12 @@ from plans.words.words import said, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-PER_CENT = 2  # digits of an error
-
 
 def diagram_notes(diagrams: DiagramsStudy, drafting: Drafting) -> list[str]:
-    """Write the notes on the diagrams; nothing where they are not wanted."""
-    if not diagrams.wanted:
+    """Say why there are no diagrams where they are wanted; what is said of those drawn stands with them."""
+    if not diagrams.wanted or diagrams.left_out is None:
         return []
-    if diagrams.left_out is not None:
-        return [drafting.word("diagrams left out", why=said(diagrams.left_out, drafting.language))]
-    return [" ".join(_drawn(diagrams, drafting)), *_read_off(diagrams, drafting)]
-
-
-def _drawn(diagrams: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
-    """Say how the diagrams are drawn and counted, and what of a crank that gathers speed is left aside."""
-    s, v, a = letters_of(diagrams)
-    keys = ("diagrams by chords", f"diagrams {diagrams.counted}", *(("diagrams even",) if diagrams.course.lead else ()))
-    yield from (drafting.word(key, s=s, v=v, a=a) for key in keys)
-
-
-def _read_off(diagrams: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
-    """Tell how far the chords are out at the most, where, and why."""
-    lines = [_error(row, diagrams, drafting) for row in rows_of(diagrams)[1:] if row.off is not None and not row.flat]
-    if lines:
-        yield drafting.word("diagrams off", told=",  ".join(lines))
-
-
-def _error(row: DiagramRow, diagrams: DiagramsStudy, drafting: Drafting) -> str:
-    assert row.off is not None  # asked only where chords are judged
-    numbers, k = diagrams.axis.numbers, row.off.at
-    place = f"{numbers[k]}–{numbers[k + 1]}" if row.key == VELOCITY else str(numbers[k])
-    off = drafting.number(100 * row.off.share, PER_CENT)
-    return drafting.word("diagram off", letter=row.letter, off=off, place=place)
+    return [drafting.word("diagrams left out", why=said(diagrams.left_out, drafting.language))]
 
 
 NAME = "output"

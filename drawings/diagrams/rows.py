@@ -4,7 +4,6 @@ import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -13,14 +12,13 @@ from drawings.kinds.axes import OVER, UNDER, Letter, Part, Parts, Plot
 from drawings.kinds.graph import TURNED, Graph
 from drawings.kinds.row_frame import Proportions, RowFrame, RowPlate
 from drawings.kinds.smooth import smooth
-from drawings.kinds.working import SCALES, Workings, amount
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.lettering import every, spaced, text_width
 from drawings.lettering.words import Slot, joined
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import INK, Group, LineStyle, Stroke, Text
 from drawings.paper.walk import PLACES, flat
-from drawings.symbols.figure import heading
+from drawings.symbols.figure import LINE, heading
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import TURN, Axis, ChordError, Diagrams, OutputRates, chord_error
 from plans.model.motion import Floats
@@ -205,7 +203,14 @@ class DiagramsPlate(RowPlate[DiagramRow]):
     @property
     def above(self) -> float:
         """Paper over the first row, mm: the heading of the figure."""
-        return 3 * self.hand.title
+        return 3 * self.hand.title + LINE * self.hand.text * len(self.explained)
+
+    @cached_property
+    def explained(self) -> tuple[str, ...]:
+        """Lines under the heading: what the scales follow from, what is drawn how, what is left aside."""
+        s, v, a = letters_of(self.diagrams)
+        keys = ("diagrams explained", *(("diagrams even",) if self.diagrams.course.lead else ()))
+        return tuple(line for key in keys for line in self.drafting.word(key, s=s, v=v, a=a).split("\n"))
 
     @property
     def widest(self) -> str:
@@ -217,11 +222,25 @@ class DiagramsPlate(RowPlate[DiagramRow]):
         return f"{row.letter}({TURNED})"
 
     def said(self, row: DiagramRow) -> Iterator[str]:
-        """Tell by how much the chords are off, or that the row shows nothing."""
+        """Tell from where the way is counted, by what chords a row is drawn and how far they are off; or nothing."""
         if row.flat:
             yield self.drafting.word("diagram flat")
-        elif row.off is not None:
-            yield self.drafting.word("chords off", off=self.drafting.number(100 * row.off.share, PER_CENT))
+        elif row.key == TRAVEL:
+            s, v, _ = letters_of(self.diagrams)
+            yield self.drafting.word(f"diagram {self.diagrams.counted}", s=s, v=v)
+        else:
+            above = self.rows[self.place(row) - 1].letter
+            by = self.drafting.word("diagram by chords", above=above, pole=self.pole_letters(row)[0])
+            yield "".join((by, *self._off(row)))
+
+    def _off(self, row: DiagramRow) -> Iterator[str]:
+        """Tell how far the chords are off at the most, and where."""
+        if row.off is not None:
+            numbers, k = self.axis.numbers, row.off.at
+            place = f"{numbers[k]}–{numbers[k + 1]}" if row.key == VELOCITY else str(numbers[k])
+            yield self.drafting.word(
+                "diagram off", off=self.drafting.number(100 * row.off.share, PER_CENT), place=place
+            )
 
 
 PEAK = 1.6  # mm from a greatest or least value to its angle
@@ -330,9 +349,10 @@ def _course(row: DiagramRow, curves: Collection[Plot], name: str, graph: Graph, 
 
 def measure(diagrams: DiagramsStudy, drafting: Drafting) -> Picture:
     """Measure the room of the diagrams."""
-    head = text_width(Text(0j, title(diagrams, drafting), drafting.hand.title))
-    plate = DiagramsPlate(diagrams, drafting)
-    room, (many, share) = plate.room(NAME, ("φ", "rad"), head), SHORTER
+    plate, hand = DiagramsPlate(diagrams, drafting), drafting.hand
+    head = text_width(Text(0j, title(diagrams, drafting), hand.title))
+    wide = (text_width(Text(0j, line, hand.text)) for line in plate.explained)
+    room, (many, share) = plate.room(NAME, ("φ", "rad"), max(head, *wide)), SHORTER
     return room._replace(taller=TALLER, least=room.least * (share if len(plate.axis.turned) < many else 1.0))
 
 
@@ -340,8 +360,8 @@ def draw(diagrams: DiagramsStudy, spot: Spot, drafting: Drafting) -> Parts:
     """Draw the diagrams in their spot, under their heading and the scales along their axis."""
     frame = DiagramsFrame(DiagramsPlate(diagrams, drafting), spot)
     scales = drafting.scale(spot.scale, frame.argument)
-    head = Group((heading(spot.box, title(diagrams, drafting), scales, drafting.hand),), NAME)
-    return Parts((head,), frame.parts)
+    head = heading(spot.box, title(diagrams, drafting), scales, drafting.hand, *frame.plate.explained)
+    return Parts((Group((head,), NAME),), frame.parts)
 
 
 def title(diagrams: DiagramsStudy, drafting: Drafting) -> str:
@@ -349,51 +369,3 @@ def title(diagrams: DiagramsStudy, drafting: Drafting) -> str:
     travel, out = diagrams.course.travel, diagrams.linkage.output
     point = (out.point or (travel.slide.point if travel.slide else "")) if travel.sliding else ""
     return drafting.word("diagrams of point" if point else "diagrams of link", link=out.link, point=point)
-
-
-def working(diagrams: DiagramsStudy, drafting: Drafting) -> Workings:
-    """Write beside the diagrams how the scale of time and the pole distances are found."""
-    return Workings(SCALES, NAME, lambda spot: list(_lines(DiagramsPlate(diagrams, drafting), spot)), drafting)
-
-
-def _lines(plate: DiagramsPlate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
-    frame = None if spot is None else DiagramsFrame(plate, spot)
-    yield _time(plate, math.nan if spot is None else spot.scale.mu)
-    for above, row in pairwise(plate.rows):
-        if not row.flat:
-            yield _pole(above, row, plate, frame)
-
-
-def _time(plate: DiagramsPlate, mu: float) -> tuple[str, ...]:
-    """Write the scale of time by that of the crank angle, rad/mm."""
-    drafting, letter = plate.drafting, f"ω_{{{plate.diagrams.linkage.mechanism.drive.link}}}"
-    omega, (s, mm) = amount(plate.omega, drafting), map(drafting.word, ("s", "mm"))
-    if drafting.notation == "K":
-        return (
-            f"K_t = K_φ·{letter}",
-            f"{amount(1 / mu, drafting)}·{omega}",
-            f"{amount(plate.omega / mu, drafting)} {mm}/{s}",
-        )
-    return f"μ_t = μ_φ/{letter}", f"{amount(mu, drafting)}/{omega}", f"{amount(mu / plate.omega, drafting)} {s}/{mm}"
-
-
-def _pole(above: DiagramRow, row: DiagramRow, plate: DiagramsPlate, frame: DiagramsFrame | None) -> tuple[str, ...]:
-    """Write a pole distance by the scales of its row, of the row above it, and of time."""
-    drafting, (high, low) = plate.drafting, (f"{{{number.letter}}}" for number in (above, row))
-    first, second, time, distance = _working_numbers(above, row, frame)
-    result = f"{plate.pole_letters(row)[1]} = ", f"{amount(distance, drafting)} {drafting.word('mm')}"
-    if drafting.notation == "K":
-        lower, over, other = (amount(1 / number, drafting) for number in (second, time, first))
-        return f"{result[0]}K_{low}·K_t/K_{high}", f"{lower}·{over}/{other}", result[1]
-    over, lower, other = (amount(number, drafting) for number in (first, second, time))
-    return f"{result[0]}μ_{high}/(μ_{low}·μ_t)", f"{over}/({lower}·{other})", result[1]
-
-
-def _working_numbers(
-    above: DiagramRow, row: DiagramRow, frame: DiagramsFrame | None
-) -> tuple[float, float, float, float]:
-    """Give the scales of both rows and of time, and the distance, mm; NaN before it is known where they stand."""
-    distance = None if frame is None else frame.distance(row)
-    if frame is None or distance is None:
-        return math.nan, math.nan, math.nan, math.nan
-    return frame.scales[above.key].mu, frame.scales[row.key].mu, frame.argument.mu, distance

@@ -51,16 +51,10 @@ class DynamicsNotes(NamedTuple):
 
     @property
     def all(self) -> tuple[str, ...]:
-        """What a sheet says: what is asked, what the loads take, why the flywheel is so big, of what errors are."""
+        """What a sheet says: what is asked, what the loads take, why the flywheel is so big."""
         return (
-            *self.asked(),
-            *self.works(),
-            *self.directed(),
-            *self.stopping(),
-            *self.reasons(),
-            *self.bare(),
-            *self.sizes(),
-            *([self.drafting.word("error base")] if self.account.flywheel is not None else ()),
+            *(*self.asked(), *self.works(), *self.directed(), *self.stopping()),
+            *(*self.reasons(), *self.bare(), *self.sizes()),
         )
 
     def asked(self) -> Iterator[str]:

@@ -128,7 +128,8 @@ def results(drawn: Account, exact: Account, methods: Methods | None, drafting: D
     lines = [_compared(quantity, drafting) for quantity in quantities(drawn, exact)]
     lines += _others(exact, methods, drafting)
     heads = tuple(drafting.word(head) for head in COLUMNS)
-    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
+    foot = tuple(drafting.word("error base").split("\n")) if drawn.flywheel is not None else ()
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text, foot=foot)._replace(name=RESULTS)
 
 
 def _compared(quantity: Quantity, drafting: Drafting) -> TableRow:

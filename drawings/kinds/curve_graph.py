@@ -17,7 +17,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke, Text
 from drawings.paper.walk import tied
-from drawings.symbols.figure import LINE, heading
+from drawings.symbols.figure import explained, heading
 from plans.model.motion import Floats
 
 TURN = 360.0  # degrees
@@ -108,10 +108,8 @@ def bounded(dense: Any, nodes: Any) -> Any:
 
 def measure(curve: GraphCurve, drafting: Drafting) -> Picture:
     """Measure the room of a graph."""
-    hand, room = drafting.hand, FORM.room(curve.name, curve.length, curve.axis, curve.title, drafting.hand)
-    wide = (text_width(Text(0j, line, hand.text)) for line in curve.under)
-    above = room.margins.above + LINE * hand.text * len(curve.under)
-    return room._replace(margins=room.margins._replace(above=above), heading=max((room.heading, *wide)))
+    room = FORM.room(curve.name, curve.length, curve.axis, curve.title, drafting.hand)
+    return explained(room, curve.under, drafting.hand)
 
 
 def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Part:

@@ -64,6 +64,7 @@ class RuledTable(NamedTuple):
     name: str = "values"  # what its bands are named by, and numbered
     start: int = 0  # the number of its first row in the whole table
     least: int = 1  # rows of each of its parts: it is not torn in smaller ones
+    foot: tuple[str, ...] = ()  # lines under it: of what its numbers are
 
     @property
     def row(self) -> float:
@@ -109,7 +110,8 @@ class RuledTable(NamedTuple):
         """Give width and height on paper, mm."""
         bands = math.ceil(self.bands / setting.across)
         width, rows = self.width(setting.across), math.ceil(len(self.lines) / setting.parts) + self.over
-        return setting.parts * width + (setting.parts - 1) * APART, bands * rows * self.row + (bands - 1) * APART
+        high = bands * rows * self.row + (bands - 1) * APART + len(self.foot) * self.row
+        return setting.parts * width + (setting.parts - 1) * APART, high
 
     def pieces(self, setting: Setting) -> int:
         """Count the pieces into which it is torn: bands one above another, parts side by side."""
@@ -164,7 +166,13 @@ class RuledTable(NamedTuple):
                 at = corner + complex(k / per_part * width, -band / setting.across * height)
                 piece = self.of(slice(band, band + setting.across)).part(slice(k, k + per_part))
                 groups.append(piece.group(at, before + len(groups) + 1, drafting))
-        return groups
+        return [*groups, *([self._footed(corner, setting)] if self.foot else [])]
+
+    def _footed(self, corner: complex, setting: Setting) -> Group:
+        """Write the lines under it, from its left edge."""
+        low = corner - 1j * (self.size(setting)[1] - UNDER * self.text)
+        feet = (low + 1j * k * self.row for k in reversed(range(len(self.foot))))
+        return Group(tuple(Text(at, line, self.text, "start", True) for at, line in zip(feet, self.foot, strict=True)))
 
     def group(self, corner: complex, number: int, drafting: Drafting) -> Group:
         """Draw one band or part of the table: its lines, its headings, and its rows."""
@@ -174,13 +182,21 @@ class RuledTable(NamedTuple):
 
 
 def table(
-    lines: Sequence[TableRow], first: str, heads: tuple[str, ...], text: float, positions: tuple[int, ...] = ()
+    lines: Sequence[TableRow],
+    first: str,
+    heads: tuple[str, ...],
+    text: float,
+    positions: tuple[int, ...] = (),
+    foot: tuple[str, ...] = (),
 ) -> RuledTable:
-    """Measure a table."""
+    """Measure a table; it is as wide as the lines at its foot."""
     cells = (_written(cell, _widest) for line in lines for cell in line.cells)
     cell = max(text_width(Text(0j, entry, text)) for entry in (*heads, *cells))
     names = max(text_width(Text(0j, name, text)) for name in (first, *(line.name for line in lines)))
-    return RuledTable(tuple(lines), positions, text, names + text, max(cell, CELL * text) + text, first, heads)
+    cell = max(cell, CELL * text) + text
+    below = max((text_width(Text(0j, line, text)) for line in foot), default=0.0)
+    names = max(names + text, below - len(heads) * cell)
+    return RuledTable(tuple(lines), positions, text, names, cell, first, heads, foot=foot)
 
 
 def _written(cell: Cell, write: Callable[[Later], str]) -> str:

@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from drawings.diagrams import rows
+from drawings.diagrams import rows, scales
 from drawings.diagrams.report import diagram_notes, output_table
 from drawings.kinds.working import Workings
 from drawings.layout import value_table
@@ -134,7 +134,7 @@ class _KinematicsSheet:
             if self._is_whole(subject, k):
                 yield plan_working(self._shown_plans[subject, k], f"{subject}-{k}", self.drafting)
         if self.output is not None and self.output.shown:
-            yield rows.working(self.output, self.drafting)
+            yield scales.working(self.output, self.drafting)
 
     def _is_whole(self, subject: str, k: int) -> bool:
         return not self.study.lost[k] and bool(np.isfinite(self._shown_plans[subject, k].points).all())

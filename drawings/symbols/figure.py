@@ -2,11 +2,11 @@
 
 import cmath
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Place
+from drawings.layout.picture import Margins, Picture, Place
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Scale
 from drawings.paper.hand import Field, Hand
@@ -88,6 +88,13 @@ def heading(box: Field, title: str, under: str, hand: Hand, *further: str) -> Gr
     lines = ((low - 1j * k * LINE * hand.text, line) for k, line in enumerate((under, *further)))
     texts = (Text(place, line, hand.text, "middle", True) for place, line in lines)
     return Group((Text(at, title, hand.title, "middle", True), *texts))
+
+
+def explained(room: Picture, lines: Sequence[str], hand: Hand) -> Picture:
+    """Give the room of a figure that has further lines below its title and its scale: they go wherever it goes."""
+    wide = (text_width(Text(0j, line, hand.text)) for line in lines)
+    above = room.margins.above + LINE * hand.text * len(lines)
+    return room._replace(margins=room.margins._replace(above=above), heading=max((room.heading, *wide)))
 
 
 def plain_name(letter: str) -> str:
