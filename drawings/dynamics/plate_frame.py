@@ -214,8 +214,10 @@ class PlateFrame:
             yield Part(NAME, (write(wheel, self.loop_axes, corner, plate.drafting),), ())
             corner -= 1j * height(plate.drafting)
         if plate.told is not None:
-            table, setting = plate.told
-            yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
+            table, torn = plate.told
+            room = corner.imag - self.fields[plate.rows[-1].name].bottom
+            settings = (setting for setting in table.settings() if table.size(setting)[1] <= room)
+            yield Part(TOLD, tuple(table.draw(corner, next(settings, torn), plate.drafting)), ())
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle with their titles, and the pole by which the works are drawn."""
