@@ -216,8 +216,9 @@ class PlateFrame:
         if plate.told is not None:
             table, torn = plate.told
             room = corner.imag - self.fields[plate.rows[-1].name].bottom
-            settings = (setting for setting in table.settings() if table.size(setting)[1] <= room)
-            yield Part(TOLD, tuple(table.draw(corner, next(settings, torn), plate.drafting)), ())
+            fewer = (setting for setting in table.settings() if setting.parts < torn.parts)
+            setting = next((setting for setting in fewer if table.size(setting)[1] <= room), torn)
+            yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle with their titles, and the pole by which the works are drawn."""

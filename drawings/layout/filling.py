@@ -5,7 +5,7 @@ What is bare of the lines of all figures takes a column of them.
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from typing import NamedTuple
@@ -159,7 +159,8 @@ class Stood:
     @property
     def parted(self) -> bool:
         """Whether a table is torn where it stands at last that could be whole."""
-        return any(self._now(k, box) > 1 for k, box in self.stands.items() if self.stock.pieces(k))
+        least = {k: replace(self.stock, whole=True).pieces(k)[:1] for k in self.stands}
+        return any(self._now(k, self.stands[k]) > fewest for k, some in least.items() for fewest in some)
 
     @property
     def notes(self) -> bool:
