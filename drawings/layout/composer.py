@@ -112,7 +112,8 @@ class _Composer:
         if any(sheet.parted for sheet in best.sheets):
             whole = _Composer(self.asked.whole, self.page)
             if whole._fewest(whole.orders) == count:
-                best = max(best, whole._among(count), key=lambda candidate: candidate.settled)
+                found = whole._among(count)
+                best = max(best, found, key=lambda candidate: (-len(candidate.sheets), candidate.settled))
         return tuple(sheet.composition() for sheet in best.sheets)
 
     def _among(self, count: int) -> _Set:
