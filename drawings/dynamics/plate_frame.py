@@ -214,7 +214,10 @@ class PlateFrame:
             yield Part(NAME, (write(wheel, self.loop_axes, corner, plate.drafting),), ())
             corner -= 1j * height(plate.drafting)
         if plate.told is not None:
-            table, setting = plate.told
+            table, torn = plate.told
+            room = corner.imag - self.fields[plate.rows[-1].name].bottom
+            fewer = (setting for setting in table.settings() if setting.parts < torn.parts)
+            setting = next((setting for setting in fewer if table.size(setting)[1] <= room), torn)
             yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
 
     def _graphs(self) -> Iterator[Part]:

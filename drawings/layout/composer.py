@@ -108,7 +108,13 @@ class _Composer:
         count = self._fewest(self.asked.orders)
         if not count:
             raise SheetError(message("refused.figure", format=self.page.name))
-        return tuple(sheet.composition() for sheet in self._among(count).sheets)
+        best = self._among(count)
+        if any(sheet.parted for sheet in best.sheets):
+            whole = _Composer(self.asked.whole, self.page)
+            if whole._fewest(whole.orders) == count:
+                found = whole._among(count)
+                best = max(best, found, key=lambda candidate: (-len(candidate.sheets), candidate.settled))
+        return tuple(sheet.composition() for sheet in best.sheets)
 
     def _among(self, count: int) -> _Set:
         """Find the best set: in the further orders where they need fewer sheets, or leave less of them bare."""

@@ -5,7 +5,7 @@ What is bare of the lines of all figures takes a column of them.
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from typing import NamedTuple
@@ -85,9 +85,11 @@ class Stood:
         boxes = dict(self.arranged)
         most = max(bareness(self.ink(boxes), self.page.field), self.most)
         for k in (k for k in boxes if not isinstance(self.stock.shown[k], Picture)):
-            taken = [*(box for n, box in boxes.items() if n != k), *self.page.taken]
-            ways = self._whole(k, boxes[k]) if self.stock.pieces(k) else self._wider(k, boxes[k])
-            free = (box for box in ways if _free(box, taken, room_of(self.page)))
+            others = [*(box for n, box in boxes.items() if n != k), *self.page.taken]
+            if self.stock.pieces(k):
+                boxes[k] = self._whole(k, boxes, others)
+                continue
+            free = (box for box in self._wider(k, boxes[k]) if _free(box, others, room_of(self.page)))
             fair = (box for box in free if bareness(self.ink({**boxes, k: box}), self.page.field) <= most)
             boxes[k] = next(fair, boxes[k])
         return boxes
@@ -98,13 +100,28 @@ class Stood:
             low = box._replace(bottom=box.top - high)
             yield from (low._replace(right=box.left + wide), low._replace(left=box.right - wide))
 
-    def _whole(self, k: int, box: Field) -> Iterator[Field]:
-        """Give the boxes of a table in fewer pieces at a corner of its own, the fewest first."""
-        ways = [*zip(self.stock.pieces(k), self._sizes(k), strict=True)]
-        now, _ = min(ways, key=lambda way: tied(abs(way[1][1] - box.height)))
+    def _whole(self, k: int, boxes: Mapping[int, Field], others: Sequence[Field]) -> Field:
+        """Give the box of a table in the fewest pieces that find a place: where the sheet is least bare, nearest."""
+        box, room = boxes[k], room_of(self.page)
+        ways, now = zip(self.stock.pieces(k), self._sizes(k), strict=True), self._now(k, box)
+        beside = [other.inset(-GAP) for other in others] if isinstance(self.stock.shown[k], RuledTable) else []
+
+        def loss(way: Field) -> tuple[float, float]:
+            bare = bareness(self.ink({**boxes, k: way}), self.page.field)
+            return max(bare, self.most), tied(abs(way.centre - box.centre))
+
         for _, (wide, high) in sorted(way for way in ways if way[0] < now):
-            for left, low in product((box.left, box.right - wide), (box.top - high, box.bottom)):
-                yield Field(left, low, left + wide, low + high)
+            lefts = {box.left, box.right - wide, *(x for edge in beside for x in (edge.right, edge.left - wide))}
+            lows = {box.bottom, box.top - high, *(y for edge in beside for y in (edge.top, edge.bottom - high))}
+            stands = (Field(left, low, left + wide, low + high) for left, low in product(sorted(lefts), sorted(lows)))
+            if free := [stand for stand in stands if _free(stand, others, room)]:
+                return min(free, key=loss)
+        return box
+
+    def _now(self, k: int, box: Field) -> int:
+        """Count the pieces of a table that is as high as its box."""
+        ways = zip(self.stock.pieces(k), self._sizes(k), strict=True)
+        return min(ways, key=lambda way: tied(abs(way[1][1] - box.height)))[0]
 
     def _sizes(self, k: int) -> Sequence[Size]:
         """Give the sizes that lettering may be broken to where it stands, and tables set."""
@@ -138,6 +155,12 @@ class Stood:
         """What its tables count that stand in pieces."""
         tables = ((self.stock.pieces(piece.unit), piece.choice) for piece in pieces(self.tree) if piece.unit >= 0)
         return TORN * sum(torn[choice] - 1 for torn, choice in tables if torn)
+
+    @property
+    def parted(self) -> bool:
+        """Whether a table is torn where it stands at last that could be whole."""
+        least = {k: replace(self.stock, whole=True).pieces(k)[:1] for k in self.stands}
+        return any(self._now(k, self.stands[k]) > fewest for k, some in least.items() for fewest in some)
 
     @property
     def notes(self) -> bool:

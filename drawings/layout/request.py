@@ -1,6 +1,7 @@
 """What the composer is asked for, made to fit the paper: units in their orders, scales that can be read (задание)."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple, TypeAlias
 
 from drawings.layout.arrangement import State, Steps, rungs_of, steps_of
@@ -85,6 +86,11 @@ class Request(NamedTuple):
     floors: State
     further: tuple[Order, ...] = ()
     followed: bool = False
+
+    @property
+    def whole(self) -> "Request":
+        """What is asked for with all tables in as few pieces as a sheet holds."""
+        return self._replace(stock=replace(self.stock, whole=True))
 
 
 def request(contents: Contents, page: Page, cuts: Cuts) -> Request:

@@ -34,6 +34,7 @@ class Stock:
     shown: tuple[Shown, ...]
     room: Size
     cuts: Cuts = field(compare=False, repr=False)
+    whole: bool = False  # whether tables stand in as few pieces as a sheet has room for
 
     def shapes(self, unit: Unit, rungs: Mapping[str, Rung]) -> list[Shape]:
         """Give what sizes a unit can take where pictures have some scales."""
@@ -67,7 +68,16 @@ class Stock:
     @cached_property
     def _lettered(self) -> Mapping[int, Sequence[Size]]:
         """The sizes of all lettering, by its numbers."""
-        return {k: self._written(item) for k, item in enumerate(self.shown) if not isinstance(item, Picture)}
+        written = {k: self._written(item) for k, item in enumerate(self.shown) if not isinstance(item, Picture)}
+        return {k: [sizes[n] for n in self._kept(k, sizes)] for k, sizes in written.items()}
+
+    def _kept(self, k: int, sizes: Sequence[Size]) -> Sequence[int]:
+        """Choose of its sizes all, or those of a table in the fewest pieces that a sheet has room for."""
+        torn = self._torn(self.shown[k])
+        inside = [n for n in range(len(torn)) if sizes[n][0] <= self.room[0] and sizes[n][1] <= self.room[1]]
+        if not (self.whole and inside):
+            return range(len(sizes))
+        return [n for n in inside if torn[n] == min(torn[i] for i in inside)]
 
     def _written(self, item: TextBlock | RuledTable | Notes) -> Sequence[Size]:
         if isinstance(item, TextBlock):
@@ -76,12 +86,16 @@ class Stock:
             return [item.size(setting) for setting in item.settings()]
         return item.sizes(self.room[0])
 
-    def pieces(self, k: int) -> Sequence[int]:
-        """Give into how many pieces a table is torn at each of its sizes, nothing for what is no table."""
-        item = self.shown[k]
+    def _torn(self, item: Shown) -> Sequence[int]:
         if isinstance(item, RuledTable):
             return [item.pieces(setting) for setting in item.settings()]
         return item.pieces if isinstance(item, TextBlock) else ()
+
+    def pieces(self, k: int) -> Sequence[int]:
+        """Give into how many pieces a table is torn at each of its sizes, nothing for what is no table."""
+        item = self.shown[k]
+        torn = self._torn(item)
+        return [torn[n] for n in self._kept(k, self._written(item))] if torn and not isinstance(item, Picture) else ()
 
     def close(self, unit: tuple[Unit, ...]) -> bool:
         """Tell whether all lettering of a unit belongs to its picture."""
