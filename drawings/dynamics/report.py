@@ -104,7 +104,10 @@ class DynamicsNotes(NamedTuple):
         low, high = wheel.touches
         excess = high.surplus - low.surplus
         share = excess / (self.task.speed**2 * self.task.delta)
-        said = {"fast": self._angle("Δφ fastest", high.turned), "slow": self._angle("Δφ slowest", low.turned)}
+        said: dict[str, object] = {
+            "fast": self._angle("Δφ fastest", high.turned),
+            "slow": self._angle("Δφ slowest", low.turned),
+        }
         taken = "taken over drive" if cycle.net <= 0 else "taken together"
         said |= {"taken": self.drafting.phrase(taken, excess=self._slot("A excess", excess))}
         said |= {"whole": self._slot("J_0", wheel.whole)}

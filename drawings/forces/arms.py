@@ -117,8 +117,8 @@ def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
 
 
 BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
-# What speaks against a place: that it, or the line to it from the pivot, runs along a line, out of the figure, across an arm before it, that the symbol of
-# its pivot would hide arrows that stand outside, and how far it is from its own.
+# What speaks against a place: that it, or the line to it from the pivot, runs along a line, out of the figure, across
+# an arm before it, that the symbol of its pivot would hide arrows that stand outside, and how far it is from its own.
 ON_LINE, OUTSIDE, ACROSS, HIDDEN, FURTHER = 4, 3, 1, 3, 0.2
 
 

@@ -160,6 +160,7 @@ RING = 1.6  # sizes of a number from one ring of numbers to the next
 APART = 1.1  # heights or widths of a number between two that stand side by side
 STEPS = (1, 2, 3, 4, 6, 12)  # every which position may bear a number at the output
 MOST = 0.3  # share of the numbers chosen that may fall out where places crowd at the ends of a stroke
+TOGETHER = 0.5  # sizes of a number: places nearer than this have one number, of them all
 ANGLES = 12  # positions of a list whose crank angles still have room beside their numbers
 
 
@@ -274,17 +275,37 @@ def width(text: str, hand: Hand) -> float:
 
 
 def legible(bones: Skeletons, track: NumberedTrack, place: Place, hand: Hand) -> list[NumberedPlace]:
-    """Choose which numbers stand along a track: extremes always, the shown one, of the rest every so many as fit."""
+    """Choose which numbers stand along a track: extremes always, the shown one, of the rest every so many as fit.
+
+    Where every one is chosen, those that crowd come last, or with the number of the place that they fall together with.
+    """
     known = [station for station in track.places if not math.isnan(station.spot.real)]
     first = [station for station in known if station.extreme]
     first += [station for station in known if _is_shown(bones, station) and station not in first]
-    chosen: list[NumberedPlace] = []
+    chosen, rest = list[NumberedPlace](), list[NumberedPlace]()
     for step in STEPS:
         rest = [s for s in known if s not in first and s.column is not None and s.column % step == 0]
         chosen = _uncrowded(first, rest, place, hand)
         if len(chosen) - len(first) >= (1 - MOST) * len(rest):
             break
+    if len(rest) + len(first) == len(known):
+        for station in (station for station in rest if station not in chosen):
+            _join(station, chosen, place, hand)
     return chosen
+
+
+def _join(station: NumberedPlace, chosen: list[NumberedPlace], place: Place, hand: Hand) -> None:
+    """Add a place to those that are numbered, or its number to that of the place that it falls together with."""
+    for k, other in enumerate(chosen):
+        apart = abs(place.on(station.spot) - place.on(other.spot))
+        if other.back == station.back and apart < TOGETHER * hand.number:
+            chosen[k] = other._replace(name=", ".join(sorted((*other.name.split(", "), station.name), key=_order)))
+            return
+    chosen.append(station)
+
+
+def _order(name: str) -> tuple[int, str]:
+    return int(name.rstrip("'")), name
 
 
 def _uncrowded(first: list[NumberedPlace], rest: list[NumberedPlace], place: Place, hand: Hand) -> list[NumberedPlace]:
