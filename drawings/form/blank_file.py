@@ -10,7 +10,7 @@ from drawings.form.laid import SCALE, Given, given
 from drawings.page.page import BLOCK
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
-from drawings.paper.walk import flat, groups
+from drawings.paper.walk import flat, groups, ungiven
 from drawings.pens.svg import svg
 from drawings.reading.measure import check
 from drawings.reading.sheet import SeenSheet, see
@@ -43,8 +43,8 @@ def see_blank(source: bytes, study: Study) -> None:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
     lines = [
         *_marks(sheet, study),
-        *_bent(sheet.written),
-        *_astray(sheet.written, study.scene.sheets),
+        *_bent(ungiven(sheet.written)),
+        *_astray(ungiven(sheet.written), study.scene.sheets),
         *_numbers(sheet.written, given(study.scene)),
     ]
     if lines:

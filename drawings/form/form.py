@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from drawings import VERSION
+from drawings.form.given_scheme import SIZES, given_scheme
 from drawings.form.laid import (
     CENTRED,
     PARTS,
@@ -36,7 +37,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Leaf, Line, SheetError, Stroke, Text, numeral, stated
 from drawings.sheets.documents import bind, leaves_of
 from drawings.sheets.kind import FRAME, GRAPH
-from drawings.sheets.leaves import lay_out
+from drawings.sheets.leaves import compositions, fits_on, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, key_of
 from drawings.symbols import symbols
 from drawings.symbols.figure import heading
@@ -247,7 +248,7 @@ COMMON = ("velocity", "acceleration")
 def form_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
     """Lay out the form of a scene, by kinds of sheets: all that its task gives, and no answer."""
     scene = study.scene.changed(sheet=study.scene.sheet.changed(drawn="", date=""))
-    task = _BlankTask(scene, given(scene), _fixed(study), leaves_of(study))
+    task = _BlankTask(scene, given(scene), _fixed(study), leaves_of(study), study)
     found = bind(task.laid_out(CENTRED), scene)
     return {kind: tuple(_signed(leaf, kind) for leaf in leaves) for kind, leaves in found.items()}
 
@@ -259,6 +260,7 @@ class _BlankTask(NamedTuple):
     known: Given
     fixed: Fixed
     sheets: Mapping[str, Sequence[Leaf]]
+    study: Study
 
     def laid_out(self, parts: int) -> Mapping[str, Sequence[Leaf]]:
         """Lay out its sheets; where a scale that the scene states leaves places no room, with less room to spare."""
@@ -281,8 +283,18 @@ class _BlankTask(NamedTuple):
     def _draft(self, kind: str, title: str, places: Sequence[LaidFigure], bands: Sequence[LaidTable]) -> Draft:
         drafting, language = drafting_of(self.scene), self.scene.sheet.language
         shows = tuple(_exhibit(kind, place, self.fixed, self.scene, drafting) for place in places)
+        large, small = ((*given_scheme(self.study, kind, drafting, size), *shows) for size in SIZES)
+        even = tuple(show._replace(panel=show.panel._replace(share=0.0)) for show in small)
         notes = (*data(self.scene), *assembly(self.fixed.sketch, language), *asked(places, bands, language))
-        return Draft(kind, title, shows, blank(bands, drafting), notes, _facts)
+        bare = Draft(kind, title, shows, blank(bands, drafting), notes, _facts)
+        return self._spared(bare, [bare._replace(shows=way) for way in (large, small, even)])
+
+    def _spared(self, bare: Draft, ways: Sequence[Draft]) -> Draft:
+        """Give the first way to show the scheme too that takes no sheet more; the first of all where none does."""
+        if ways[0] == bare or fits_on(self.scene, ways[0], 1):
+            return ways[0]
+        most = len(compositions(self.scene, bare))
+        return next((way for way in ways if fits_on(self.scene, way, most)), ways[0])
 
 
 def _fixed(study: Study) -> Fixed:

@@ -181,6 +181,7 @@ def _numbers(value: Any) -> Iterator[float]:
 
 SCALE = re.compile(r"([μK]_?(\{[^{}]*\}|[^\s=]+))(\s*=\s*)[\d.,]+(\s*(?:\([^()]*\)|1)?[^\d;()]*)")
 LETTER = re.compile(r"[^\W\d]{1,2}['’ʹ]{0,2}(, \D*(1/\D+)?)?")  # of an axis, with its unit: no number, no name
+VALUED = re.compile(r"=|(^|\s)\d")  # of what no vector is lettered by: a dimension, the ray of an angle
 STEPS = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)  # the sizes of places within each power of ten: the next one is taken
 CENTRED = 0  # parts of a place whose pole stands in its middle, so that what shows the wrong way fits too
 PARTS = 4  # of the size of a place: so coarsely is its pole set in it
@@ -279,7 +280,8 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
     pole = poles[0].data if poles else {}
     of = {key: data[key] for key in ("plan", "position") if key in data}
     vectors = (mark for mark in marks if mark.data["kind"] == "vector")
-    names = ((mark.data["name"], mark.title) for mark in vectors)  # one that is lettered itself has a title
+    names = ((mark.data["name"], mark.title) for mark in vectors if not VALUED.search(mark.title or mark.data["name"]))
+    # One that is lettered itself has a title
     letters = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
     arrows = tuple(sorted(set(letters)))
     yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of, arrows)
@@ -287,14 +289,24 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
 
 def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: str) -> Iterator[str]:
     """Say which arrows are asked for in the places of plans, and what the columns of a table are for."""
-    named: dict[tuple[str, ...], str] = {}
+    named: dict[tuple[str, ...], list[LaidFigure]] = {}
     for place in places:
         if place.what == PLAN and place.arrows:
-            named.setdefault(place.arrows, place.heading.title)
-    yield from (word(language, "form arrows", plan=title, arrows=", ".join(each)) for each, title in named.items())
+            named.setdefault(place.arrows, []).append(place)
+    for each, alike in named.items():
+        yield word(language, "form arrows", plan=_titled(alike, language), arrows=", ".join(each))
     roads = tuple(word(language, road) for road in ("by plan", "by analysis"))
     if any(set(roads) <= set(band.heads) for band in bands):
         yield word(language, "form columns", plan=roads[0], analysis=roads[1])
+
+
+def _titled(alike: Sequence[LaidFigure], language: str) -> str:
+    """Name plans by one title: those of several positions by all of these."""
+    (first, *others), numbers = alike, [place.of.get("position", "") for place in alike]
+    plan = first.heading.title.removesuffix(f", {word(language, 'position', position=numbers[0])}")
+    same = all(other.heading.title.startswith(f"{plan}, ") for other in others)
+    titles = "; ".join(place.heading.title for place in alike)
+    return word(language, "form positions", plan=plan, positions=", ".join(numbers)) if others and same else titles
 
 
 def _loose(group: Group) -> list[Text]:

@@ -29,7 +29,7 @@ from drawings.grading.scheme_arrows import arrow_verdicts, once
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Text
-from drawings.paper.walk import groups, texts
+from drawings.paper.walk import groups, texts, ungiven
 from drawings.reading.sheet import SeenSheet, see
 from drawings.reading.transform import STAY, Affine
 from plans.model.motion import POSITIONS, Complexes
@@ -110,7 +110,7 @@ def _read(source: bytes) -> tuple[SeenSheet, Onlooker]:
     if sheet.measured.moved != STAY:
         onlooker = Onlooker(sheet.measured.moved)
         sheet = see(source, onlooker)
-    return sheet._replace(leaf=legible(sheet.leaf)), onlooker
+    return sheet._replace(leaf=legible(ungiven(sheet.leaf))), onlooker
 
 
 def _on_page(said: Verdict, moved: Affine) -> Verdict:

@@ -1,7 +1,7 @@
 """Pictures before and on paper: what a figure shows in true units, its place, its letters (место фигуры)."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby, islice, pairwise
 from typing import NamedTuple, Protocol
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.page.page import Field, Scale, fitting
-from drawings.paper.strokes import Box, Group, Stroke
+from drawings.paper.strokes import NO_DATA, Box, Group, Stroke
 from drawings.paper.walk import PLACES, tied
 
 
@@ -52,11 +52,12 @@ class LetteredFigure(NamedTuple):
     lines: tuple[Stroke, ...]
     letters: Callable[[Labels], Iterable[Stroke]]
     grouped: bool = True  # whether its letters are a group within it
+    data: Mapping[str, str] = NO_DATA  # of its group
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its letters over its lines."""
         placed = tuple(self.letters(labels))
-        return (Group((*self.lines, *((Group(placed),) if self.grouped else placed)), self.name),)
+        return (Group((*self.lines, *((Group(placed),) if self.grouped else placed)), self.name, self.data),)
 
 
 class StillFigure(NamedTuple):

@@ -81,6 +81,7 @@ class LineStyle(NamedTuple):
 PLAIN = LineStyle()
 INK = LineStyle(width=0, colour="none", fill="#000000")
 NO_DATA: Mapping[str, Any] = {}
+GIVEN = "given"  # the kind of a figure of a form that is a part of its task: no line of it is a student's
 
 
 class Line(NamedTuple):

@@ -118,6 +118,11 @@ def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     return _Leaves(scene, draft).settled.composed
 
 
+def fits_on(scene: Scene, draft: Draft, count: int) -> bool:
+    """Tell whether so many sheets keep every figure of a draft readable."""
+    return _Leaves(scene, draft).fits(count)
+
+
 def _chosen(scene: Scene, draft: Draft, followed: bool) -> "_Leaves":
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:

@@ -92,11 +92,18 @@ class LinkageStudy:
         self.form = scene.of(LinkageForm)
         self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
 
-    def paced(self, pace: Pace) -> LinkageStudy:
+    def paced(self, pace: Pace | None) -> LinkageStudy:
         """Study the same positions passed at another pace; what no rate enters is not made again."""
         other = LinkageStudy(self.scene, self.plans, pace)
         kept = ("mechanism", "groups", "assembly", "sweep", "extreme_positions")
         vars(other).update({name: vars(self)[name] for name in kept if name in vars(self)})
+        return other
+
+    def at(self, turn: CrankPositions) -> LinkageStudy:
+        """Study the same mechanism in other positions than those of its scene."""
+        _ = self.sweep  # its assembly is that of the scene's own positions
+        other = self.paced(self.pace)
+        vars(other)["turn"] = turn
         return other
 
     def construct(self, plans: Collection[str]) -> None:
