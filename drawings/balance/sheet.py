@@ -101,7 +101,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def balanced(study: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> ShownBalance:
     """Read what the sheets show from the records of the construction, in the position in full lines."""
-    shown = position(study.linkage, motion.construction)
+    shown = position(study.linkage, motion)
     drawings = {BEFORE: study.drawing(position=shown)}
     if study.after is not None:
         drawings[AFTER] = study.drawing(after=True, position=shown)

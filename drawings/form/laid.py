@@ -289,24 +289,16 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
 
 def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: str) -> Iterator[str]:
     """Say which arrows are asked for in the places of plans, and what the columns of a table are for."""
-    named: dict[tuple[str, ...], list[LaidFigure]] = {}
+    named: dict[tuple[str, tuple[str, ...]], list[str]] = {}  # the positions of a plan with the same arrows
     for place in places:
         if place.what == PLAN and place.arrows:
-            named.setdefault(place.arrows, []).append(place)
-    for each, alike in named.items():
-        yield word(language, "form arrows", plan=_titled(alike, language), arrows=", ".join(each))
+            plan, comma, position = place.heading.title.rpartition(", ")
+            named.setdefault((plan + comma, place.arrows), []).append(position)
+    for (plan, arrows), positions in named.items():
+        yield word(language, "form arrows", plan=plan + "; ".join(positions), arrows=", ".join(arrows))
     roads = tuple(word(language, road) for road in ("by plan", "by analysis"))
     if any(set(roads) <= set(band.heads) for band in bands):
         yield word(language, "form columns", plan=roads[0], analysis=roads[1])
-
-
-def _titled(alike: Sequence[LaidFigure], language: str) -> str:
-    """Name plans by one title: those of several positions by all of these."""
-    (first, *others), numbers = alike, [place.of.get("position", "") for place in alike]
-    plan = first.heading.title.removesuffix(f", {word(language, 'position', position=numbers[0])}")
-    same = all(other.heading.title.startswith(f"{plan}, ") for other in others)
-    titles = "; ".join(place.heading.title for place in alike)
-    return word(language, "form positions", plan=plan, positions=", ".join(numbers)) if others and same else titles
 
 
 def _loose(group: Group) -> list[Text]:

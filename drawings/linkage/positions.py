@@ -25,7 +25,7 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.dyad import formula
-from plans.model.motion import POSITIONS, Motion
+from plans.model.motion import POSITIONS
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -59,14 +59,14 @@ def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
 CHOICES = 12  # positions that a message offers at most
 
 
-def position(study: LinkageStudy, motion: Motion, beside: Collection[int] = ()) -> int:
+def position(study: LinkageStudy, comparison: MotionComparison, beside: Collection[int] = ()) -> int:
     """Give the position drawn in full lines: the scene's own, the one whose forces stand beside, or the fastest one."""
     wanted = position_asked(study)
     if wanted is not None:
         return wanted
     free = ~study.lost
     named = [k for k in study.form.sheet.plans or beside if free[k]]
-    return named[0] if named else _best(_telling(study, motion, 1), free & _working(study), free)
+    return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
 
 
 def position_asked(study: LinkageStudy) -> int | None:
@@ -97,8 +97,7 @@ def plans(
         return tuple(sorted({shown, *beside}))
     free = ~study.lost
     free[shown] = False
-    motion = comparison.construction
-    telling = _telling(study, motion, 1) * _telling(study, motion, 2)  # both of its plans are open figures
+    telling = _telling(study, comparison, 1) * _telling(study, comparison, 2)  # both of its plans are open figures
     free &= ~np.isnan(telling)
     if not free.any():
         return (shown,)
@@ -139,15 +138,15 @@ def _worthiest(statics: Statics, comparison: ForceComparison, have: Collection[i
     return _best(sizes, plans & possible & (sizes > 0.0), possible)
 
 
-def _telling(study: LinkageStudy, motion: Motion, order: int) -> Any:
+def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:
     """Rate the positions by what their plan shows: the output moves, and the plan is an open figure, not one line."""
-    motions = motion.points.values()
+    motions = comparison.construction.points.values()
     ends = np.array([np.zeros(len(study.turn)), *(m.v if order == 1 else m.a for m in motions)])
     spread = ends - ends.mean(axis=0)
     across = (np.abs(spread) ** 2).mean(axis=0), (spread**2).mean(axis=0)
     area = np.sqrt(np.maximum(across[0] ** 2 - np.abs(across[1]) ** 2, 0.0))  # of the ends' ellipse, times a constant
     # The output's velocity over the positions, of its pin or of its turning
-    out = study.output
+    out, motion = study.output, comparison.construction
     slide = frame_slide(study.mechanism, out.link)
     speed = motion.links[out.link].omega if slide is None else motion.points[out.point or slide.point].v
     return np.sqrt(area) * np.abs(speed)

@@ -99,7 +99,7 @@ class _KinematicsSheet:
 
     @cached_property
     def shown(self) -> int:
-        return position(self.study, self.comparison.construction, self.beside)
+        return position(self.study, self.comparison, self.beside)
 
     @cached_property
     def positions(self) -> tuple[int, ...]:

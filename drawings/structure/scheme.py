@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ from drawings.kinds.scheme import frame_number, link_numbers
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Spot, picture
 from drawings.page.page import Drafting
-from drawings.paper.strokes import NO_DATA, Group, Stroke, Text
+from drawings.paper.strokes import Group, Stroke, Text
 from drawings.structure.links import ShownLinks
 from drawings.structure.pairs import StructurePairs
 from drawings.symbols.figure import Subject, around, heading, heading_width
@@ -26,7 +26,7 @@ APART = 0.45  # of the mechanism's size: between two groups drawn apart
 class StructureScheme(NamedTuple):
     """A scheme under its title: links in their places with stands, or parts of them drawn apart, each with its label.
 
-    Of the one that is `stated` all points can be measured. Of one not to scale that is `said` under its title.
+    Of the one that is `stated` all points can be measured.
     """
 
     name: str
@@ -36,8 +36,6 @@ class StructureScheme(NamedTuple):
     further: str = ""
     stated: str = ""  # the point from which its points are measured
     weight: float = 1.0
-    said: str = ""
-    data: Mapping[str, str] = NO_DATA
 
 
 def measure(shown: StructureScheme, drafting: Drafting) -> Picture:
@@ -64,13 +62,13 @@ def shifts(shown: StructureScheme) -> list[complex]:
 def draw(shown: StructureScheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw a scheme in its spot: links with their pairs, letters of points, numbers of links in circles."""
     place, hand = room.place(*spot), drafting.hand
-    scale = shown.said or drafting.scale(spot.scale)
+    scale = drafting.scale(spot.scale)
     below = (shown.under, f"{shown.further};  {scale}") if shown.under else (scale, *filter(None, [shown.further]))
     head = heading(spot.box, shown.title, below[0], hand, *below[1:])
     moved = [place._replace(zero=place.zero - by) for by in shifts(shown)]
     pairs = [StructurePairs(part, there, hand) for (_, part), there in zip(shown.parts, moved, strict=True)]
     lines = (head, *(Group(tuple(_lines(one, shown))) for one in pairs), *_labels(shown, pairs, drafting))
-    return LetteredFigure(shown.name, lines, partial(_letters, shown, pairs, drafting), data=shown.data)
+    return LetteredFigure(shown.name, lines, partial(_letters, shown, pairs, drafting))
 
 
 def _lines(pairs: StructurePairs, shown: StructureScheme) -> Iterator[Stroke]:
