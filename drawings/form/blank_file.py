@@ -10,10 +10,10 @@ from drawings.form.laid import SCALE, Given, given
 from drawings.page.page import BLOCK
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
-from drawings.paper.walk import flat, groups, ungiven
+from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
 from drawings.reading.measure import check
-from drawings.reading.sheet import SeenSheet, see
+from drawings.reading.sheet import SeenSheet, see, ungiven
 from drawings.sheets.kind import table_of
 from plans.linkage.reading.linkage import described
 from plans.model.mechanism import FRAME

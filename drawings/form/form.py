@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from drawings import VERSION
 from drawings.form.given_scheme import SIZES, given_scheme
@@ -44,7 +44,7 @@ from drawings.symbols.figure import heading
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import described
 from plans.model.mechanism import FRAME as GROUND
-from plans.model.mechanism import Mechanism
+from plans.model.mechanism import Way
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -56,32 +56,17 @@ GROUNDED = 28.0  # mm of ground at each end of a guide
 CORNER = 5.0  # mm of each line that marks a corner of a place
 
 
-class Guide(NamedTuple):
-    """A guide on the frame: a point of its line and its direction, true units."""
-
-    through: complex
-    direction: complex
-
-
 class Fixed(NamedTuple):
     """What the scene fixes of a mechanism: its points on the frame by their letters, and its guides there."""
 
     points: Mapping[str, complex]
     hinges: frozenset[str]
-    guides: tuple[Guide, ...]
+    guides: tuple[Way, ...]
     positions: int = TICKS
     sketch: Mapping[str, complex] = MappingProxyType({})  # where its points lie about
 
 
 NOTHING = Fixed({}, frozenset(), ())
-
-
-def fixed(mechanism: Mechanism, positions: int) -> Fixed:
-    """Give what a scene fixes of a mechanism."""
-    points, slides = mechanism.links[GROUND].points, mechanism.slides
-    guides = (Guide(slide.on_owner.through, slide.on_owner.direction) for slide in slides if slide.owner == GROUND)
-    hinges = frozenset(name for name in points if name in mechanism.hinges)
-    return Fixed(dict(points), hinges, tuple(guides), positions, mechanism.sketch)
 
 
 @dataclass(frozen=True)
@@ -227,14 +212,9 @@ def _graph(figure: LaidFigure, fixed: Fixed, spot: Spot, drafting: Drafting) -> 
 
 def _axes(figure: LaidFigure, zero: complex, hand: Hand) -> Group:
     wide, high = (share * hand.letter for share in AXES)
-    places: Sequence[tuple[complex, str]] = (
-        (zero + complex(1.5, high / 2 - hand.text), "start"), (zero + complex(wide, 0.8 * hand.text), "end"),
-    )  # fmt: skip
-    texts = (
-        Text(at, text, hand.text, "start" if anchor == "start" else "end", True)
-        for (at, anchor), text in zip(places, figure.axes, strict=False)
-    )
-    return Group(tuple(texts))
+    up, along = zero + complex(1.5, high / 2 - hand.text), zero + complex(wide, 0.8 * hand.text)
+    texts = (Text(up, "", hand.text, "start", True), Text(along, "", hand.text, "end", True))
+    return Group(tuple(text._replace(content=axis) for text, axis in zip(texts, figure.axes, strict=False)))
 
 
 FOREMOST = 1.5  # weight of the plan of positions
@@ -283,17 +263,14 @@ class _BlankTask(NamedTuple):
     def _draft(self, kind: str, title: str, places: Sequence[LaidFigure], bands: Sequence[LaidTable]) -> Draft:
         drafting, language = drafting_of(self.scene), self.scene.sheet.language
         shows = tuple(_exhibit(kind, place, self.fixed, self.scene, drafting) for place in places)
-        large, small = ((*given_scheme(self.study, kind, drafting, size), *shows) for size in SIZES)
-        even = tuple(show._replace(panel=show.panel._replace(share=0.0)) for show in small)
+        large, small = ((*given_scheme(self.study, drafting, size), *shows) for size in SIZES)
+        lesser = tuple(show._replace(panel=show.panel._replace(share=show.panel.share / 2)) for show in small)
         notes = (*data(self.scene), *assembly(self.fixed.sketch, language), *asked(places, bands, language))
-        bare = Draft(kind, title, shows, blank(bands, drafting), notes, _facts)
-        return self._spared(bare, [bare._replace(shows=way) for way in (large, small, even)])
-
-    def _spared(self, bare: Draft, ways: Sequence[Draft]) -> Draft:
-        """Give the first way to show the scheme too that takes no sheet more; the first of all where none does."""
-        if ways[0] == bare or fits_on(self.scene, ways[0], 1):
+        bare = Draft(kind, title, shows, blank(bands, drafting), notes, lambda _: {})
+        ways = [bare._replace(shows=way) for way in (large, small, lesser)]
+        if large == shows or fits_on(self.scene, ways[0], 1):
             return ways[0]
-        most = len(compositions(self.scene, bare))
+        most = len(compositions(self.scene, bare))  # for the scheme no sheet more is taken, where that can be
         return next((way for way in ways if fits_on(self.scene, way, most)), ways[0])
 
 
@@ -301,7 +278,11 @@ def _fixed(study: Study) -> Fixed:
     """Give what the scene fixes of its mechanism, if it has one."""
     if "linkage" not in study.scene.techniques:
         return NOTHING
-    return fixed(described(study.scene), study.scene.of(LinkageForm).drive.count)
+    mechanism, positions = described(study.scene), study.scene.of(LinkageForm).drive.count
+    points = mechanism.links[GROUND].points
+    guides = (slide.on_owner for slide in mechanism.slides if slide.owner == GROUND)
+    hinges = frozenset(name for name in points if name in mechanism.hinges)
+    return Fixed(dict(points), hinges, tuple(guides), positions, mechanism.sketch)
 
 
 def _exhibit(kind: str, figure: LaidFigure, fixed: Fixed, scene: Scene, drafting: Drafting) -> Exhibit:
@@ -313,11 +294,6 @@ def _exhibit(kind: str, figure: LaidFigure, fixed: Fixed, scene: Scene, drafting
     together = figure.name.rpartition("-")[0] if figure.what == GRAPH else ""
     panel = Panel(room, weight, together, shared, share)
     return Exhibit(panel, partial(draw, figure, fixed, room, drafting=drafting))
-
-
-def _facts(_: Collection[str]) -> dict[str, Any]:
-    """Say nothing more in the data of a form."""
-    return {}
 
 
 def _signed(leaf: Leaf, kind: str) -> Leaf:

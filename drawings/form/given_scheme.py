@@ -1,14 +1,10 @@
-"""The scheme that a form gives: the mechanism between two positions of its task, not to scale (кинематическая схема).
-
-It is a part of what is given: nothing on it is measured, no position has a number, no force or velocity is drawn.
-"""
+"""The scheme that a form gives: the mechanism between two of its positions, not to scale (кинематическая схема)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from functools import partial
-from types import MappingProxyType
-from typing import Final
+from itertools import combinations
 
 import numpy as np
 
@@ -17,72 +13,62 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Spot
 from drawings.linkage.guides import arrows
 from drawings.linkage.pose import Pose, letters, measured, pose, scheme
-from drawings.linkage.positions import position
-from drawings.linkage.skeleton import Pairs, reference
+from drawings.linkage.skeleton import Pairs
 from drawings.page.page import Drafting
 from drawings.paper.strokes import GIVEN, Stroke
+from drawings.paper.walk import PLACES
 from drawings.sheets.stated_scales import Exhibit
-from drawings.structure import scheme as structure_scheme
-from drawings.structure.links import whole
-from drawings.structure.scheme import StructureScheme
 from drawings.symbols.figure import heading
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import at_angles
-from plans.structure.study import STRUCTURE, StructureStudy
+from plans.model.motion import Complexes, Floats
 from plans.study import Study
 
-NAME: Final = "given"
-DATA: Final[Mapping[str, str]] = MappingProxyType({"kind": GIVEN})
-MARGINS = Margins(2.5, 3.5, 1.5)  # paper around it for letters, stands and numbers, in sizes of letters
+MARGINS = Margins(3.0, 3.5, 3.4)  # paper around it for letters, stands, guides and numbers, in sizes of letters
 SIZES = (14.0, 10.0)  # of its letters: how large it is drawn, and how large where a sheet more would be taken
-RATES = "ωv"  # how the letters of what the drive is given begin
+FLAT = 1e-6  # of the square of a mechanism's size: three points of a smaller triangle are always in one line
 
 
-def given_scheme(study: Study, kind: str, drafting: Drafting, letters_large: float) -> Iterator[Exhibit]:
-    """Show the mechanism of a task on a sheet, so many letters large; none of a task that has no mechanism."""
-    if kind == STRUCTURE:
-        structure = study.of(StructureStudy)
-        links = whole(structure, structure.structure, reference(structure.mechanism))
-        words = drafting.word("form scheme"), drafting.word("form out of scale")
-        shown = StructureScheme(NAME, words[0], (("", links),), said=words[1], data=DATA)
-        room = _sized(structure_scheme.measure(shown, drafting), letters_large, drafting)
-        yield Exhibit(Panel(room), partial(structure_scheme.draw, shown, room, drafting=drafting))
-    elif "linkage" in study.techniques and (bones := _between(study)) is not None:
-        title = drafting.word("form scheme")
-        room = _sized(measured(NAME, bones.points, title, (MARGINS, 0.0), drafting), letters_large, drafting)
-        yield Exhibit(Panel(room), partial(_draw, bones, room, drafting=drafting))
+def given_scheme(study: Study, drafting: Drafting, size: float) -> Iterator[Exhibit]:
+    """Show the mechanism of a task, so many letters large; of a task without one, or that no position has, nothing."""
+    if "linkage" not in study.techniques or (bones := _between(study.of(LinkageStudy))) is None:
+        return
+    room = measured(GIVEN, bones.points, drafting.word("form scheme"), (MARGINS, 0.0), drafting)
+    room = room.at(max(room.wide, room.high) / (size * drafting.hand.letter))
+    yield Exhibit(Panel(room), partial(_draw, bones, room, drafting=drafting))
 
 
-def _sized(room: Picture, letters_large: float, drafting: Drafting) -> Picture:
-    """Give a picture so many letters large, at whatever scale that is."""
-    return room.at(max(room.wide, room.high) / (letters_large * drafting.hand.letter))
-
-
-def _between(study: Study) -> Pose | None:
-    """Give the mechanism half a step past the position that shows most: the scheme is none of those that are sought.
-
-    It stays in that position where it has no next one, or does not come so far; None where nothing can be assembled.
-    """
-    linkage = study.of(LinkageStudy)
-    if linkage.lost.all():
-        return None
-    k, phi = position(linkage, linkage.motion(1)), linkage.turn.phi
-    for at in ((phi[k] + phi[k + 1]) / 2, phi[k]) if k + 1 < len(phi) else (phi[k],):
-        apart = linkage.at(at_angles(np.array([at])))
-        if not apart.lost.any():
-            return pose(apart, apart.motion(0), 0)
+def _between(study: LinkageStudy) -> Pose | None:
+    """Give the most general pose half-way between two positions, which is none of those that are sought."""
+    phi = study.turn.phi
+    for angles in ((phi[:-1] + phi[1:]) / 2, phi):
+        between = study.at(at_angles(angles))
+        if len(angles) and not between.lost.all():
+            general = _general([point.r for point in between.motion(0).points.values()])
+            k = int(np.nanargmax(np.where(between.lost, np.nan, general)))
+            shown = study.at(at_angles(angles[k : k + 1]))
+            return pose(shown, shown.motion(0), 0)
     return None
 
 
+def _general(paths: Sequence[Complexes]) -> Floats:
+    """Rate positions by how far no three points come near one line: by the triangle that is least of its largest."""
+    areas = (np.abs(((b - a).conj() * (c - a)).imag) for a, b, c in combinations(paths, 3))
+    size = max(float(np.nanmax(np.abs(path))) for path in paths)
+    shares = [area / np.nanmax(area) for area in areas if np.nanmax(area) > FLAT * size**2]
+    return np.asarray(np.min([np.ones(len(paths[0])), *shares], axis=0).round(PLACES))
+
+
 def _draw(bones: Pose, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
-    """Draw it in its spot, with the sense in which its primary link moves."""
+    """Draw it in its spot, with the sense in which its primary link moves; nothing on it can be measured."""
     pairs, hand = Pairs(bones, room.place(*spot), drafting.hand), drafting.hand
     head = heading(spot.box, drafting.word("form scheme"), drafting.word("form out of scale"), hand)
-    senses = [arrow for arrow in arrows(pairs) if arrow.letter[0] in RATES]
-    turning = (part for arrow in senses for part in arrow.strokes(pairs))
+    senses = [arrow for arrow in arrows(pairs) if arrow.letter[0] in "ωv"]  # its rate, not how that changes
 
     def lettered(labels: Labels) -> Iterator[Stroke]:
-        yield from (labels.beside(at, of.letter, hand.letter, 1.5, off) for of in senses for at, off in (of.middle,))
+        for arrow in senses:
+            yield labels.beside(arrow.middle[0], arrow.letter, hand.letter, 1.5, arrow.middle[1])
         yield from letters(pairs, (), labels)
 
-    return LetteredFigure(NAME, (head, *scheme(pairs, None), *turning), lettered, data=DATA)
+    lines = (head, *scheme(pairs, None), *(part for arrow in senses for part in arrow.strokes(pairs)))
+    return LetteredFigure(GIVEN, lines, lettered, data={"kind": GIVEN})

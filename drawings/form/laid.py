@@ -281,29 +281,24 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
     of = {key: data[key] for key in ("plan", "position") if key in data}
     vectors = (mark for mark in marks if mark.data["kind"] == "vector")
     names = ((mark.data["name"], mark.title) for mark in vectors if not VALUED.search(mark.title or mark.data["name"]))
+    # One that is lettered itself has a title
     letters = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
-    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of, (*sorted(set(letters)),))
+    arrows = tuple(sorted(set(letters)))
+    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of, arrows)
 
 
 def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: str) -> Iterator[str]:
     """Say which arrows are asked for in the places of plans, and what the columns of a table are for."""
-    named: dict[tuple[str, ...], list[LaidFigure]] = {}
-    for place in (each for each in places if each.what == PLAN and each.arrows):
-        named.setdefault(place.arrows, []).append(place)
-    for each, alike in named.items():
-        yield word(language, "form arrows", plan=_titled(alike, language), arrows=", ".join(each))
-    plan, analysis = (word(language, road) for road in ("by plan", "by analysis"))
-    if any({plan, analysis} <= {*band.heads} for band in bands):
-        yield word(language, "form columns", plan=plan, analysis=analysis)
-
-
-def _titled(alike: Sequence[LaidFigure], language: str) -> str:
-    """Name plans by one title: those of several positions by all of these."""
-    (first, *others), numbers = alike, [place.of.get("position", "") for place in alike]
-    plan = first.heading.title.removesuffix(f", {word(language, 'position', position=numbers[0])}")
-    if others and all(other.heading.title.startswith(f"{plan}, ") for other in others):
-        return word(language, "form positions", plan=plan, positions=", ".join(numbers))
-    return "; ".join(place.heading.title for place in alike)
+    named: dict[tuple[str, tuple[str, ...]], list[str]] = {}  # the positions of a plan with the same arrows
+    for place in places:
+        if place.what == PLAN and place.arrows:
+            plan, comma, position = place.heading.title.rpartition(", ")
+            named.setdefault((plan + comma, place.arrows), []).append(position)
+    for (plan, arrows), positions in named.items():
+        yield word(language, "form arrows", plan=plan + "; ".join(positions), arrows=", ".join(arrows))
+    roads = tuple(word(language, road) for road in ("by plan", "by analysis"))
+    if any(set(roads) <= set(band.heads) for band in bands):
+        yield word(language, "form columns", plan=roads[0], analysis=roads[1])
 
 
 def _loose(group: Group) -> list[Text]:

@@ -29,8 +29,8 @@ from drawings.grading.scheme_arrows import arrow_verdicts, once
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Text
-from drawings.paper.walk import groups, texts, ungiven
-from drawings.reading.sheet import SeenSheet, see
+from drawings.paper.walk import groups, texts
+from drawings.reading.sheet import SeenSheet, see, ungiven
 from drawings.reading.transform import STAY, Affine
 from plans.model.motion import POSITIONS, Complexes
 from plans.words.words import Message, message

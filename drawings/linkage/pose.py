@@ -56,20 +56,15 @@ def pose(study: LinkageStudy, motion: Motion, k: int) -> Pose:
 
 
 def scheme(pairs: Pairs, subject: Subject | None, over: Iterable[Stroke] = ()) -> Iterator[Stroke]:
-    """Draw the links with their pairs, stands and guides, and over the links, under the pairs, what stands on them.
-
-    Of no subject nothing can be measured.
-    """
+    """Draw the links with their pairs, stands, guides, under the pairs what stands on them; of no subject no marks."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     body, stands, blocks = list(pairs.bars()), list(pairs.stands()), [block for _, block in pairs.blocks]
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
     yield from fit_dashes(trim(axes(bones, place, hand), pairs.masks))
     yield from (*grounds(pairs, ink), *blocks, *body, *pairs.corners(), *over, *stands)
-    if subject is not None:
-        yield from pairs.marks(subject, reference(bones.mechanism))
-    else:
-        yield from (part for name, at in pairs.named.items() for part in pairs.symbol(name, place.on(at)))
+    bare = (part for name, at in pairs.named.items() for part in pairs.symbol(name, place.on(at)))
+    yield from bare if subject is None else pairs.marks(subject, reference(bones.mechanism))
 
 
 def letters(pairs: Pairs, found: Iterable[tuple[complex, Sequence[str]]], labels: Labels) -> Iterator[Stroke]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
-from drawings.paper.strokes import GIVEN, Group, Leaf, Statement, Stroke, Text
+from drawings.paper.strokes import Group, Leaf, Statement, Stroke, Text
 
 
 def walk(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
@@ -43,17 +43,6 @@ def group_named(strokes: Iterable[Stroke], name: str) -> Group | None:
 def texts(strokes: Iterable[Stroke]) -> Iterator[Text]:
     """Give the lettering."""
     return (stroke for stroke in walk(strokes) if isinstance(stroke, Text))
-
-
-def ungiven(leaf: Leaf) -> Leaf:
-    """Give a leaf without the figures that its task gives."""
-    given = [group for group in groups(leaf.groups) if group.data.get("kind") == GIVEN]
-    return leaf._replace(groups=tuple(_without(group, given) for group in leaf.groups)) if given else leaf
-
-
-def _without(group: Group, given: Sequence[Group]) -> Group:
-    strokes = (_without(stroke, given) if isinstance(stroke, Group) else stroke for stroke in group.strokes)
-    return group._replace(strokes=() if any(group is one for one in given) else tuple(strokes))
 
 
 def stating(statement: Statement, *strokes: Stroke) -> Group:

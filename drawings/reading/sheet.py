@@ -8,8 +8,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle, Run, Stroke, Text
-from drawings.paper.walk import flat
+from drawings.paper.strokes import GIVEN, INK, LOWERED, RAISED, Group, Leaf, LineStyle, Run, Stroke, Text
+from drawings.paper.walk import flat, groups
 from drawings.reading import alphabet
 from drawings.reading.alphabet import UNREAD as NO_LETTER
 from drawings.reading.covering import veiled
@@ -358,6 +358,11 @@ def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
     """Give a leaf without some of its strokes."""
     hidden = {id(stroke) for stroke in strokes}
     return leaf._replace(groups=tuple(_kept(group, hidden) for group in leaf.groups)) if hidden else leaf
+
+
+def ungiven(leaf: Leaf) -> Leaf:
+    """Give a leaf without the lines of the figures that are a part of its task."""
+    return without(leaf, flat(group for group in groups(leaf.groups) if group.data.get("kind") == GIVEN))
 
 
 def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:

@@ -19,10 +19,10 @@ from drawings.form.form import form_of
 from drawings.form.laid import given
 from drawings.layout.picture import Place
 from drawings.page.page import BLOCK, Scale
-from drawings.paper.strokes import PLAIN, Arc, Circle, Group, Leaf, Line, Polyline, Text
-from drawings.paper.walk import flat
+from drawings.paper.strokes import GIVEN, PLAIN, Arc, Circle, Group, Leaf, Line, Polyline, Text
+from drawings.paper.walk import flat, texts
 from drawings.pens.svg import svg
-from drawings.reading.sheet import see
+from drawings.reading.sheet import see, ungiven
 from drawings.rotor.sheet import SHEETS as ROTOR
 from drawings.sheets.documents import leaves_of
 from drawings.sheets.kind import PLAN, sheet_kind
@@ -141,6 +141,16 @@ def test_a_form_has_places_poles_and_the_heads_of_its_tables() -> None:
     assert [one.name for one in seen.measured.points] == ["C"]
     lettering = [one.plain for one in flat(seen.written.groups) if isinstance(one, Text)]
     assert {"p", "π", "by plan", "by analysis"} < set(lettering)
+
+
+def test_a_form_gives_the_scheme_of_its_mechanism_of_which_no_line_is_graded() -> None:
+    _, (leaf,) = form(GALLERY / "crank-rocker.toml")
+    (scheme,) = (group for group in leaf.groups if group.name == GIVEN)
+    assert {"O", "A", "B", "C", "E", "0", "1", "2", "3", "ω1"} <= {text.plain for text in texts((scheme,))}
+    whole = see(blank_file(leaf)).leaf
+    read = [{text.plain for text in texts(part.groups)} for part in (whole, ungiven(whole))]
+    assert ["E" in every for every in read] == [True, False]
+    assert "Velocity plan, position 4; position 10: ab" in leaf.description
 
 
 def planted(leaf: Leaf, *strokes: Any) -> bytes:

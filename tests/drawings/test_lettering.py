@@ -51,12 +51,8 @@ def on_sheets(language: str) -> list[str]:
     """Give the phrases that stand on sheets."""
     groups = ("sheet.", "unit.", "reason.", "index.")
     found = [phrase for key, phrase in words(language).items() if key.startswith(groups)]
-    return [
-        line
-        for phrase in found
-        for form in ([phrase] if isinstance(phrase, str) else phrase)
-        for line in form.split("\n")
-    ]
+    forms = [form for phrase in found for form in ([phrase] if isinstance(phrase, str) else phrase)]
+    return [line for form in forms for line in form.split("\n")]
 
 
 @over("language", languages())

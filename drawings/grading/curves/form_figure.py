@@ -16,7 +16,7 @@ from drawings.grading.drawn_plan import Arrow
 from drawings.grading.form_place import FormPlace, form_places
 from drawings.grading.written_number import stated_scales
 from drawings.lettering.lettering import bounds
-from drawings.paper.strokes import Curve, Fill, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import GIVEN, Curve, Fill, Group, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups, texts
 from drawings.reading.sheet import SeenSheet
 from plans.model.motion import Complexes, Floats
@@ -120,7 +120,7 @@ def _is_tick(line: Line, origin: complex) -> bool:
 
 def _ink(sheet: SeenSheet) -> list[Group]:
     """Give what is no part of the form's own axes and page."""
-    return [group for group in sheet.leaf.groups if group.data.get("kind") != AXES and group.name != FRAME]
+    return [group for group in sheet.leaf.groups if group.data.get("kind") not in (AXES, GIVEN) and group.name != FRAME]
 
 
 def _curves(sheet: SeenSheet, plan: str) -> Iterator[Complexes]:
