@@ -100,12 +100,19 @@ def _moved(one: Stroke, plan: PlanAsked, shifts: Places) -> Stroke:
         if _is_of(one, plan) and one.data["kind"] == "vector":
             return one._replace(strokes=_arrow(one, shifts))
         by = shifts.get(one.data["name"], 0j) if _is_of(one, plan) and one.data["kind"] == "point" else 0j
-        parts = tuple(_moved(part, plan, shifts) for part in one.strokes)
+        led = sum((_shift(part, shifts) for part in one.strokes if isinstance(part, Text)), 0j)
+        parts = (_led(part, led) if isinstance(part, Line) else _moved(part, plan, shifts) for part in one.strokes)
         return one._replace(strokes=tuple(_aside(part, by) for part in parts))
-    if isinstance(one, Text):
-        shift = next((by for letter, by in shifts.items() if lettered(letter) == one.plain), 0j)
-        return one._replace(at=one.at + shift)
-    return one
+    return one._replace(at=one.at + _shift(one, shifts)) if isinstance(one, Text) else one
+
+
+def _shift(letter: Text, shifts: Places) -> complex:
+    return next((by for name, by in shifts.items() if lettered(name) == letter.plain), 0j)
+
+
+def _led(leader: Line, by: complex) -> Line:
+    """Move the leader of a letter with it."""
+    return leader._replace(start=leader.start + by, end=leader.end + by)
 
 
 def _aside(one: Stroke, by: complex) -> Stroke:

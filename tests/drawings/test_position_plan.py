@@ -65,7 +65,7 @@ def compared(name: str) -> tuple[LinkageStudy, Comparison]:
 @cache
 def drawn(name: str, hand: Hand = A1) -> Figure:
     study, comparison = compared(name)
-    bones = skeletons(study, comparison.construction, position(study, comparison))
+    bones = skeletons(study, comparison.construction, position(study, comparison.construction))
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
     place = measured.place(ROOM, measured.rungs(ROOM.width, ROOM.height)[0].scale)
     groups = layers(Pairs(bones, place, hand), "en")

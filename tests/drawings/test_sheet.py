@@ -75,7 +75,7 @@ def test_remarks_that_can_be_read_where_the_notes_stand_are_no_reason_for_a_furt
     tight: float, counts: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     compose, sets, notes = laid.compose, list[int](), kinematics.notes
-    monkeypatch.setattr(kinematics, "notes", lambda *asked: [*notes(*asked), "as long as a line of notes is " * 3])
+    monkeypatch.setattr(kinematics, "notes", lambda *asked: [*notes(*asked), "as long as a line of notes is " * 24])
     monkeypatch.setattr(laid, "TIGHT", tight)
     monkeypatch.setattr(laid, "compose", lambda *asked: sets.append(len(own := compose(*asked))) or own)
     assert len(leaves(Study(read_scene(GALLERY / "crank-rocker.toml")))) == 1
