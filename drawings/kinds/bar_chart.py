@@ -236,12 +236,14 @@ class BarFigure(ChartFigure):
                 yield Line(self._on(spot.real, chart.bottom) - 1j * under, tip - 1j, hand.drafted)
 
     def _over(self, start: complex, end: complex, text: str) -> Text:
-        """Write over the middle of a dimension, or where that is too short before it."""
-        if self._wide(text) + 2 * BESIDE <= abs(end - start):
+        """Write over the middle of a dimension, or where that is too short before it, or past it for want of room."""
+        wide, (first, last) = self._wide(text) + 2 * BESIDE, sorted((start.real, end.real))
+        if wide <= last - first:
             label = self._text((start + end) / 2, text)
             return label._replace(at=label.at + 1j * (BESIDE - text_reach(label)[0]))  # a comma hangs below its line
-        left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - self.hand.number / 2)
-        return self._text(left, text, "end")
+        before = first - wide >= self._on(-NAMES).real
+        foot = complex(first - 2 * BESIDE if before else last + 2 * BESIDE, start.imag - self.hand.number / 2)
+        return self._text(foot, text, "end" if before else "start")
 
     def _told(self, row: BarRow, room: float) -> str:
         """Write whose setting angle it is, in words where they have room; of one before 0 what it lacks of a turn."""
