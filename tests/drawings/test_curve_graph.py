@@ -127,3 +127,11 @@ def test_a_turn_that_ends_with_position_0_again_begins_with_it_also_where_the_sh
     at = np.arange(360.0)
     drawn = graph(CURVE._replace(stations=at, ordinates=moment(at), shown=(1,)))
     assert {0, 1} <= {vector.position for vector in measured(drawn).vectors}
+
+
+def test_positions_whose_ends_fall_together_have_one_number_of_them_all() -> None:
+    """A vector along a guide is the same on the way there and back: at 60 and at 300 degrees."""
+    values, ends = (np.cos(np.radians(phi)) * (600 + 800j) for phi in (DENSE[:-1], AT))
+    drawn = figure(SHOWN._replace(values=values, ends=ends, shown=0))
+    told = {stroke.plain for stroke in flat(drawn) if isinstance(stroke, Text)}
+    assert {"0", "2, 10", "6"} <= told and not {"2", "10"} & told
