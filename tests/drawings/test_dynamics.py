@@ -182,3 +182,10 @@ def test_a_jump_is_dashed_and_no_part_of_the_curve() -> None:
     assert max(abs(line.end - line.start) for line in lines if line.start.real in dashed and not line.style.dash) < 3.0
     for curve in (line for line in walk(own.strokes) if isinstance(line, Polyline)):
         assert all(abs(other - one) < 0.1 for one, other in pairwise(curve.points) if one.real == other.real)
+
+
+@pytest.mark.parametrize(("law", "told"), [("value = 3200", True), ('value = 3200; during = "idle stroke"', False)])
+def test_a_load_that_is_constant_is_told_where_one_that_changes_has_its_diagram(law: str, told: bool) -> None:
+    own = Study(parse_scene(text(scene(forces=[f'on = 3; point = "B"; against = "motion"; {law}']))))
+    said = " ".join(one.plain for leaf in leaves(own) for one in texts(leaf.groups))
+    assert ("3200 N against the motion of B" in said.replace("\N{NO-BREAK SPACE}", " ")) == told
