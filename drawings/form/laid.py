@@ -372,7 +372,7 @@ def _marked(text: Text) -> str:
 
 
 # Columns of a sheet that tell how far a value may be out: a form asks for no such thing.
-BESIDE = ("by hand", "true error")
+BESIDE = ("drawing error", "true error")
 
 
 def blank(bands: Iterable[LaidTable], drafting: Drafting) -> tuple[RuledTable, ...]:
