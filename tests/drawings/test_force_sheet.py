@@ -157,6 +157,14 @@ def test_worth_is_stable_against_last_bits() -> None:
         assert int(np.argmax(rated.sizes)) == 1
 
 
+def test_beside_an_extreme_a_position_is_not_worth_its_greater_work() -> None:
+    """A crusher's loads do most 2 degrees after its extreme, where the velocity plan is a line a hand cannot open."""
+    done, open_ = np.array([0.0, 1.0, 0.694]), {"velocities": np.array([0.5, 0.04, 0.547])}
+    rest = {"accelerations": np.array([0.9, 0.861, 0.178]), "forces-2-3": np.array([0.2, 0.668, 0.565])}
+    assert np.argmax(PositionWorth(True, done, open_ | rest).sizes) == 2
+    assert np.argmax(PositionWorth(True, done, rest).sizes) == 1
+
+
 @pytest.mark.rest
 def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematics_sheet() -> None:
     """Their inertia forces are taken from its acceleration plan; alone, the sheet shows the fastest position."""
