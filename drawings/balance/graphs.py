@@ -20,7 +20,7 @@ from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
 from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
-from drawings.symbols.figure import Subject, heading, heading_width
+from drawings.symbols.figure import Subject, explained, heading, heading_width
 from drawings.symbols.symbols import TICK, fit
 from plans.model.balance.linkage import Choice, Shares, State
 from plans.model.motion import Complexes, Floats
@@ -79,14 +79,18 @@ class ShakingHodograph(NamedTuple):
         """Measure the room of the hodographs."""
         hand, title = drafting.hand, drafting.word("shaking hodograph")
         room = room_of(SHAKING, self.points, (SYMBOL, UNIT), title, LETTERS, hand)
-        return room._replace(heading=heading_width(title, hand))
+        return explained(room._replace(heading=heading_width(title, hand)), self._further(drafting), hand)
+
+    def _further(self, drafting: Drafting) -> list[str]:
+        """Say which is which, where there are two."""
+        return [drafting.word("thin before")] if len(self.vectors) > 1 else []
 
     def draw(self, room: Picture, spot: Spot, drafting: Drafting) -> Part:
         """Draw the hodographs in their spot: thin before, in main lines after; title and scale above."""
         place, hand = room.place(*spot), drafting.hand
         both, subject = len(self.vectors) > 1, Subject(SHAKING, SYMBOL, self.shown)
-        under = ";  ".join([drafting.scale(spot.scale), *([drafting.word("thin before")] if both else [])])
-        lines: list[Stroke] = [heading(spot.box, drafting.word("shaking hodograph"), under, hand)]
+        title, said = drafting.word("shaking hodograph"), (drafting.scale(spot.scale), *self._further(drafting))
+        lines: list[Stroke] = [heading(spot.box, title, said[0], hand, *said[1:])]
         named, numbers = list[Letter](), list[Letter]()
         for vector in self.vectors:
             end = complex(vector.ends[self.shown])

@@ -227,7 +227,7 @@ class _ExpectedCam:
             yield from phrases(SIZES, ((name, DEGREES * angle, 0.0) for name, angle in ends), 4, may_lack=True)
 
     def table(self) -> Iterator[Expected]:
-        """Give the cells of the table: by plan, by analysis, by hand; of what is given that it is."""
+        """Give the cells of the table: by plan, by analysis, drawing error; of what is given that it is."""
         drawing = self.values.drawing
         slips = cam_by_hand(drawing, self.scales) if any(readings(drawing)) else None
         for letter, unit, (value, slack), given in self._quantities():

@@ -40,7 +40,6 @@ from plans.scene.scene import Scene
 from plans.study import Study
 
 ALONE = "1"  # what an only cam is named without a word
-LENGTHS = "lengths"  # the diagram of the sizes, whose O is the profile's, has its scale
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
 JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axis; both apart with one scale of the turn
 
@@ -82,7 +81,7 @@ def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _CamC
     return _CamContents(
         drawing,
         PressureView(drawing.sizing.limits, drawing.curve, drawing.found),
-        exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
+        exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST),
         size_view.sizes(ours, theirs, by_hand, drafting),
         CamNotes(drawing.found, drafting).all,
     )
@@ -109,7 +108,7 @@ def _shows(contents: _CamContents, way: str, drafting: Drafting) -> Iterator[Exh
     else:
         yield exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
     if not drawing.cam.translates:
-        yield exhibit(size_diagram, SizeView(drawing.sizing), drafting, scale=LENGTHS)
+        yield exhibit(size_diagram, SizeView(drawing.sizing), drafting)
     if drawing.cam.pressed and way != JOINED:
         yield exhibit(pressure_graph, angle, drafting, scale=way)
 

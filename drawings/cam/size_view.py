@@ -1,4 +1,4 @@
-"""The view of a cam's main sizes, and their table: by construction, by analysis, by hand (основные размеры)."""
+"""The view of a cam's main sizes, and their table: by construction, by analysis, drawing error (основные размеры)."""
 
 from __future__ import annotations
 

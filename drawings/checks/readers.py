@@ -15,7 +15,7 @@ from typing import Final, NamedTuple, TypeAlias, TypeGuard
 import numpy as np
 
 from drawings.checks.expected import Wrong, on
-from drawings.lettering.words import number
+from drawings.lettering.words import WRITTEN, number, numerals
 from drawings.page.frame import NUMBERS
 from drawings.page.page import BLOCK
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
@@ -26,10 +26,10 @@ from plans.model.motion import Complexes
 from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 
-_NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
+_NUMBER = re.compile(rf"[-−]?{WRITTEN}")
 PAPER = "mm"  # the unit of what is drawn in millimetres of paper, to no scale
 _MARKED = ("vector", "point")  # the kinds of marks that are drawn to scale
-_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")  # of a plan, after its letter: mu_v, K_v
+_SCALE = re.compile(rf"(μ|K)(\S+) = ({WRITTEN})\s")  # of a plan, after its letter: mu_v, K_v
 
 
 def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
@@ -39,13 +39,16 @@ def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
 
     >>> reads("0.096", 0.0961, 0.0), reads("0.096", 0.0961, 0.0, 5), reads("123460", 123456.0, 0.0, 5)
     (True, False, True)
+    >>> reads("1.2·10⁻⁷", 1.24e-7, 0.0), reads("1.2·10⁻⁷", 1.26e-7, 0.0)
+    (True, False)
     """
     if text == "—":
         return math.isnan(true)
     found = value(text)
     if found is None:
         return False
-    last: float = -len(re.split("[.,]", text)[-1]) if re.search("[.,]", text) else 0
+    mantissa, _, power = numerals(text).partition("e")
+    last: float = int(power or 0) - len(mantissa.partition(".")[2])
     if digits:
         last = math.floor(math.log10(abs(true))) + 1 - digits if true else -math.inf
     return abs(found - true) <= 0.5000001 * math.pow(10.0, last) + 1e-9 * abs(true) + slack
@@ -54,10 +57,10 @@ def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
 def value(text: str) -> float | None:
     """Read a number; None of what is none.
 
-    >>> value("−0,5"), value("—")
-    (-0.5, None)
+    >>> value("−0,5"), value("—"), value("1,2393·10⁻⁷")
+    (-0.5, None, 1.2393e-07)
     """
-    return float(text.replace("−", "-").replace(",", ".")) if _NUMBER.fullmatch(text) else None
+    return float(numerals(text)) if _NUMBER.fullmatch(text) else None
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
@@ -79,7 +82,7 @@ def _stated(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
     """Read the scales that figures state: by their letters the symbol, mu or K, and the number."""
     stated: dict[str, set[tuple[str, str]]] = {}
     for symbol, letter, size in (found for text in texts(figures) for found in _SCALE.findall(text.plain)):
-        stated.setdefault(letter, set()).add((symbol, size.replace(",", ".")))
+        stated.setdefault(letter, set()).add((symbol, numerals(size)))
     return stated
 
 
@@ -91,7 +94,7 @@ def written_scales(group: Group) -> dict[str, float]:
     {'φ': 0.02, 'M': 0.25}
     """
     found = (match for text in texts((group,)) for match in _SCALE.finditer(text.plain))
-    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
+    pairs = ((match[1], match[2], float(numerals(match[3]))) for match in found)
     return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs if value}
 
 

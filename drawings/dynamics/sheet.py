@@ -19,6 +19,7 @@ from drawings.dynamics.report import notes_of
 from drawings.dynamics.report_tables import without_rounding
 from drawings.forces import load_diagram
 from drawings.forces.load_diagram import LoadCourse, courses
+from drawings.forces.notes import load_given
 from drawings.kinds import curve_graph
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER
@@ -35,6 +36,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exh
 from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
 from plans.dynamics.quantities import DynamicsComparison
+from plans.forces.loading import asks
 from plans.forces.statics import Statics
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
@@ -176,10 +178,12 @@ class MachineMotion(NamedTuple):
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of the motion of a scene's machine."""
+    """Lay out the sheets of the motion of a scene's machine; a load that is constant is told in words."""
     found, statics, said = study.of(DynamicsComparison), study.of(Statics), notes_of(study)
     loads = tuple(courses(statics.machine, statics.strokes))
-    machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
+    steady = (load for load in statics.machine.loads if not asks(load))  # the others have their diagrams
+    notes = (*(load_given(load, statics, drafting_of(study.scene).language) for load in steady), *said.all)
+    machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, notes)
     return sheets(study.scene, machine)
 
 

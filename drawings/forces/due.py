@@ -292,7 +292,7 @@ class _Sheet:
         return given | {bearing.whole.name for bearing in bill.bearings}
 
     def table(self) -> Iterator[Expected]:
-        """Give the cells of the table: by plan and by analysis, by hand; what is none all the turn may lack."""
+        """Give the cells of the table: by plan and by analysis, drawing error; what is none all the turn may lack."""
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)

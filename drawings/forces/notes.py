@@ -57,7 +57,7 @@ def _plan(name: str, language: str) -> str:
 def _loads(statics: Statics, language: str) -> Iterator[str]:
     """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
     machine = statics.machine
-    lines = [_load(load, statics, language) for load in machine.loads]
+    lines = [load_given(load, statics, language) for load in machine.loads]
     for spring in machine.springs:
         stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
         free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
@@ -71,7 +71,7 @@ def _loads(statics: Statics, language: str) -> Iterator[str]:
     yield from lines
 
 
-def _load(load: Force | Moment, statics: Statics, language: str) -> str:
+def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
     """Tell one load: its size and law, on which stroke, with what overrun, and what its diagram was stretched by."""
     name, unit = force_letter(load.name, language), word(language, "N" if isinstance(load, Force) else "N*m")
     size = f"{number(load.size, language)}{NBSP}{unit}"

@@ -18,7 +18,7 @@ from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
 from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
-from drawings.lettering.words import with_index, word
+from drawings.lettering.words import WRITTEN, numerals, with_index, word
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
@@ -27,7 +27,7 @@ from plans.scene.scene import Scene
 from plans.techniques import techniques
 from plans.words.words import words
 
-NUMERAL = re.compile(r"\d+(?:[.,]\d+)?")
+NUMERAL = re.compile(WRITTEN)
 TOLD = 3  # digits: a number of fewer counts or names something, and tells no value
 INDEXED = re.compile(r"[^\W\d_]+_[^\W_]+")  # a letter with its index: "F_g"
 SKETCH = "sketch"  # where points lie about is what the plan of positions has to find
@@ -58,18 +58,18 @@ class Given(NamedTuple):
         return all(self._knows(numeral[0]) or _counts(numeral) for numeral in NUMERAL.finditer(text))
 
     def _knows(self, numeral: str) -> bool:
-        digits = numeral.replace(",", ".")
-        if len(digits.replace(".", "").lstrip("0")) < TOLD and "." not in digits:
+        digits, _, power = numerals(numeral).partition("e")
+        if len(digits.replace(".", "").lstrip("0")) < TOLD and "." not in digits and not power:
             return True
-        half = 0.5 * 10.0 ** -len(digits.partition(".")[2])
-        return any(abs(abs(number) - float(digits)) <= half for number in self.numbers)
+        half = 0.5 * 10.0 ** (int(power or 0) - len(digits.partition(".")[2]))
+        return any(abs(abs(number) - float(numerals(numeral))) <= half for number in self.numbers)
 
 
 def _counts(numeral: re.Match[str]) -> bool:
     """Tell whether a number is by what the rows of a table count: the name of a row alone, or degrees."""
     alone = numeral[0] == numeral.string.strip()
     degrees = numeral.string[numeral.end() :].lstrip().startswith("°")
-    return numeral[0] == TURN or ((alone or degrees) and float(numeral[0].replace(",", ".")) in GIVEN_STEPS)
+    return numeral[0] == TURN or ((alone or degrees) and float(numerals(numeral[0])) in GIVEN_STEPS)
 
 
 def given(scene: Scene) -> Given:
@@ -172,7 +172,7 @@ def _numbers(value: Any) -> Iterator[float]:
         case int() | float():
             yield float(value)
         case str():
-            yield from (float(numeral.replace(",", ".")) for numeral in NUMERAL.findall(value))
+            yield from (float(numerals(numeral)) for numeral in NUMERAL.findall(value))
         case dict() | list():
             inner: Iterable[Any] = [*value.values(), *value] if isinstance(value, dict) else value
             for part in inner:
@@ -372,7 +372,7 @@ def _marked(text: Text) -> str:
 
 
 # Columns of a sheet that tell how far a value may be out: a form asks for no such thing.
-BESIDE = ("by hand", "true error")
+BESIDE = ("drawing error", "true error")
 
 
 def blank(bands: Iterable[LaidTable], drafting: Drafting) -> tuple[RuledTable, ...]:

@@ -13,7 +13,7 @@ from drawings.kinds.axes import Letter, Part
 from drawings.kinds.curve_graph import DOTTED, SPARE
 from drawings.kinds.graph import DOT, LEAST, dashed, leaps, stretches
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.lettering import numbered, text_width
+from drawings.lettering.lettering import TOGETHER, coinciding, numbered, text_width
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
@@ -98,11 +98,12 @@ def letter_beside(letter: str, end: complex, place: Place, hand: Hand) -> Letter
 
 
 def outward(ends: Complexes, numbers: Iterable[int], place: Place, hand: Hand) -> Iterator[Letter]:
-    """Number positions outward from the middle of all."""
+    """Number positions outward from the middle of all; those whose ends fall together have one number, of them all."""
     heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
-    for k in numbers:
-        away = complex(ends[k]) - heart
-        yield Letter(place.on(complex(ends[k])), str(k), hand.number, cmath.phase(away) if away else math.pi / 4)
+    told = sorted(numbers)
+    for group in coinciding([place.on(complex(ends[k])) for k in told], TOGETHER * hand.number):
+        name, end = ", ".join(str(told[k]) for k in group), complex(ends[told[group[0]]])
+        yield Letter(place.on(end), name, hand.number, cmath.phase(end - heart) if end != heart else math.pi / 4)
 
 
 def _point(shown: Hodograph, k: int, lettered: bool, subject: Subject, place: Place, hand: Hand) -> Stroke:

@@ -19,7 +19,7 @@ from plans.quantity import Comparison, Quantity
 
 # Of every table of values, in this order: `table`, `by_roads` of checks/expected.py, form/laid.py and grading/cells
 # count on it. One more needs cells below, a word, and to be expected (due.py of a technique).
-COLUMNS = ("by plan", "by analysis", "by hand")
+COLUMNS = ("by plan", "by analysis", "drawing error")
 BOTH = "by both"  # heads the one column of a table in which plan and analysis agree in all that is printed
 NOTHING, WIDE = "—", "8"
 DIGITS = 5  # of the largest value of a row; the others keep its decimals

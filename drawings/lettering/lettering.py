@@ -217,6 +217,22 @@ def spaced(
     return tuple(kept)
 
 
+TOGETHER = 0.5  # sizes of a number: places nearer than this have one number, of them all
+
+
+def coinciding(places: Sequence[complex], near: float) -> list[list[int]]:
+    """Gather places that fall together on paper, each with the first one that it is nearer to than `near` mm.
+
+    >>> coinciding([0j, 5 + 0j, 0.1j, 9 + 0j], 1.0)
+    [[0, 2], [1], [3]]
+    """
+    groups: list[list[int]] = []
+    for k, place in enumerate(places):
+        found = next((group for group in groups if abs(places[group[0]] - place) < near), None)
+        groups.append([k]) if found is None else found.append(k)
+    return groups
+
+
 GRAIN = 0.01  # mm that a curve may reach beyond its box: a twentieth of the finest line
 
 

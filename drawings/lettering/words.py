@@ -45,21 +45,37 @@ def letter(language: str, markup: str) -> str:
     return _INDEX.sub(lambda found: words.word(language, f"index.{found[0]}"), markup)
 
 
-def number(value: float, language: str = "en", digits: int = 4) -> str:
-    """Write a number of a sheet with some significant digits, no exponent, no -0, and the language's decimal mark.
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+LEVEL = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−,", "-0123456789-.")
+LEAST = 1e-5  # a smaller number is written by its power of ten: of more zeros none is counted
+WRITTEN = r"\d+(?:[.,]\d+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"  # a number without its sign, as it is read again
 
-    >>> number(-0.00012344), number(1234567.0), number(0.5, "ru")
-    ('−0.0001234', '1235000', '0,5')
+
+def number(value: float, language: str = "en", digits: int = 4) -> str:
+    """Write a number of a sheet with some significant digits, no -0, the language's mark, or by a power of ten.
+
+    >>> number(-0.00012344), number(1234567.0), number(0.5, "ru"), number(1.2393e-7, "ru", 5)
+    ('−0.0001234', '1235000', '0,5', '1,2393·10⁻⁷')
     """
     if not math.isfinite(value):
         raise SheetError(f"{value} cannot be written on a sheet: a gap must be said in words")
     mantissa, exponent = f"{abs(value):.{digits - 1}e}".split("e")
-    places = max(digits - 1 - int(exponent), 0)
-    text = f"{float(f'{mantissa}e{exponent}'):.{places}f}"
+    small = 0.0 < abs(value) < LEAST
+    places = max(digits - 1 - (0 if small else int(exponent)), 0)
+    text = f"{float(mantissa if small else f'{mantissa}e{exponent}'):.{places}f}"
     if "." in text:
         text = text.rstrip("0").rstrip(".")
     sign = "−" if value < 0 and float(text) != 0 else ""
-    return decimal(sign + text, language)
+    return decimal(sign + text, language) + (f"·10{str(int(exponent)).translate(RAISED)}" if small else "")
+
+
+def numerals(text: str) -> str:
+    """Give a number that is written on a sheet as a machine reads it.
+
+    >>> numerals("−1,2393·10⁻⁷")
+    '-1.2393e-7'
+    """
+    return text.translate(LEVEL).replace("·10", "e")
 
 
 def span(values: Iterable[float], language: str = "en") -> str:
@@ -104,7 +120,7 @@ def runs(positions: Iterable[int], dash: str = "–") -> str:
 
 
 SLOT = re.compile("⟨(.*?)⟩")
-NUMBER, BLANKS = re.compile(r"[−-]?\d+(?:[.,]\d+)?|—"), re.compile(r"\s+")
+NUMBER, BLANKS = re.compile(rf"[−-]?{WRITTEN}|—"), re.compile(r"\s+")
 
 
 class Slot(NamedTuple):

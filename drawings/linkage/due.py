@@ -170,7 +170,7 @@ class _ExpectedMotion:
         return VectorPlans(self.study, self.comparison, self.masses, self.drafting, keys)
 
     def values(self) -> Iterator[Expected]:
-        """Give the cells of the table of values: by plan and by analysis, by hand."""
+        """Give the cells of the table of values: by plan and by analysis, drawing error."""
         positions = sorted({k for leaf in self.leaves for k in leaf.metadata["plans"]})
         if not positions:
             return

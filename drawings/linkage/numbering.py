@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.lettering.lettering import numbered, text_width
+from drawings.lettering.lettering import TOGETHER, numbered, text_width
 from drawings.lettering.words import number
 from drawings.linkage.guides import aside
 from drawings.linkage.skeleton import Pairs, Skeletons
@@ -160,7 +160,6 @@ RING = 1.6  # sizes of a number from one ring of numbers to the next
 APART = 1.1  # heights or widths of a number between two that stand side by side
 STEPS = (1, 2, 3, 4, 6, 12)  # every which position may bear a number at the output
 MOST = 0.3  # share of the numbers chosen that may fall out where places crowd at the ends of a stroke
-TOGETHER = 0.5  # sizes of a number: places nearer than this have one number, of them all
 ANGLES = 12  # positions of a list whose crank angles still have room beside their numbers
 
 

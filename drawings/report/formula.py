@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.lettering.words import Phrase, template_of
+from drawings.lettering.words import LEVEL, Phrase, template_of
 from drawings.lettering.words import letter as lettered
 from drawings.page.page import Drafting
 from drawings.reading.items import STILL, SheetFigures
@@ -37,6 +37,7 @@ SIGNS = {
     "θ": r"\theta", "ψ": r"\psi", "π": r"\pi", "δ": r"\delta", "Σ": r"\sum", "α": r"\alpha", "ρ": r"\rho",
     "Δ": r"\Delta",
 }  # fmt: skip
+_POWER = re.compile("·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _LETTER = re.compile(r"(?P<head>[^_^]+?)(?P<primes>'*)(?:\^(?P<up>\{.*?\}|.))?(?:_(?P<low>\{.*\}'*|[^_]+))?")
 
 
@@ -72,12 +73,13 @@ class Formula:
 
     def number(self, value: float) -> str:
         """Write a number with its decimal mark, which in math needs braces."""
-        return self.drafting.number(value, DIGITS).replace("−", "-").replace(",", "{,}")
+        text = self.drafting.number(value, DIGITS).replace("−", "-").replace(",", "{,}")
+        return _POWER.sub(lambda found: rf" \cdot 10^{{{found[1].translate(LEVEL)}}}", text)
 
     def factor(self, value: float) -> str:
         """Write a number that stands in a product: a negative one in brackets."""
         text = self.number(value)
-        return f"({text})" if text.startswith("-") else text
+        return f"({text})" if text.startswith("-") or "cdot" in text else text
 
     def quantity(self, value: float, unit: str) -> str:
         """Write a number with its unit."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from drawings.lettering.words import decimal, fixed, letter, number, runs, span
+from drawings.lettering.words import RAISED, decimal, fixed, letter, number, runs, span
 from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS, Chapters, drawn, entry, literal, mathed
 from plans.model.mechanism import Drive
@@ -86,7 +86,6 @@ def _cell(value: complex, places: int, language: str) -> str:
 
 ANGLE = "\N{NO-BREAK SPACE}∠\N{NO-BREAK SPACE}"  # between the size of a vector and its direction
 MOST = 6  # digits of the largest number of a column, so that a hundredth of it still has four
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 PLAIN = 1e-3  # a smaller number is written by its power of ten
 
 

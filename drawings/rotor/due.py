@@ -156,7 +156,7 @@ class _ExpectedRotor:
         yield from cells(MASSES, name, [mass, radius, (*angle, TURN), *last], digits=DIGITS)
 
     def results(self, slips: Mapping[tuple[str, int], float]) -> Iterator[Expected]:
-        """Give the cells of the table of results: by plan, by analysis, by hand."""
+        """Give the cells of the table of results: by plan, by analysis, drawing error."""
         for finding in self._findings():
             if finding.largest > 0:
                 head, _, prime = finding.name.partition("'")

@@ -33,10 +33,13 @@ class PositionWorth(NamedTuple):
         """What the positions are worth: the share of the work by the geometric mean of how open the plans are.
 
         At a dead centre no load does work, and one plan that is a line makes the whole mean nothing. A plan that is a
-        line wherever loads act, as that of two forces is, tells no position from another: it is not counted.
+        line wherever loads act, as that of two forces is, tells no position from another: it is not counted. Where a
+        hand sees a plan of the motion as one line, beside a dead centre or an extreme, it is worth a tenth.
         """
-        rows = [row for name, row in self.open.items() if name not in self.lines]
-        return np.asarray(np.round(self.done * np.prod(rows, axis=0) ** (1.0 / max(len(rows), 1)), PLACES))
+        rows = {name: row for name, row in self.open.items() if name not in self.lines}
+        lines = [rows[name] < FLAT for name in (VELOCITIES.plan, ACCELERATIONS.plan) if name in rows]
+        mean = np.prod([*rows.values()], axis=0) ** (1.0 / max(len(rows), 1))
+        return np.asarray(np.round(self.done * np.where(np.any(lines, axis=0), FLAT, 1.0) * mean, PLACES))
 
     @property
     def hardest(self) -> int:

@@ -100,7 +100,7 @@ def thin_wall(cam: Cam, wall: float, least: float) -> CamError:
     assert cam.hub is not None
     hub, kind = cam.hub, "refused.cam_wall" if wall > 0 else "refused.cam_bore"
     keyway = message("refused.cam_keyway", width=_mm(hub.width), depth=_mm(hub.depth)) if hub.width else ""
-    left = {"wall": _mm(abs(wall)), "least": _mm(least), "more": _mm(least - wall)}
+    left = {"wall": _mm(abs(wall), 4), "least": _mm(least, 4), "more": _mm(_up(least - wall), 4)}
     return CamError(message(kind, name=cam.name, bore=_mm(hub.bore), keyway=keyway, **left), "hub", "bore")
 
 
@@ -113,8 +113,14 @@ def _angles(limits: Limits) -> str:
     return " / ".join(f"{math.degrees(limit):.4g}" for limit in (limits.rise, limits.back) if limit is not None)
 
 
-def _mm(size: float) -> str:
-    return f"{MM * size:.6g}"
+def _up(size: float) -> float:
+    """Round a size that is to help up to four digits."""
+    step = 10.0 ** (math.floor(math.log10(size)) - 3)
+    return math.ceil(size / step) * step
+
+
+def _mm(size: float, digits: int = 6) -> str:
+    return f"{MM * size:.{digits}g}"
 
 
 Points = npt.NDArray[np.complex128]

@@ -32,10 +32,6 @@ def flat(stroke: Stroke) -> list[Stroke]:
     return [one for inner in stroke.strokes for one in flat(inner)] if isinstance(stroke, Group) else [stroke]
 
 
-def leaf(drawn: Group) -> Leaf:
-    return Leaf(400.0, 300.0, (drawn,))
-
-
 def graph(curve: GraphCurve = CURVE, language: str = "en") -> Group:
     drafting, curve = Drafting(HAND, language), curve._replace(title="Balancing moment")
     measure_ = curve_graph.measure(curve, drafting)
@@ -47,7 +43,7 @@ def graph(curve: GraphCurve = CURVE, language: str = "en") -> Group:
 
 
 def measured(drawn: Group) -> Measured:
-    found = measure(svg(leaf(drawn)))
+    found = measure(svg(Leaf(400.0, 300.0, (drawn,))))
     assert check(found) == []
     return found
 
@@ -127,3 +123,11 @@ def test_a_turn_that_ends_with_position_0_again_begins_with_it_also_where_the_sh
     at = np.arange(360.0)
     drawn = graph(CURVE._replace(stations=at, ordinates=moment(at), shown=(1,)))
     assert {0, 1} <= {vector.position for vector in measured(drawn).vectors}
+
+
+def test_positions_whose_ends_fall_together_have_one_number_of_them_all() -> None:
+    """A vector along a guide is the same on the way there and back: at 60 and at 300 degrees."""
+    values, ends = (np.cos(np.radians(phi)) * (600 + 800j) for phi in (DENSE[:-1], AT))
+    drawn = flat(figure(SHOWN._replace(values=values, ends=ends, shown=0)))
+    told = {stroke.plain for stroke in drawn if isinstance(stroke, Text)}
+    assert {"0", "2, 10", "6"} <= told and not {"2", "10"} & told

@@ -65,9 +65,8 @@ def test_hatching_is_as_long_as_the_area_asks() -> None:
     lines = list(hatching(outline, hand))
     assert {round(math.degrees(cmath.phase(line.end - line.start))) for line in lines} == {45}
     assert sum(abs(line.end - line.start) for line in lines) * 2.0 == pytest.approx(1300.0, rel=0.01)
-    assert not any(
-        (line.start + line.end).real / 2 > 25 and 10 < (line.start + line.end).imag / 2 < 30 for line in lines
-    )
+    middles = [(line.start + line.end) / 2 for line in lines]
+    assert not any(middle.real > 25 and 10 < middle.imag < 30 for middle in middles)
 
 
 TURNED = np.linspace(0.0, 2 * np.pi, 73)
@@ -125,8 +124,7 @@ def test_tangents_touch_the_loop_that_is_drawn(asked: int) -> None:
     (low, high), (below, above) = own.flywheel.slopes, own.flywheel.cuts
     over, under = energy - high * dense.varying - above, below - energy + low * dense.varying
     tall = np.ptp(energy)
-    assert over.max() <= 1e-9 * tall and under.max() <= 1e-9 * tall
-    assert over.max() >= -1e-3 * tall and under.max() >= -1e-3 * tall
+    assert all(-1e-3 * tall <= beyond.max() <= 1e-9 * tall for beyond in (over, under))
     assert not {touch.turned for touch in own.flywheel.touches} & set(own.cycle.turned)
     speeds = graphs.omega(own.cycle, dense, own.speeds)
     mean, delta = 90 * math.pi / 30, 1 / asked
@@ -151,9 +149,8 @@ def test_a_following_sheet_is_filled_and_no_column_is_empty() -> None:
     first, second = leaves(Study(parse_scene(PRESS.read_text(encoding="utf-8").replace('"A1"', '"A2"'))))
     told = [{group.name for group in groups(leaf.groups)} for leaf in (first, second)]
     assert "positions-1" in told[1] - told[0] and "flywheel_sketch" in told[1] - told[0]
-    lines = positions(
-        study()["dynamics"].task, replace(study()["dynamics"].account, speeds=None), drafting_of(study().scene)
-    ).lines
+    own = study()["dynamics"]
+    lines = positions(own.task, replace(own.account, speeds=None), drafting_of(study().scene)).lines
     assert all(len(line.cells) == 5 for line in lines) and any("−0" in line.name for line in lines)
 
 
@@ -182,3 +179,10 @@ def test_a_jump_is_dashed_and_no_part_of_the_curve() -> None:
     assert max(abs(line.end - line.start) for line in lines if line.start.real in dashed and not line.style.dash) < 3.0
     for curve in (line for line in walk(own.strokes) if isinstance(line, Polyline)):
         assert all(abs(other - one) < 0.1 for one, other in pairwise(curve.points) if one.real == other.real)
+
+
+@pytest.mark.parametrize(("law", "told"), [("value = 3200", True), ('value = 3200; during = "idle stroke"', False)])
+def test_a_load_that_is_constant_is_told_where_one_that_changes_has_its_diagram(law: str, told: bool) -> None:
+    laid = leaves(Study(parse_scene(text(scene(forces=[f'on = 3; point = "B"; against = "motion"; {law}'])))))
+    said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
+    assert ("3200 N against the motion of B" in said.replace("\N{NO-BREAK SPACE}", " ")) == told

@@ -77,7 +77,7 @@ ROWS = {
         ["are added to links", "a_1 = "],
     ),
     "a slow crank has tiny forces and the same best shares": Row(
-        balanced("engine", "A1").replace("speed = 20", "speed = 2e-5"), ["with k = 0.58994", "0.00000000017162 N"]
+        balanced("engine", "A1").replace("speed = 20", "speed = 2e-5"), ["with k = 0.58994", "1.7162·10⁻¹⁰ N"]
     ),
     "reactions have the letter of the scene": Row(
         balanced("engine", "A1") + 'reactions = "P"\n',

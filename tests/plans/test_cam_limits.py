@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from itertools import product
 
@@ -40,10 +41,7 @@ def analyse(one: Cam, own: CamSizes) -> CamFound:
 
 
 BOTH = pytest.mark.parametrize("road", [draw, analyse])
-CASES = [
-    (motion, closure, *angles, sense)
-    for motion, closure, angles, sense in product((TRANSLATING, ROCKING), (GROOVE, FORCE), ANGLES, (1, -1))
-]
+CASES = [(*kind, *pair, to) for *kind, pair, to in product((TRANSLATING, ROCKING), (GROOVE, FORCE), ANGLES, (1, -1))]
 
 
 @pytest.mark.parametrize("case", some(CASES, 21))
@@ -83,11 +81,14 @@ def test_a_wall_is_left_over_bore_and_keyway(sense):
         return replace(limited(TRANSLATING, FORCE, 30, 30, sense), given=GivenSizes(base, 0.0), roller=0.0, hub=hub)
 
     left = base - math.hypot(bore / 2 + depth, width / 2)
-    assert wall(draw(keyed(bore, depth, resting), CamSizes(base))) == pytest.approx(
-        left, abs=1e-7
-    )  # a quarter of a degree
+    # A quarter of a degree
+    assert wall(draw(keyed(bore, depth, resting), CamSizes(base))) == pytest.approx(left, abs=1e-7)
     on_the_rise = wall(draw(keyed(bore, depth, math.radians(50)), CamSizes(base)))
     assert left < on_the_rise < base - bore / 2 + 1e-12  # there the bore itself is nearest
     for deeper, told in ((left / 2, "leaves a wall of"), (left + 0.001, "breaks through")):
-        with pytest.raises(CamError, match=told):
-            CamStudy([keyed(bore, depth + deeper, resting)]).found  # noqa: B018
+        cam = keyed(bore, depth + deeper, resting)
+        with pytest.raises(CamError, match=told) as refused:
+            CamStudy([cam]).found  # noqa: B018
+        more = re.search(r"larger by ([\d.]+) mm", str(refused.value))
+        assert more and len(more[1].replace(".", "").lstrip("0")) <= 4
+        assert wall(draw(cam, CamSizes(base + float(more[1]) / 1000))) >= depth + deeper  # the cure helps
