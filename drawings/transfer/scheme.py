@@ -24,7 +24,7 @@ from geometry.board import Mark, at, behind
 from plans.transfer.study import TransferFunctions
 from plans.transfer.turned import TURNED, TurnedPlan
 
-MARGINS = Margins(3.5, 3.5, 2.5)
+MARGINS = Margins(3.5, 3.5, 3.5)
 LETTERS = 26.0  # it is drawn at least so many of its letters large
 BEYOND = 6.0  # mm that a line of known direction is drawn past its meeting
 SHORT = 0.02  # of the mechanism: on shorter sides no mark of an angle is drawn
