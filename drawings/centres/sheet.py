@@ -68,7 +68,7 @@ class _CentresSheet:
     def _tables(self) -> Iterator[RuledTable]:
         """Tell each centre and each rate in the positions that are drawn."""
         word, text = self.drafting.word, self.drafting.hand.text
-        every = pairs(list(self.study.linkage.mechanism.links))
+        every = pairs(self.study.linkage.mechanism.links)
         rows = [
             TableRow(
                 with_index(letter(pair)),
@@ -97,7 +97,7 @@ class _CentresSheet:
         yield word("centres known")
         yield word("centres over", pole=mechanism.drive.pivot)
         yield word("centres rates")
-        every, told = pairs(list(mechanism.links)), list[str]()
+        every, told = pairs(mechanism.links), list[str]()
         for k in self.positions:
             if lost := [with_index(letter(pair)) for pair in every if pair not in self.study.at(k).found]:
                 told.append(word("centre open", letters=", ".join(lost), position=k))

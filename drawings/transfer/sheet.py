@@ -31,7 +31,8 @@ from drawings.transfer.scheme import TurnedScheme, working
 from plans.model.mechanism import FRAME as FIXED
 from plans.study import Study
 from plans.transfer.quantities import TransferComparison, by_scales, listed
-from plans.transfer.study import STEPS, TRANSFER, TransferForm, TransferStudy, functions, output_functions
+from plans.transfer.study import STEPS, TransferForm, TransferStudy, functions, output_functions
+from plans.transfer.turned import TRANSFER
 
 LARGEST = 3.0  # times the least size at which a graph is legible
 
