@@ -57,7 +57,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     mechanism, drafting = found.linkage.mechanism, drafting_of(study.scene)
     positions = leaves[0].metadata["centred"] if leaves else ()
     slack = {row.name: row.allowed for row in comparison.findings}
-    places = {pair: common(mechanism, comparison.moving.analysis, pair) for pair in pairs(list(mechanism.links))}
+    places = {pair: common(mechanism, comparison.moving.analysis, pair) for pair in pairs(mechanism.links)}
     rough = [
         2 * max(float(row.allowed[k]) for row in comparison.plans.of("positions"))
         for k in range(len(comparison.analysis.phi))

@@ -60,7 +60,7 @@ def measure(shown: CentresScheme, drafting: Drafting) -> Picture:
 def draw(shown: CentresScheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw it in its spot."""
     place, hand = room.place(*spot), drafting.hand
-    drawing = _DrawnCentres(shown, Pairs(shown.bones, place, hand), place)
+    drawing = _DrawnCentres(shown, Pairs(shown.bones, place, hand), place, drafting)
     title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
     lines = (title, *drawing.lines(), *scheme(drawing.pairs, drawing.subject), *drawing.marks())
     return LetteredFigure(shown.name, lines, drawing.letters)
@@ -73,8 +73,8 @@ def _title(shown: CentresScheme, drafting: Drafting) -> str:
 class _DrawnCentres:
     """A scheme with its centres at its place on paper."""
 
-    def __init__(self, shown: CentresScheme, pairs: Pairs, place: Place) -> None:
-        self.shown, self.pairs, self.place = shown, pairs, place
+    def __init__(self, shown: CentresScheme, pairs: Pairs, place: Place, drafting: Drafting) -> None:
+        self.shown, self.pairs, self.place, self.drafting = shown, pairs, place, drafting
         self.subject, self.hand = Subject(CENTRES, "r", shown.column), pairs.sheet
         self.near = {centre.pair: place.on(centre.place) for centre in shown.near}
 
@@ -130,8 +130,8 @@ class _DrawnCentres:
         """Letter the points with the centres in them, the other centres, and the directions."""
         yield from letters(self.pairs, ((one.place, [letter(one.pair)]) for one in self.shown.near), labels)
         for pair, (start, end) in self.away.items():
-            infinite = " → ∞" if self.shown.found.found[pair].infinite else ""
-            text = f"{with_index(letter(pair))}{infinite}"
+            name, infinite = with_index(letter(pair)), self.shown.found.found[pair].infinite
+            text = f"{name} → ∞" if infinite else self.drafting.word("centre far", letter=name)
             yield labels.beside(end, text, self.hand.letter, BESIDE, cmath.phase(end - start))
 
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
+from itertools import chain
 from typing import Final
 
 from drawings.centres import scheme
@@ -68,15 +69,10 @@ class _CentresSheet:
     def _tables(self) -> Iterator[RuledTable]:
         """Tell each centre and each rate in the positions that are drawn."""
         word, text = self.drafting.word, self.drafting.hand.text
-        every = pairs(list(self.study.linkage.mechanism.links))
+        found = [self.study.at(k).found for k in self.positions]
         rows = [
-            TableRow(
-                with_index(letter(pair)),
-                tuple(
-                    cell for k in self.positions for cell in cells_of(self.study.at(k).found.get(pair), self.drafting)
-                ),
-            )
-            for pair in every
+            TableRow(with_index(letter(pair)), tuple(chain(*(cells_of(one.get(pair), self.drafting) for one in found))))
+            for pair in pairs(self.study.linkage.mechanism.links)
         ]
         heads = word("found over"), f"x, {word('mm')}", f"y, {word('mm')}"
         yield table(rows, word("centre"), heads, text, self.positions)._replace(name=CENTRES)
@@ -97,7 +93,7 @@ class _CentresSheet:
         yield word("centres known")
         yield word("centres over", pole=mechanism.drive.pivot)
         yield word("centres rates")
-        every, told = pairs(list(mechanism.links)), list[str]()
+        every, told = pairs(mechanism.links), list[str]()
         for k in self.positions:
             if lost := [with_index(letter(pair)) for pair in every if pair not in self.study.at(k).found]:
                 told.append(word("centre open", letters=", ".join(lost), position=k))

@@ -69,7 +69,7 @@ def structure(study: LinkageStudy) -> Iterator[str]:
     yield from (_pair(pair, study) for pair in pairs(mechanism, study.groups))
     yield "\n" + say("report.counted_pairs", n=mechanism.moving_links, p=mechanism.lower_pairs) + "\n"
     numbers = rf"3 \cdot {mechanism.moving_links} - 2 \cdot {mechanism.lower_pairs}"
-    yield from display(f"W = 3n - 2p_{{5}} - p_{{4}} = {numbers} - 0 = {mechanism.mobility}")
+    yield from display(f"W = 3n - 2p_{{1}} - p_{{2}} = {numbers} - 0 = {mechanism.mobility}")
     for group, side in zip(study.groups, study.sweep.sides, strict=True):
         sign = f"{side:+.0f}".replace("-", "−")
         yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=sign)

@@ -161,7 +161,7 @@ _ONE = (
 _LETTERS = re.compile(
     r"(?P<kept>\$\$.*?\$\$|\$.*?\$|`[^`]*`|\"[^\"]*\"|⟨[^⟩]*⟩)"
     rf"|\|(?P<size>{_ONE})\|max"
-    rf"|(?<![\w\\^.])(?P<before>[A-Za-z]?)(?P<letters>(?:{_ONE})+)"
+    rf"|(?<![\w\\^.])(?P<before>\d*[A-Za-z]?)(?P<letters>(?:{_ONE})+)"
     r"|(?<![\w\\^.])(?P<raised>[A-Z]'*\^[^\W\d_]'*)(?!\w)"
     r"|(?P<base>\d+)\^(?:\{(?P<braced>[^{}]*)\}|(?P<bare>\d))"
 )

@@ -20,7 +20,8 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
 from plans.study import Study
 from plans.transfer.quantities import TransferComparison, by_scales, listed
-from plans.transfer.study import TRANSFER, TransferStudy, output_functions
+from plans.transfer.study import TransferStudy, output_functions
+from plans.transfer.turned import TRANSFER
 
 VALUES, SHORT = "values", 0.1  # mm: a shorter vector may be a point
 FAR = 1e-9  # of what a graph goes through: both roads agree far better

@@ -22,9 +22,9 @@ from drawings.symbols.figure import SQUARE, Subject, heading, vector
 from drawings.transfer.angles import EqualAngle, equal_angles, right_angles
 from geometry.board import Mark, at, behind
 from plans.transfer.study import TransferFunctions
-from plans.transfer.turned import TURNED, TurnedPlan
+from plans.transfer.turned import TRANSFER, TurnedPlan
 
-MARGINS = Margins(3.5, 3.5, 2.5)
+MARGINS = Margins(3.5, 3.5, 3.5)
 LETTERS = 26.0  # it is drawn at least so many of its letters large
 BEYOND = 6.0  # mm that a line of known direction is drawn past its meeting
 SHORT = 0.02  # of the mechanism: on shorter sides no mark of an angle is drawn
@@ -48,7 +48,7 @@ class TurnedScheme(NamedTuple):
         """The images but for the pole: all that the named points and the ratios rest on."""
         turning = (reading.turning for reading in self.plan.readings.values())
         found = behind(*self.plan.images.values(), *turning)
-        return [mark for mark in found if mark.subject == TURNED and mark.rays]
+        return [mark for mark in found if mark.subject == TRANSFER and mark.rays]
 
     def on(self, mark: Mark) -> complex:
         """Give the place of an image in the position, m."""
@@ -82,7 +82,7 @@ def measure(shown: TurnedScheme, drafting: Drafting) -> Picture:
 
 def draw(shown: TurnedScheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw it in its spot."""
-    place, hand, subject = room.place(*spot), drafting.hand, Subject(TURNED, "r", shown.column)
+    place, hand, subject = room.place(*spot), drafting.hand, Subject(TRANSFER, "r", shown.column)
     pairs, angles = Pairs(shown.bones, place, hand), list(_angles(shown, place, hand))
     title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
     plan = (*_rays(shown, place, hand), *_vectors(shown, subject, place, hand))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -26,9 +28,11 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figu
 from drawings.transfer import scheme
 from drawings.transfer.due import expected
 from drawings.transfer.scheme import TurnedScheme, working
+from plans.model.mechanism import FRAME as FIXED
 from plans.study import Study
 from plans.transfer.quantities import TransferComparison, by_scales, listed
-from plans.transfer.study import STEPS, TRANSFER, TransferForm, TransferStudy, functions, output_functions
+from plans.transfer.study import STEPS, TransferForm, TransferStudy, functions, output_functions
+from plans.transfer.turned import TRANSFER
 
 LARGEST = 3.0  # times the least size at which a graph is legible
 
@@ -105,8 +109,10 @@ class _TransferSheet:
         image = with_index(self.study.turned.images[drive.end].name)
         yield word("transfer read", crank=drive.link)
         yield word("transfer turned", pole=drive.pivot, image=image, end=with_index(drive.end))
-        if any(found.unit for found in self.comparison.findings):
-            yield word("transfer along")
+        slides = [of.of for of in functions(self.study.linkage.mechanism) if not isinstance(of.of, int)]
+        ways = ((one.point, math.degrees(cmath.phase(one.way(FIXED).direction))) for one in slides)
+        if told := "; ".join(f"{with_index(name)} {self.drafting.number(way)}°" for name, way in ways):
+            yield word("transfer along", ways=told)
         yield word("transfer second", crank=drive.link)
         if any(one.equal for one in schemes):
             yield word("transfer angles")

@@ -6,7 +6,7 @@ at infinity along them where they are parallel.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import combinations
 from typing import NamedTuple
 
@@ -51,7 +51,7 @@ class CentreLine(NamedTuple):
     along: complex  # its unit direction; 0: it lies at infinity
 
 
-def pairs(links: list[int]) -> list[Pair]:
+def pairs(links: Iterable[int]) -> list[Pair]:
     """List all pairs of links."""
     return list(combinations(sorted(links), 2))
 
@@ -71,10 +71,10 @@ class Kennedy:
     def __init__(self, plan: Plan) -> None:
         self.plan, self.board = plan, Board(CENTRES)
         self.found: dict[Pair, InstantCentre] = {centre.pair: centre for centre in self._known()}
-        links, places = list(plan.mechanism.links), [at(mark.point, 0) for mark in plan.letters.values()]
+        places = [at(mark.point, 0) for mark in plan.letters.values()]
         self.size = max(abs(place - other) for place in places for other in places)
-        every = pairs(links)
-        while any(self._find(pair, links, least) for least in (SHARP, 0.0) for pair in every if pair not in self.found):
+        every = pairs(plan.mechanism.links)
+        while any(self._find(pair, least) for least in (SHARP, 0.0) for pair in every if pair not in self.found):
             pass
 
     def of(self, first: int, second: int) -> InstantCentre | None:
@@ -85,7 +85,7 @@ class Kennedy:
         """Give the centres of the pairs: of a hinge of several links each two have one."""
         mechanism = self.plan.mechanism
         for point, links in mechanism.hinges.items():
-            for pair in pairs(list(links)):
+            for pair in pairs(links):
                 why = because("hinge_centre", point=point, first=pair[0], second=pair[1])
                 yield InstantCentre(pair, self.board.transfer(letter(pair), self.plan.point(point), why))
         for slide in mechanism.slides:
@@ -93,9 +93,9 @@ class Kennedy:
             along = leads.direction(self.plan, slide, slide.owner)
             yield InstantCentre(pair, self.board.turn(letter(pair), along, 1j, because("slide_centre")), True)
 
-    def _find(self, pair: Pair, links: list[int], least: float) -> bool:
+    def _find(self, pair: Pair, least: float) -> bool:
         """Find a centre if two lines of others tell it sharply enough; tell whether they do."""
-        loci = [locus for link in links if (locus := self._locus(pair, link)) is not None]
+        loci = [locus for link in self.plan.mechanism.links if (locus := self._locus(pair, link)) is not None]
         drawn = [locus for locus in loci if locus.along]
         twos = list(combinations(drawn, 2))
         sharp = [abs(float(cross(one.along, two.along))) for one, two in twos]

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark, Reading, behind
+from geometry.board import Mark, behind
 from geometry.meet import EPS
 from geometry.precision import errors
 from plans.centres.kennedy import CENTRES, Kennedy, Pair, letter, pairs
-from plans.centres.study import CentreRate, CentresStudy
+from plans.centres.study import CentresStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.marks import UNITS, position_of, title
-from plans.linkage.quantities import ANALYSIS, MotionComparison, compare
+from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, read_bound
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import POSITIONS, VELOCITIES, Complexes, Floats, Motion, evenly
 from plans.quantity import Comparison, Quantity
@@ -75,23 +75,19 @@ class _Compared:
         self.study, self.motion, self.mechanism, self.moving = study, motion, study.linkage.mechanism, moving.analysis
         self.count = len(motion.analysis.phi)
         self.read = {k: study.rates(k) for k in study.whole}
-        self.bounds = {k: self._bounds(study.at(k), rates) for k, rates in self.read.items()}
+        self.bounds = {k: self._bounds(study.at(k)) for k in self.read}
         self.kappa = ANALYSIS * EPS * motion.kappa**2
 
-    def _bounds(self, found: Kennedy, rates: dict[int, CentreRate]) -> dict[Mark, float]:
-        read = (mark for rate in rates.values() for mark in rate.read or ())
-        bounds = errors(*(centre.mark for centre in found.found.values()), *read)
+    def _bounds(self, found: Kennedy) -> dict[Mark, float]:
+        bounds = errors(*(centre.mark for centre in found.found.values()))
         return {mark: float(np.ravel(error.place)[0]) for mark, error in bounds.items()}
 
     def places(self) -> Iterator[Quantity]:
         """Compare the centres that are not at infinity."""
         fastest = max(float(np.nanmax(np.abs(point.v))) for point in self.moving.points.values())
-        for pair in pairs(list(self.mechanism.links)):
-            ours, bound, found = (
-                np.full(self.count, np.nan + 0j),
-                np.full(self.count, np.nan),
-                np.zeros(self.count, bool),
-            )
+        for pair in pairs(self.mechanism.links):
+            ours, bound = np.full(self.count, np.nan + 0j), np.full(self.count, np.nan)
+            found = np.zeros(self.count, bool)
             for k in self.study.whole:
                 centre = self.study.at(k).found.get(pair)
                 if centre is not None and not centre.infinite:
@@ -110,23 +106,18 @@ class _Compared:
             ours, bound = np.full(self.count, np.nan), np.full(self.count, np.nan)
             for k, rates in self.read.items():
                 if link in rates:
-                    ours[k], bound[k] = rates[link].value, self._read(rates[link].read, self.bounds[k])
+                    ours[k], read = rates[link]
+                    bound[k] = 0.0 if read is None else read_bound(read).item()
             finding = next(row for row in self.motion.of(VELOCITIES.plan) if row.name == f"ω_{link}")
             theirs = np.where(np.isnan(ours), np.nan, finding.analysis)
             named, allowed = (CENTRES, f"ω_{link}", "rad/s"), bound + self.kappa * finding.largest
             yield Quantity.of(named, (ours, theirs), allowed, finding.largest)
 
-    def _read(self, read: Reading | None, bounds: dict[Mark, float]) -> float:
-        if read is None:
-            return 0.0
-        (arm, turning), (size, part) = read, (float(np.abs(np.ravel(mark.point)[0])) for mark in read)
-        return (bounds[turning] + part / size * bounds[arm]) / size + 4 * EPS * part / size
-
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a centre in a position: P_02, P_13."""
     found = study.of(CentresStudy)
-    named = {letter(pair): pair for pair in pairs(list(found.linkage.mechanism.links))}
+    named = {letter(pair): pair for pair in pairs(found.linkage.mechanism.links)}
     if name not in named:
         return NoMark(tuple(named), message("mark.marks", marks=", ".join(named)), tuple(named)[:1])
     wanted = position_of(found.linkage, position)

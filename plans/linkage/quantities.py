@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from geometry.board import Span
+from geometry.board import Reading, Span
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from plans.analytic.kinematics import Analysis, output_rates
@@ -212,8 +212,12 @@ def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
         return np.asarray(errors(arm)[arm].place / np.abs(np.asarray(arm.point)) + 2 * EPS)
     if number not in plan.readings:
         return np.zeros(1)
-    arm, turning = plan.readings[number]
-    bounds = errors(arm, turning)
+    return read_bound(plan.readings[number])
+
+
+def read_bound(read: Reading) -> Floats:
+    """Bound the error of a rate or a ratio: of the vector that it is read from, and of the arm."""
+    bounds, (arm, turning) = errors(*read), read
     size, part = np.abs(np.asarray(arm.point)), np.abs(np.asarray(turning.point))
     return np.asarray((bounds[turning].place + part / size * bounds[arm].place) / size + 4 * EPS * part / size)
 

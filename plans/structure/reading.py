@@ -9,8 +9,8 @@ from typing import Final
 
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.survey import LinkageSurvey
-from plans.model.mechanism import FRAME
-from plans.model.structure import CYLINDRICAL, LINE, POINT, SPHERICAL
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.structure import CYLINDRICAL, LINE, POINT, SLIDING, SPHERICAL, TURNING
 from plans.scene import fields as f
 from plans.scene.readers import Check, many, named
 from plans.scene.scene import Meaning, TechniqueForm
@@ -18,6 +18,8 @@ from plans.scene.tables import Missing, Table, key, table
 
 KINDS: Final = {"cylindrical": CYLINDRICAL, "spherical": SPHERICAL, "plane": "E", "tube": "B"}
 CONTACTS: Final = {"line": LINE, "point": POINT}
+# What a pair may be and still move in the plane as a hinge or a slide does.
+FITTING: Final = {TURNING: ("cylindrical", "spherical", "tube"), SLIDING: ("cylindrical", "plane")}
 
 
 class ContactTable(Table):
@@ -80,25 +82,30 @@ def survey_of(meaning: Meaning) -> LinkageSurvey:
     for number, contact in enumerate(form.contacts):
         _see_contact(survey, number, contact)
     if survey.mechanism is not None:
-        joined = {tuple(sorted(links)) for links in _joined(survey)}
-        for name in form.pairs:
-            if tuple(map(int, name.split("-"))) not in joined:
-                known = ", ".join(f"{a}-{b}" for a, b in sorted(joined))
-                survey.report(("structure", "pairs", name), "no_such_pair", known=known)
-    primary = form.primary
-    if primary is not None and survey.know_link(("structure", "primary"), primary) and survey.mechanism is not None:
-        framed = sorted({link for links in _joined(survey) if FRAME in links for link in links} - {FRAME})
-        if primary not in framed:
-            survey.report(("structure", "primary"), "not_on_frame", links=", ".join(map(str, framed)))
+        _see_pairs(survey, form, dict(_joined(survey.mechanism)))
     return survey
 
 
-def _joined(survey: LinkageSurvey) -> Iterator[tuple[int, ...]]:
-    """Give the links of each pair."""
-    assert survey.mechanism is not None  # asked before
-    for links in survey.mechanism.hinges.values():
-        yield from ((links[0], other) for other in links[1:])
-    yield from ((slide.slider, slide.owner) for slide in survey.mechanism.slides)
+def _see_pairs(survey: LinkageSurvey, form: StructureTable, joined: Mapping[str, str]) -> None:
+    """See that the pairs that are told are there and move so in the plane, and the primary link is on the frame."""
+    for name, kind in form.pairs.items():
+        fitting = FITTING.get(joined.get(name, ""), ())
+        if not fitting:
+            survey.report(("structure", "pairs", name), "no_such_pair", known=", ".join(sorted(joined)))
+        elif kind not in fitting:
+            survey.report(("structure", "pairs", name), "unfit_kind", kinds=", ".join(fitting))
+    framed = [name.removeprefix("0-") for name in sorted(joined) if name.startswith("0-")]
+    primary = form.primary
+    if primary is not None and survey.know_link(("structure", "primary"), primary) and str(primary) not in framed:
+        survey.report(("structure", "primary"), "not_on_frame", links=", ".join(framed))
+
+
+def _joined(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Give each pair by its links, as a scene names it, with whether it turns or slides."""
+    for first, *others in mechanism.hinges.values():
+        yield from ((f"{first}-{other}", TURNING) for other in others)
+    for slide in mechanism.slides:
+        yield f"{min(slide.slider, slide.owner)}-{max(slide.slider, slide.owner)}", SLIDING
 
 
 def _see_contact(survey: LinkageSurvey, number: int, contact: ContactTable) -> None:
@@ -110,9 +117,9 @@ def _see_contact(survey: LinkageSurvey, number: int, contact: ContactTable) -> N
     if len(contact.between) != wanted:
         survey.report((*path, "between"), "centres", found=len(contact.between), wanted=wanted)
         return
-    pairs = [
-        *zip(contact.links, contact.between, strict=False),
-        *((contact.links[1], name) for name in contact.along or ()),
-    ]
+    if contact.along and contact.radius is not None:
+        survey.report((*path, "radius"), "flat_radius")
+    pairs = [*zip(contact.links, contact.between, strict=False)]
+    pairs += [(contact.links[1], name) for name in contact.along or ()]
     for link, name in pairs:
         _ = survey.know((*path, "between"), (name,)) and survey.on_link((*path, "between"), link, name)

@@ -133,8 +133,9 @@ class StructureStudy:
         self.made.add(STRUCTURE)
         if not self.structure.primaries:
             raise NoMechanism(self._at(message("structure.no_primary")))
+        plain, mobility = self.plain, self.freedom.main
         try:
-            return divisions(self.plain, self.freedom.main, self.structure.primaries)
+            return divisions(plain, mobility, self.structure.primaries)
         except NoMechanism as error:
             raise NoMechanism(self._at(error.args[0]), error.links) from None
 

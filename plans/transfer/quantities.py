@@ -8,16 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.board import behind
-from geometry.meet import EPS
+from geometry.board import Reading, behind
 from geometry.precision import errors
 from plans.explanation import Explanation, NoMark, in_position
 from plans.linkage.marks import UNITS, position_of, title
-from plans.linkage.quantities import MotionComparison, cap, compare, with_analysis
+from plans.linkage.quantities import MotionComparison, cap, compare, read_bound, with_analysis
 from plans.model.motion import ACCELERATIONS, POSITIONS, VELOCITIES, Motion, Order
 from plans.quantity import Comparison, Quantity, by_hand
-from plans.transfer.study import TRANSFER, TransferFunctions, TransferStudy, functions
-from plans.transfer.turned import TurnedPlan
+from plans.transfer.study import TransferFunctions, TransferStudy, functions
+from plans.transfer.turned import TRANSFER, TurnedPlan
 from plans.words.words import message
 
 if TYPE_CHECKING:
@@ -61,13 +60,9 @@ def _of_motion(of: TransferFunctions, motion: MotionComparison, order: Order) ->
 
 
 def _bound(of: TransferFunctions, plan: TurnedPlan) -> Any:
-    """Bound what rounding makes of a reading: the turned vector's own error, over the link's length of a ratio."""
-    start, end = of.shown(plan)
-    bounds = errors(start, end)
-    if not isinstance(of.of, int):
-        return bounds[end].place
-    size, part = np.abs(np.asarray(start.point)), np.abs(np.asarray(end.point))
-    return (bounds[end].place + part / size * bounds[start].place) / size + 4 * EPS * part / size
+    """Bound what rounding makes of a reading: the turned vector's own error, of a ratio over the link's length."""
+    shown = of.shown(plan)
+    return read_bound(shown) if isinstance(shown, Reading) else errors(shown[1])[shown[1]].place
 
 
 def listed(comparison: TransferComparison) -> list[Quantity]:

@@ -19,9 +19,8 @@ from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Floats, Motion, evenly
 from plans.scene.scene import Meaning, TechniqueForm
 from plans.scene.tables import key, table
-from plans.transfer.turned import TURNED, TurnedPlan, turned
+from plans.transfer.turned import TRANSFER, TurnedPlan, turned
 
-TRANSFER = TURNED
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
 

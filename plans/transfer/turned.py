@@ -15,7 +15,7 @@ from geometry.board import Board, Line, Mark, Reading, behind
 from plans.linkage.plan import Plan
 from plans.words.words import because
 
-TURNED = "transfer"
+TRANSFER = "transfer"
 
 
 class TurnedPlan(NamedTuple):
@@ -47,7 +47,7 @@ class _Redrawn:
     """A velocity plan under way on another board; `made` are the marks by those of the plan."""
 
     def __init__(self, plan: Plan) -> None:
-        self.plan, self.board = plan, Board(TURNED)
+        self.plan, self.board = plan, Board(TRANSFER)
         self.made: dict[Mark, Mark] = {}
 
     def draw(self, mark: Mark) -> None:
@@ -67,10 +67,10 @@ class _Redrawn:
             case "transfer":
                 return first  # the scheme itself
             case "turn":  # a crank's velocity for 1 rad/s, turned back, is its own vector
-                return first if first.subject != TURNED else board.turn(name, first, size, why)
+                return first if first.subject != TRANSFER else board.turn(name, first, size, why)
             case "lay_off":
                 crank = because("turned_crank", point=self.plan.mechanism.drive.end)
-                return board.lay_off(name, first, second, why if second.subject == TURNED else crank)
+                return board.lay_off(name, first, second, why if second.subject == TRANSFER else crank)
             case "square":
                 return board.parallel(f"∥{second.name}", first, second, because("turned_along", line=second.name))
             case "parallel":

@@ -29,8 +29,8 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POSITIONS
 from plans.study import Study
-from plans.transfer.study import TRANSFER, TransferStudy
-from plans.transfer.turned import turned
+from plans.transfer.study import TransferStudy
+from plans.transfer.turned import TRANSFER, turned
 
 
 def record_of_linkage(study: Study, leaf: Leaf) -> Record:
