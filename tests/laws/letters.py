@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import shapely
+
 from drawings.checks.hold import distance, labels_of
+from drawings.lettering.lettering import bounds
 from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Circle, Group, Leaf, Text
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
+from tests.drawings.collisions import ink
 
+ROUNDED = 0.1  # mm: a letter just as near to two lines is at both
 CLEAR = 1.0  # mm: marks whose letters may be either's are no nearer to each other, nor is one letter between them
 
 
@@ -26,6 +31,9 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
                 free = all(distance([label], [there]) > far for label in labels[other])
                 if abs(there - at) > CLEAR and distance([own], [there]) < far - CLEAR and free:
                     yield f"{figure.name}: the letter of {name} stands at {other}"
+        for kind in ("force", "vector") if figure.name.startswith(("scheme-", "lever-")) else ():
+            for name, other in _strayed(figure, kind):
+                yield f"{figure.name}: the letter of {name} stands at {other}"
 
 
 def _points(figure: Group) -> Iterator[tuple[str, complex]]:
@@ -34,3 +42,30 @@ def _points(figure: Group) -> Iterator[tuple[str, complex]]:
             case (Circle() as circle, *_) if group.data.get("kind") in ("point", "pole"):
                 letter = group.title or group.data["name"]
                 yield Text(0j, letter if "{" in letter else with_index(letter)).plain, circle.centre
+
+
+def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
+    """Name the forces, or the arms, whose letter stands nearer to another, or is led to across it or from it."""
+    lines: dict[str, list[shapely.Geometry]] = {}
+    for group in groups((figure,)):
+        if group.data.get("kind") == kind and group.title and isinstance(line := group.strokes[0], Line):
+            lines.setdefault(Text(0j, group.title).plain, []).append(ink(line).line)
+    for name, text, leader in _lettered(figure):
+        others = [(other, shapely.union_all(lines[other])) for other in lines if other != name]
+        stands, own = shapely.box(*bounds(text)), shapely.union_all(lines.get(name, []))
+        for other, line in others if name in lines else []:
+            if leader is not None:
+                at = shapely.Point(leader.start.real, leader.start.imag)
+                if ink(leader).line.intersects(line) or at.distance(line) < at.distance(own):
+                    yield name, other
+            elif stands.distance(line) < stands.distance(own) - ROUNDED:
+                yield name, other
+
+
+def _lettered(figure: Group) -> Iterator[tuple[str, Text, Line | None]]:
+    """Give the letters of a figure, each with its leader if it has one."""
+    for group in groups((figure,)):
+        led = group.strokes[0] if len(group.strokes) == 2 else None
+        for text in group.strokes:
+            if isinstance(text, Text):
+                yield text.plain, text, led if isinstance(led, Line) else None
