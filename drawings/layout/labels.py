@@ -22,6 +22,7 @@ LEAD_DIRECTIONS = 64  # none of them but every 16th along a crank divided by 12,
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
 SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
 STRAY = 4.0  # cost of a place that is nearer to what another label names, in mm of distance: more than any turn
+OTHER = 40.0  # cost of what another label names, or its leader, that a leader crosses, in mm of its length
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
 ACROSS, MERGED = 2.0, 8.0  # mm of ink under a leader across a line; what each mm beyond costs: it runs along a line
 Spots: TypeAlias = Sequence[complex]
@@ -45,7 +46,7 @@ class Labels:
     ) -> Stroke:  # fmt: skip
         """Place a label `gap` mm beside a point, or `further` points of what it names, as near to a direction, rad.
 
-        It is to be no nearer to `others`, which have labels of their own; no leader begins at one, nor crosses it.
+        It is to be no nearer to `others`, which have labels of their own; no leader begins at one, nor crosses one if it can be.
         """
         label = self.free(point, content, size, gap, prefer, others, further)
         if label is None:  # there is no free place on the whole sheet; a letter is needed all the same
@@ -134,7 +135,8 @@ class Labels:
                 end = _nearest(box, corner, start)
                 crossed, run = self.ink.along(start, end)
                 cost = reach + 1.5 * TURNED * off + CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
-                if crossed < LETTERED and cost < cheapest and not _barred((start, end), 0.7 * gap, others):
+                if crossed < LETTERED and cost < cheapest and not _begins_at(start, 0.7 * gap, others):
+                    cost += OTHER * sum(crossing((start, end), other) for other in others)
                     cost += STRAY * any(_off(box, corner, other) < gap + NEAR[-1] for other in others)
                     if cost < cheapest:
                         best, cheapest = (start, end, corner), cost
@@ -180,10 +182,9 @@ def _strays(box: Box, corner: complex, spot: complex, others: Lines) -> bool:
     return any(_off(box, corner, other) < own for other in others)
 
 
-def _barred(leader: Segment, gap: float, others: Lines) -> bool:
-    """Tell whether a leader begins at another line or crosses it."""
-    start = leader[0]
-    return any(tied(abs(start - nearest(*other, start))) < gap or crossing(leader, other) for other in others)
+def _begins_at(start: complex, gap: float, others: Lines) -> bool:
+    """Tell whether a leader begins at another line."""
+    return any(tied(abs(start - nearest(*other, start))) < gap for other in others)
 
 
 def _off(box: Box, corner: complex, line: Segment) -> float:

@@ -17,13 +17,11 @@ from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.onlooker import segments
 from drawings.grading.scheme_arrows import arrow_verdicts
 from drawings.lettering.lettering import bounds
-from drawings.page.page import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
-from drawings.symbols.couples import Gear, coupling, spring, to_scale
-from drawings.symbols.figure import Subject
+from drawings.symbols.couples import Gear, coupling, not_to_scale, spring
 from geometry.board import at
 from plans.forces.cut import ForcePlan
 from plans.forces.statics import Statics
@@ -45,7 +43,7 @@ def test_the_plates_of_a_coupling_face_each_other_across_its_shaft() -> None:
 
 
 def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
-    one = to_scale("Φ_5", 0j, 20 + 20j, Scale(20.0, "F", "N"), Subject("forces-4-5", "F", 2))
+    one = not_to_scale("Φ_5", 1 + 0j, 20 + 20j, 0.0)
     (shaft,) = one.draw(HAND).strokes
     assert isinstance(shaft, Line) and shaft.start == shaft.end == 20 + 20j
 

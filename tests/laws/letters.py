@@ -45,21 +45,21 @@ def _points(figure: Group) -> Iterator[tuple[str, complex]]:
 
 
 def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
-    """Name the forces, or the arms, whose letter stands nearer to another, or is led to across it or from it."""
-    lines: dict[str, list[shapely.Geometry]] = {}
+    """Name the forces, or the arms, whose letter stands nearer to another, or is led from it; or two led crosswise."""
+    lines, crossed = dict[str, shapely.Geometry](), set[tuple[str, str]]()
     for group in groups((figure,)):
-        if group.data.get("kind") == kind and group.title and isinstance(line := group.strokes[0], Line):
-            lines.setdefault(Text(0j, group.title).plain, []).append(ink(line).line)
+        if group.data.get("kind") == kind and group.title:
+            own = [ink(stroke).line for stroke in group.strokes if isinstance(stroke, Line)]
+            name = Text(0j, group.title).plain
+            lines[name] = shapely.union_all([*own, *([lines[name]] if name in lines else [])])
     for name, text, leader in _lettered(figure):
-        others = [(other, shapely.union_all(lines[other])) for other in lines if other != name]
-        stands, own = shapely.box(*bounds(text)), shapely.union_all(lines.get(name, []))
-        for other, line in others if name in lines else []:
-            if leader is not None:
-                at = shapely.Point(leader.start.real, leader.start.imag)
-                if ink(leader).line.intersects(line) or at.distance(line) < at.distance(own):
-                    yield name, other
-            elif stands.distance(line) < stands.distance(own) - ROUNDED:
+        place = shapely.box(*bounds(text)) if leader is None else shapely.Point(leader.start.real, leader.start.imag)
+        for other, line in lines.items() if name in lines else ():
+            if place.distance(line) < place.distance(lines[name]) - ROUNDED:
                 yield name, other
+            if leader is not None and other != name and ink(leader).line.intersects(line):
+                crossed.add((name, other))
+    yield from (pair for pair in sorted(crossed) if pair[::-1] in crossed)
 
 
 def _lettered(figure: Group) -> Iterator[tuple[str, Text, Line | None]]:
