@@ -46,7 +46,7 @@ class Labels:
     ) -> Stroke:  # fmt: skip
         """Place a label `gap` mm beside a point, or `further` points of what it names, as near to a direction, rad.
 
-        It is to be no nearer to `others`, which have labels of their own; no leader begins at one, nor crosses one if it can be.
+        It is to be no nearer to `others`, which have labels of their own; no leader begins at one, and few cross one.
         """
         label = self.free(point, content, size, gap, prefer, others, further)
         if label is None:  # there is no free place on the whole sheet; a letter is needed all the same

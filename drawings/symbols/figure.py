@@ -233,16 +233,12 @@ class Arm(NamedTuple):
 
         The letter is no nearer to `others`.
         """
-        first, *further = self._spots if roomy(self.length, hand) else [(self.ends[1] + self.reach(hand)[1]) / 2]
+        start, end = self.ends
+        along = [start + share * (end - start) for share in SHARES[:LETTERED]]
+        first, *further = along if roomy(self.length, hand) else [(end + self.reach(hand)[1]) / 2]
         across = 1j * (self.foot - self.about) if self.length >= LEAST else 1 + 1j
         above = -across if tied(across.imag) < 0 else across  # as on any dimension line
         return labels.beside(first, self.letter, hand.letter, BESIDE, cmath.phase(above), others, further)
-
-    @property
-    def _spots(self) -> list[complex]:
-        """The places along it where its letter may stand."""
-        start, end = self.ends
-        return [start + share * (end - start) for share in SHARES[:LETTERED]]
 
 
 def to_scale(letter: str, about: complex, at: complex, direction: complex, scale: Scale, subject: Subject) -> Arm:

@@ -21,7 +21,7 @@ from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
-from drawings.symbols.couples import Gear, coupling, not_to_scale, spring
+from drawings.symbols.couples import Gear, coupling, spring
 from geometry.board import at
 from plans.forces.cut import ForcePlan
 from plans.forces.statics import Statics
@@ -40,12 +40,6 @@ def test_the_plates_of_a_coupling_face_each_other_across_its_shaft() -> None:
     first, second, *shafts = coupling(50 + 50j, 1j, HAND)
     assert abs(first.start - second.start) == pytest.approx(1.6) and abs(first.end - first.start) == pytest.approx(12.0)
     assert len(shafts) == 2 and bounds(shafts[0])[3] <= bounds(shafts[1])[1]
-
-
-def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
-    one = not_to_scale("Φ_5", 1 + 0j, 20 + 20j, 0.0)
-    (shaft,) = one.draw(HAND).strokes
-    assert isinstance(shaft, Line) and shaft.start == shaft.end == 20 + 20j
 
 
 # The ram's mass centre is off its pin.

@@ -32,8 +32,7 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
                 if abs(there - at) > CLEAR and distance([own], [there]) < far - CLEAR and free:
                     yield f"{figure.name}: the letter of {name} stands at {other}"
         for kind in ("force", "vector") if figure.name.startswith(("scheme-", "lever-")) else ():
-            for name, other in _strayed(figure, kind):
-                yield f"{figure.name}: the letter of {name} stands at {other}"
+            yield from (f"{figure.name}: the letter of {own} is at {other}" for own, other in _strayed(figure, kind))
 
 
 def _points(figure: Group) -> Iterator[tuple[str, complex]]:
@@ -51,21 +50,11 @@ def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
         if group.data.get("kind") == kind and group.title:
             own = [ink(stroke).line for stroke in group.strokes if isinstance(stroke, Line)]
             name = Text(0j, group.title).plain
-            lines[name] = shapely.union_all([*own, *([lines[name]] if name in lines else [])])
-    for name, text, leader in _lettered(figure):
-        place = shapely.box(*bounds(text)) if leader is None else shapely.Point(leader.start.real, leader.start.imag)
-        for other, line in lines.items() if name in lines else ():
-            if place.distance(line) < place.distance(lines[name]) - ROUNDED:
-                yield name, other
-            if leader is not None and other != name and ink(leader).line.intersects(line):
-                crossed.add((name, other))
+            lines[name] = shapely.union_all([*own, lines.get(name)])
+    for name, label in ((own, label) for own in lines for label in labels_of((figure,)).get(own, ())):
+        place = shapely.box(*label.place)
+        leader = shapely.shortest_line(place, shapely.box(*bounds(label.text)))
+        far = place.distance(lines[name]) - ROUNDED
+        yield from ((name, other) for other in lines if place.distance(lines[other]) < far)
+        crossed |= {(name, other) for other in lines if other != name and leader.intersects(lines[other])}
     yield from (pair for pair in sorted(crossed) if pair[::-1] in crossed)
-
-
-def _lettered(figure: Group) -> Iterator[tuple[str, Text, Line | None]]:
-    """Give the letters of a figure, each with its leader if it has one."""
-    for group in groups((figure,)):
-        led = group.strokes[0] if len(group.strokes) == 2 else None
-        for text in group.strokes:
-            if isinstance(text, Text):
-                yield text.plain, text, led if isinstance(led, Line) else None
