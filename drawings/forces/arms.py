@@ -8,7 +8,7 @@ from typing import NamedTuple
 from drawings.forces.letters import BALANCE, PAIR, letter_of
 from drawings.kinds.outlines import is_centre
 from drawings.kinds.polygon import ShownVector
-from drawings.layout.parallel_offsets import Segment, merging
+from drawings.layout.parallel_offsets import Segment, crossing, merging
 from drawings.lettering.words import letter as by_language
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Field
@@ -137,20 +137,12 @@ def _aside(arm: Arm, around: Sequence[Segment], before: Sequence[Segment], box: 
         over += ON_LINE * any(merging((arm.about, trial.ends[0]), line) for line in around if trial.aside)
         outside = OUTSIDE * sum(box is not None and not within(end, box) for end in reach)
         tight = reach != trial.ends
-        across = ACROSS * sum(_cross(reach, other) for other in ((*around, *before) if tight else before))
+        across = ACROSS * sum(crossing(reach, other) for other in ((*around, *before) if tight else before))
         hidden = HIDDEN * (tight and not trial.aside)
         return over + outside + across + hidden + FURTHER * abs(trial.aside) / BESIDE
 
     steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))
     return min((arm._replace(aside=step) for step in steps), key=cost)
-
-
-def _cross(line: Segment, other: Segment) -> bool:
-    """Tell whether two lines cross each other between their ends."""
-    return all(
-        tied(((end - start).conjugate() * (a - start)).imag * ((end - start).conjugate() * (b - start)).imag) < 0
-        for (start, end), (a, b) in ((line, other), (other, line))
-    )
 
 
 def within(spot: complex, box: Field) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -12,10 +12,9 @@ from drawings.forces.arms import ON_LINE, OUTSIDE, LeverTerm, aside, leverages, 
 from drawings.forces.letters import BALANCE, LOAD, PAIR, letter_of
 from drawings.forces.polygon import ZERO
 from drawings.kinds.polygon import ShownVector
-from drawings.kinds.scheme import nearest
 from drawings.kinds.vector_plan import LEAST, letter_images
 from drawings.layout.labels import Labels
-from drawings.layout.parallel_offsets import Segment, merging
+from drawings.layout.parallel_offsets import APART, Segment, crossing, merging, nearest
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.linkage.vector_plan import diagram
 from drawings.page.page import Drafting, Field, drafting_of
@@ -23,6 +22,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Kind, Line, LineStyle, Statement, Stroke
 from drawings.paper.walk import stating, tied, tied_spot
 from drawings.symbols.couples import ForceArrow, not_to_scale
+from drawings.symbols.couples import letters as letter_each
 from drawings.symbols.figure import LEAST as LEAST_ARM
 from drawings.symbols.figure import Arm, Subject, around, heading, heading_width, plain_name, point, to_scale
 from drawings.symbols.symbols import HINGE, POINT, STAND, fixed_hinge
@@ -38,8 +38,8 @@ from plans.study import Study
 PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
 AFTER = 2.0  # mm between two forces that follow one another on one line of action
-# What speaks against a place of a force: that it runs along another, out of the figure, is away from its image.
-AWAY = 2
+# What speaks against a place of a force: that it runs along another or touches it, out of the figure, is off its image.
+AWAY, TOUCHING = 2, 2
 STANDS = 12  # directions tried for the stand of the pole
 BOTH, PARALLEL = 2, 0.1  # of forces on one line through an image one comes and one goes; parallel to 3 degrees
 SAME = 0.5  # mm: places nearer than this are one
@@ -74,10 +74,17 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
     def cost(arrow: ForceArrow) -> int:
         ends = arrow.start, arrow.tip
         over = ON_LINE * sum(merging(ends, other) for other in taken.forces)
+        over += TOUCHING * sum(_touching(ends, other) for other in taken.forces)
         over += OUTSIDE * (not within(arrow.free, taken.box))
         return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * (abs(arrow.at - image) > SAME)
 
     return min(tries, key=cost)
+
+
+def _touching(line: Segment, other: Segment) -> bool:
+    """Tell whether two forces cross, or one comes to the other's end so near that their arrowheads meet."""
+    apart = (abs(end - nearest(*a, end)) for a, b in ((line, other), (other, line)) for end in b)
+    return crossing(line, other) or any(SAME < far < APART for far in apart)
 
 
 def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int, hand: Hand) -> list[Arm]:
@@ -224,17 +231,18 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
         Group((*rods, *stand)), *_drawn(arrows, subject, hand), *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
-    return LetteredFigure(f"{PLAN}-{shown.column}", lines, partial(_letters, shown, place, (*arrows, *kept), hand))
+    return LetteredFigure(f"{PLAN}-{shown.column}", lines, partial(_letters, shown, place, arrows, kept, hand))
 
 
 def _letters(
-    shown: Hanging, place: Place, marks: Iterable[ForceArrow | Arm], hand: Hand, labels: Labels
+    shown: Hanging, place: Place, arrows: Sequence[ForceArrow], arms: Sequence[Arm], hand: Hand, labels: Labels
 ) -> Iterator[Stroke]:
     """Letter the pole and its images, then the forces and their arms."""
     images = [(0j, shown.pole), *((true, letters) for _, letters, true in shown.images)]
     spots = ((place.on(true), letters.split(" ")) for true, letters in images)
     yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
-    yield from (mark.letter_beside(labels, hand) for mark in marks)
+    yield from letter_each(arrows, labels, hand)
+    yield from letter_each(arms, labels, hand)
 
 
 def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterator[Stroke]:

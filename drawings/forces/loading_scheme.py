@@ -28,6 +28,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, ForceArrow, Gear, not_to_scale
+from drawings.symbols.couples import letters as letter_each
 from drawings.symbols.figure import LINE, Arm, Dimension, Subject, heading, plain_name, to_scale
 from drawings.symbols.symbols import BLOCK, MASS, fit_dashes
 from plans.forces.drive import DRIVING
@@ -318,16 +319,14 @@ def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> Letter
 
 def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
-    for arm in layout.arms:
-        yield arm.letter_beside(labels, hand)
+    yield from letter_each(layout.arms, labels, hand)
     for shift in layout.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
     lines = [line for line in layout.links if isinstance(line, Line)] + [arrow.shaft for arrow in layout.arrows]
     for name, value in layout.shown.named.items():
         spot, gap = layout.place.on(value), layout.clear(name) + 1.0
         yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
-    for arrow in layout.arrows:
-        yield arrow.letter_beside(labels, hand)
+    yield from letter_each(layout.arrows, labels, hand)
     for couple in layout.couples:
         yield couple.letter_beside(labels, hand)
     if layout.gear is not None and layout.gear.slants(layout.hand):

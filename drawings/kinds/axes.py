@@ -49,7 +49,7 @@ def placed(name: str, letters: Iterable[Letter], labels: Labels) -> Iterator[Str
     every = sorted(letters, key=lambda letter: -letter.size)
     for letter in every:
         apart = [(other.at, tied(abs(other.at - letter.at))) for other in every if other.size == letter.size]
-        others = [spot for spot, far in apart if 0 < far < CLOSE * letter.gap and not letter.text[0].isdigit()]
+        others = [(spot, spot) for spot, far in apart if 0 < far < CLOSE * letter.gap and not letter.text[0].isdigit()]
         yield telling(name, labels.beside(letter.at, letter.text, letter.size, letter.gap, letter.side, others))
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from drawings.kinds.outlines import Bones, LinkOutline, is_centre, offset_foot, outlines, places
 from drawings.layout.ink import LETTERED, padded
 from drawings.layout.labels import Labels, free_side
+from drawings.layout.parallel_offsets import nearest
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import bounds
 from drawings.lettering.words import with_index
@@ -267,16 +268,6 @@ def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
         yield from (
             joints.place.on(complex(numbered.of(link, place)[k])) for place in numbered.links[link].points.values()
         )
-
-
-def nearest(start: complex, end: complex, spot: complex) -> complex:
-    """Give the place of a piece of a line that is nearest to a spot.
-
-    >>> nearest(0j, 4 + 0j, 3 + 2j), nearest(0j, 4 + 0j, 7 + 2j)
-    ((3+0j), (4+0j))
-    """
-    share = ((spot - start) * (end - start).conjugate()).real / abs(end - start) ** 2
-    return start + min(max(share, 0.0), 1.0) * (end - start)
 
 
 SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78)  # where along a bar its number may stand

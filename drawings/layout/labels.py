@@ -5,9 +5,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import product
 from typing import TypeAlias
 
-from drawings.layout.ink import LETTERED, Ink, padded
+from drawings.layout.ink import CLEAR, LETTERED, Ink, padded
+from drawings.layout.parallel_offsets import Segment, crossing, nearest
 from drawings.lettering.lettering import bounds
 from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied, tied_spot
@@ -19,10 +21,12 @@ LED = (*range(4, 16, 2), *range(16, 40, 3), *range(40, 160, 6))  # mm from a poi
 LEAD_DIRECTIONS = 64  # none of them but every 16th along a crank divided by 12, 24 or 36
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
 SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
-STRAY = 1.0  # cost of a place that is nearer to another point with a label, in mm of distance
+STRAY = 4.0  # cost of a place that is nearer to what another label names, in mm of distance: more than any turn
+OTHER = 40.0  # cost of what another label names, or its leader, that a leader crosses, in mm of its length
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
 ACROSS, MERGED = 2.0, 8.0  # mm of ink under a leader across a line; what each mm beyond costs: it runs along a line
 Spots: TypeAlias = Sequence[complex]
+Lines: TypeAlias = Sequence[Segment]  # a point is one of no length
 
 
 class Labels:
@@ -34,35 +38,45 @@ class Labels:
 
     def __init__(self, ink: Ink, leader: LineStyle, slanted: bool = True) -> None:
         self.ink, self._leader, self._slanted = ink, leader, slanted
+        self._leaders: list[Segment] = []
 
     def beside(
-        self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4, others: Spots = ()
-    ) -> Stroke:
-        """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad.
+        self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4,
+        others: Lines = (), further: Spots = (),
+    ) -> Stroke:  # fmt: skip
+        """Place a label `gap` mm beside a point, or `further` points of what it names, as near to a direction, rad.
 
-        It is to be no nearer to `others`, which have labels of their own, and no leader begins at one.
+        It is to be no nearer to `others`, which have labels of their own; no leader begins at one, and few cross one.
         """
-        label = self.free(point, content, size, gap, prefer, others)
+        label = self.free(point, content, size, gap, prefer, others, further)
         if label is None:  # there is no free place on the whole sheet; a letter is needed all the same
             box = bounds(Text(0j, content, size, "start", self._slanted))
-            label = Text(self._near(point, box, gap, prefer), content, size, "start", self._slanted)
-            self.ink.draw([label])
+            label = self._written(self._near(point, box, gap, prefer), content, size)
         return label
 
     def free(
-        self, point: complex, content: str, size: float, gap: float, prefer: float, others: Spots = ()
-    ) -> Stroke | None:
+        self, point: complex, content: str, size: float, gap: float, prefer: float,
+        others: Lines = (), further: Spots = (),
+    ) -> Stroke | None:  # fmt: skip
         """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
-        box = bounds(Text(0j, content, size, "start", self._slanted))
-        near = self._near(point, box, gap, prefer, others)
-        label: Stroke = Text(near, content, size, "start", self._slanted)
-        if self.ink.under(padded(box, near)):
-            led = self._led(point, box, gap, prefer, others) or self._led(point, box, gap, prefer)
-            if led is None:
-                return None
-            start, end, corner = led
-            text = Text(corner, content, size, "start", self._slanted)
-            label = Group((Line(start, end, self._leader), text))
+        box, spots, bare = bounds(Text(0j, content, size, "start", self._slanted)), (point, *further), list[complex]()
+        for spot in spots:
+            near = self._near(spot, box, gap, prefer, others)
+            if not self.ink.under(padded(box, near)):
+                bare.append(near)
+                if not _strays(box, near, spot, others):
+                    return self._written(near, content, size)
+        led = self._led(spots, box, gap, prefer, (*others, *self._leaders))
+        led = led or (None if bare else self._led(spots, box, gap, prefer))
+        if led is not None:
+            self._leaders.append(led[:2])
+            return self._written(led[2], content, size, Line(*led[:2], self._leader))
+        return self._written(bare[0], content, size) if bare else None
+
+    def _written(self, corner: complex, content: str, size: float, leader: Line | None = None) -> Stroke:
+        """Ink a label in, with its leader."""
+        text = Text(corner, content, size, "start", self._slanted)
+        label = text if leader is None else Group((leader, text))
         self.ink.draw([label])
         return label
 
@@ -84,12 +98,10 @@ class Labels:
             for side in (across, -across):
                 corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
                 if not self.ink.under(padded(box, corner, WELL_CLEAR)):
-                    label = Text(corner, content, size, "start", self._slanted)
-                    self.ink.draw([label])
-                    return label
+                    return self._written(corner, content, size)
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across))
 
-    def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Spots = ()) -> complex:
+    def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Lines = ()) -> complex:
         """Find the freest place beside a point; one that covers nothing is taken before any other."""
         best, cheapest = point, math.inf
         for reach in NEAR:
@@ -101,33 +113,33 @@ class Labels:
                     break
                 corner = _touching(point, box, gap + reach, angle)
                 cost = self.ink.under(padded(box, corner)) + least
-                cost += STRAY * any(_off(box, corner, other) < gap + reach for other in others)
-                if cost < cheapest:
+                if cost < cheapest and (cost := cost + STRAY * _strays(box, corner, point, others)) < cheapest:
                     best, cheapest = corner, cost
         return best
 
     def _led(
-        self, point: complex, box: Box, gap: float, prefer: float, others: Spots = ()
+        self, spots: Spots, box: Box, gap: float, prefer: float, others: Lines = ()
     ) -> tuple[complex, complex, complex] | None:
-        """Find a free place further off, and the leader to it: from beside the point to the label's nearer edge."""
+        """Find a free place further off, and the leader to it: from beside a point to the label's nearer edge."""
         best, cheapest = None, math.inf
-        for reach in LED:
+        for reach, spot in product(LED, spots):
             if cheapest <= reach:
                 break
             for off, angle in _fan(prefer, LEAD_DIRECTIONS):
                 if cheapest <= reach + 1.5 * TURNED * off:
                     break
-                corner = _touching(point, box, reach, angle)
+                corner = _touching(spot, box, reach, angle)
                 if self.ink.under(padded(box, corner)):
                     continue
-                start = point + cmath.rect(0.7 * gap, angle)
-                if any(tied(abs(start - other)) < 0.7 * gap for other in others):
-                    continue
+                start = spot + cmath.rect(0.7 * gap, angle)
                 end = _nearest(box, corner, start)
                 crossed, run = self.ink.along(start, end)
                 cost = reach + 1.5 * TURNED * off + CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
-                if crossed < LETTERED and cost < cheapest:
-                    best, cheapest = (start, end, corner), cost
+                if crossed < LETTERED and cost < cheapest and not _begins_at(start, 0.7 * gap, others):
+                    cost += OTHER * sum(crossing((start, end), other) for other in others)
+                    cost += STRAY * any(_off(box, corner, other) < gap + NEAR[-1] for other in others)
+                    if cost < cheapest:
+                        best, cheapest = (start, end, corner), cost
         return best
 
 
@@ -164,14 +176,27 @@ def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
     return centre - half - complex(left, bottom)
 
 
-def _off(box: Box, corner: complex, spot: complex) -> float:
-    """Give how far a spot is from a shifted box, mm."""
-    left, bottom, right, top = box
-    aside = max(left + corner.real - spot.real, spot.real - right - corner.real, 0.0)
-    return tied(abs(complex(aside, max(bottom + corner.imag - spot.imag, spot.imag - top - corner.imag, 0.0))))
+def _strays(box: Box, corner: complex, spot: complex, others: Lines) -> bool:
+    """Tell whether a shifted box is nearer to another line than to its own spot."""
+    own = _off(box, corner, (spot, spot)) if others else 0.0
+    return any(_off(box, corner, other) < own for other in others)
 
 
-def _nearest(box: Box, shift: complex, point: complex) -> complex:
+def _begins_at(start: complex, gap: float, others: Lines) -> bool:
+    """Tell whether a leader begins at another line."""
+    return any(tied(abs(start - nearest(*other, start))) < gap for other in others)
+
+
+def _off(box: Box, corner: complex, line: Segment) -> float:
+    """Give how far a line is from a shifted box that it does not cross, mm."""
+    left, bottom, right, top = padded(box, corner, 0.0)
+    corners = (complex(x, y) for x in (left, right) for y in (bottom, top))
+    pairs = [(spot, nearest(*line, spot)) for spot in corners] if line[0] != line[1] else []
+    pairs += [(end, _nearest(box, corner, end, 0.0)) for end in line]
+    return tied(min(abs(spot - other) for spot, other in pairs))
+
+
+def _nearest(box: Box, shift: complex, point: complex, by: float = CLEAR) -> complex:
     """Give the point of a shifted box, a little widened, that is nearest to some point."""
-    left, bottom, right, top = padded(box, shift)
+    left, bottom, right, top = padded(box, shift, by)
     return complex(min(max(point.real, left), right), min(max(point.imag, bottom), top))

@@ -36,6 +36,25 @@ def merging(line: Segment, other: Segment) -> bool:
     return tied(run - SHARE * shorter) > 0 or (abreast and tied(run) > most)
 
 
+def crossing(line: Segment, other: Segment) -> bool:
+    """Tell whether two lines cross each other between their ends."""
+    return all(
+        tied(((end - start).conjugate() * (a - start)).imag * ((end - start).conjugate() * (b - start)).imag) < 0
+        for (start, end), (a, b) in ((line, other), (other, line))
+    )
+
+
+def nearest(start: complex, end: complex, spot: complex) -> complex:
+    """Give the place of a piece of a line that is nearest to a spot.
+
+    >>> nearest(0j, 4 + 0j, 3 + 2j), nearest(0j, 4 + 0j, 7 + 2j)
+    ((3+0j), (4+0j))
+    """
+    along = end - start
+    share = ((spot - start) * along.conjugate()).real / (abs(along) ** 2 or 1.0)
+    return start + min(max(share, 0.0), 1.0) * along
+
+
 def parallel_offsets(
     segments: Sequence[Segment], apart: float = APART, room: complex = APART * (1 + 1j), inside: Box = EVERYWHERE
 ) -> list[complex]:

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from drawings.layout.labels import Labels
-from drawings.page.page import Scale
+from drawings.layout.labels import Labels, Lines
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, NO_DATA, Arc, Circle, Group, Line, Polyline, Stroke, stated
-from drawings.symbols.figure import Subject, plain_name
+from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, stated
+from drawings.symbols.figure import Arm, plain_name
 from drawings.symbols.symbols import ARROW_HALF, ARROW_LENGTH, TurnArrow, arrowhead, fit, fit_dashes
 
 BESIDE = 1.4  # mm from the free end of a force to its letter
+ALONG = (0.4, 0.6)  # of a force, from its free end: where its letter may stand beside its shaft
 ASIDE = math.radians(55)  # the letter stands ahead of the free end, to the left of the line of action
 
 
@@ -31,7 +31,6 @@ class ForceArrow(NamedTuple):
     length: float
     ending: bool = False
     unknown: bool = False
-    data: Mapping[str, str] = NO_DATA  # of a measurable one
     lead: complex | None = None  # where the thin line begins
 
     @property
@@ -61,27 +60,17 @@ class ForceArrow(NamedTuple):
             return Group((Line(self.start, self.tip, style), *_open_head(self, hand)), "", self._marked, self.letter)
         head = arrowhead(self.start, self.tip, hand.symbol)
         shaft = Line(self.start, self.tip, hand.result)
-        return Group((shaft,) if head is None else (shaft, head), "", self.data or self._marked, self.letter)
+        return Group((shaft,) if head is None else (shaft, head), "", self._marked, self.letter)
 
     @property
     def _marked(self) -> dict[str, str]:
         return {"kind": "force", "name": plain_name(self.letter), "direction": stated(self.direction)}
 
-    def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
-        """Letter it: one to scale beside its middle, where no other of its polygon ends; a marked one at its end."""
+    def letter_beside(self, labels: Labels, hand: Hand, others: Lines = ()) -> Stroke:
+        """Letter it at its free end, or else beside its shaft, no nearer to `others`."""
         ahead = cmath.phase(self.direction) + (math.pi if self.ending else 0.0)
-        if self.data:
-            return labels.beside((self.start + self.tip) / 2, self.letter, hand.letter, BESIDE, ahead + math.pi / 2)
-        return labels.beside(self.free, self.letter, hand.letter, BESIDE, ahead + ASIDE)
-
-
-def to_scale(
-    letter: str, value: complex, at: complex, scale: Scale, subject: Subject, ending: bool = False
-) -> ForceArrow:
-    """Give a force of a true value at a place on paper, to scale and measurable; its name is its letter."""
-    direction = value / abs(value) if value else 1 + 0j  # of no force the direction is of no account
-    data = subject.data("vector", plain_name(letter), value, scale)
-    return ForceArrow(letter, at, direction, abs(value) / scale.mu, ending, data=data)
+        further = [self.free + share * (self.at - self.free) for share in ALONG]
+        return labels.beside(self.free, self.letter, hand.letter, BESIDE, ahead + ASIDE, others, further)
 
 
 def not_to_scale(
@@ -91,9 +80,11 @@ def not_to_scale(
     return ForceArrow(letter, at, direction / abs(direction), length, ending, unknown)
 
 
-def letters(forces: Iterable[ForceArrow], labels: Labels, hand: Hand) -> Group:
-    """Letter forces, each where the lines of all figures leave room."""
-    return Group(tuple(force.letter_beside(labels, hand) for force in forces))
+def letters(marks: Sequence[ForceArrow | Arm], labels: Labels, hand: Hand) -> Iterator[Stroke]:
+    """Letter forces, or arms, each nearer to its own than to any other of them."""
+    lines = [mark.reach(hand) if isinstance(mark, Arm) else (mark.start, mark.tip) for mark in marks]
+    for k, mark in enumerate(marks):
+        yield mark.letter_beside(labels, hand, (*lines[:k], *lines[k + 1 :]))
 
 
 def _open_head(force: ForceArrow, hand: Hand) -> tuple[Stroke, ...]:

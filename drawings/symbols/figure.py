@@ -5,7 +5,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from drawings.layout.labels import Labels
+from drawings.layout.labels import SHARES, Labels, Lines
 from drawings.layout.picture import Margins, Picture, Place
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Scale
@@ -162,6 +162,7 @@ BEYOND = 4.0  # mm that a line of action is drawn past the foot of the perpendic
 SQUARE = 2.5  # side of the mark of a right angle
 LEAST = 0.5  # mm: a shorter arm is a point on paper
 BESIDE = 1.0  # mm from the perpendicular to its letter
+LETTERED = 7  # places along an arm where its letter may stand: none near its ends, where arms meet
 
 
 class Arm(NamedTuple):
@@ -227,12 +228,17 @@ class Arm(NamedTuple):
         across = (self.about - self.foot) / self.length * side
         return (Polyline((foot + along, foot + along + across, foot + across), False, hand.drafted),)
 
-    def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
-        """Letter it beside its middle, or where its arrows stand outside beside the further one."""
-        middle = sum(self.ends) / 2 if roomy(self.length, hand) else (self.ends[1] + self.reach(hand)[1]) / 2
+    def letter_beside(self, labels: Labels, hand: Hand, others: Lines = ()) -> Stroke:
+        """Letter it beside its middle, or as near to that as it can, or the further arrow of those that stand outside.
+
+        The letter is no nearer to `others`.
+        """
+        start, end = self.ends
+        along = [start + share * (end - start) for share in SHARES[:LETTERED]]
+        first, *further = along if roomy(self.length, hand) else [(end + self.reach(hand)[1]) / 2]
         across = 1j * (self.foot - self.about) if self.length >= LEAST else 1 + 1j
         above = -across if tied(across.imag) < 0 else across  # as on any dimension line
-        return labels.beside(middle, self.letter, hand.letter, BESIDE, cmath.phase(above))
+        return labels.beside(first, self.letter, hand.letter, BESIDE, cmath.phase(above), others, further)
 
 
 def to_scale(letter: str, about: complex, at: complex, direction: complex, scale: Scale, subject: Subject) -> Arm:

@@ -17,13 +17,11 @@ from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.onlooker import segments
 from drawings.grading.scheme_arrows import arrow_verdicts
 from drawings.lettering.lettering import bounds
-from drawings.page.page import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
-from drawings.symbols.couples import Gear, coupling, spring, to_scale
-from drawings.symbols.figure import Subject
+from drawings.symbols.couples import Gear, coupling, spring
 from geometry.board import at
 from plans.forces.cut import ForcePlan
 from plans.forces.statics import Statics
@@ -42,12 +40,6 @@ def test_the_plates_of_a_coupling_face_each_other_across_its_shaft() -> None:
     first, second, *shafts = coupling(50 + 50j, 1j, HAND)
     assert abs(first.start - second.start) == pytest.approx(1.6) and abs(first.end - first.start) == pytest.approx(12.0)
     assert len(shafts) == 2 and bounds(shafts[0])[3] <= bounds(shafts[1])[1]
-
-
-def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
-    one = to_scale("Φ_5", 0j, 20 + 20j, Scale(20.0, "F", "N"), Subject("forces-4-5", "F", 2))
-    (shaft,) = one.draw(HAND).strokes
-    assert isinstance(shaft, Line) and shaft.start == shaft.end == 20 + 20j
 
 
 # The ram's mass centre is off its pin.

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import shapely
+
 from drawings.checks.hold import distance, labels_of
+from drawings.lettering.lettering import bounds
 from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Circle, Group, Leaf, Text
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
+from tests.drawings.collisions import ink
 
+ROUNDED = 0.1  # mm: a letter just as near to two lines is at both
 CLEAR = 1.0  # mm: marks whose letters may be either's are no nearer to each other, nor is one letter between them
 
 
@@ -26,6 +31,8 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
                 free = all(distance([label], [there]) > far for label in labels[other])
                 if abs(there - at) > CLEAR and distance([own], [there]) < far - CLEAR and free:
                     yield f"{figure.name}: the letter of {name} stands at {other}"
+        for kind in ("force", "vector") if figure.name.startswith(("scheme-", "lever-")) else ():
+            yield from (f"{figure.name}: the letter of {own} is at {other}" for own, other in _strayed(figure, kind))
 
 
 def _points(figure: Group) -> Iterator[tuple[str, complex]]:
@@ -34,3 +41,20 @@ def _points(figure: Group) -> Iterator[tuple[str, complex]]:
             case (Circle() as circle, *_) if group.data.get("kind") in ("point", "pole"):
                 letter = group.title or group.data["name"]
                 yield Text(0j, letter if "{" in letter else with_index(letter)).plain, circle.centre
+
+
+def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
+    """Name the forces, or the arms, whose letter stands nearer to another, or is led from it; or two led crosswise."""
+    lines, crossed = dict[str, shapely.Geometry](), set[tuple[str, str]]()
+    for group in groups((figure,)):
+        if group.data.get("kind") == kind and group.title:
+            own = [ink(stroke).line for stroke in group.strokes if isinstance(stroke, Line)]
+            name = Text(0j, group.title).plain
+            lines[name] = shapely.union_all([*own, lines.get(name)])
+    for name, label in ((own, label) for own in lines for label in labels_of((figure,)).get(own, ())):
+        place = shapely.box(*label.place)
+        leader = shapely.shortest_line(place, shapely.box(*bounds(label.text)))
+        far = place.distance(lines[name]) - ROUNDED
+        yield from ((name, other) for other in lines if place.distance(lines[other]) < far)
+        crossed |= {(name, other) for other in lines if other != name and leader.intersects(lines[other])}
+    yield from (pair for pair in sorted(crossed) if pair[::-1] in crossed)
