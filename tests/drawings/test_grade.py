@@ -178,6 +178,20 @@ def test_a_wrong_table_is_refused(tmp_path: Path, text: str) -> None:
         read_marking(table)
 
 
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("[keeps]\nsign = 1\n\n[pionts]\n", 4),
+        ("[points]\nv = 1\nv_B = -1\n", 3),
+        ('[tolerance]\n# of the drawing\nv_B = "2 kg"\n', 3),
+    ],
+)
+def test_a_wrong_table_is_told_with_its_line(tmp_path: Path, text: str, line: int) -> None:
+    (table := tmp_path / "marks.toml").write_text(text, "utf-8")
+    with pytest.raises(MarkingError, match=rf"marks\.toml:{line}: "):
+        read_marking(table)
+
+
 def test_a_share_may_be_kept_of_each_quantity_that_is_wrong(tmp_path: Path) -> None:
     table = tmp_path / "marks.toml"
     table.write_text("[keeps]\n" + "".join(f"{kind} = 1\n" for kind in OF_QUANTITIES), encoding="utf-8")
