@@ -162,6 +162,14 @@ def test_an_empty_table_is_told_once_and_an_empty_plan_in_its_position() -> None
     assert len(list(gathered([empty[0]._replace(kind="right"), *empty[1:]]))) == 13
 
 
+def test_a_row_names_each_mistake_though_a_whole_column_is_told_as_one() -> None:
+    lacking = [Verdict("table output", k, name, "missing") for k in range(3) for name in ("S", "v")]
+    there = [Verdict("table output", k, "a", kind) for k, kind in enumerate(("sign", "right", "wrong"))]
+    told = row(Path("own.svg"), Graded("mistakes", (*lacking, *there)), Marking(), "en")[-1].split("; ")
+    assert [any(f" {name}" in one for one in told) for name in ("S", "v")] == [True, True]
+    assert len(told) == 4
+
+
 @pytest.mark.parametrize(
     "text",
     [
