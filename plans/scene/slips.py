@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from plans.scene.faults import Fault, dotted
 from plans.scene.guard import GUARD, STRING, Places, line_column
-from plans.scene.source import in_one_alphabet
 from plans.words.words import ENGLISH, Message, words
 from plans.words.words import message as said_by
 
@@ -25,14 +24,17 @@ LOOKALIKES: Mapping[str, str] = {
 }
 
 
-def slips(text: str, file: str, message: str) -> list[Fault]:
-    """Give the first slips of a refused text: while each is one of its own line, the rest is read without that line."""
+def slips(text: str, file: str, message: str, written: Callable[[str], str]) -> list[Fault]:
+    """Give the first slips of a refused text: while each is of a line of its own, the rest is read without that line.
+
+    `written` gives the text as it is read.
+    """
     found = [slip(text, file, message)]
     while len(found) < SLIPS_LIMIT and _alone(text, found[-1].line):
         lines = text.split("\n")
         text = "\n".join([*lines[: found[-1].line - 1], "", *lines[found[-1].line :]])
         try:
-            tomllib.loads(in_one_alphabet(text))
+            tomllib.loads(written(text))
             break
         except ValueError as error:
             further = slip(text, file, str(error))
