@@ -18,11 +18,11 @@ from drawings.grading.class_list import grade_all, grade_own
 from drawings.grading.feedback import HEAD, feedback, is_plain, lines, plain, plain_name, row
 from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import Hints, idle_keys, sheet_task
-from drawings.grading.verdict import Marking, MarkingError, read_marking
+from drawings.grading.verdict import Marking, read_marking
 from drawings.paper.limits import SHEET_BYTES
 from drawings.redrawn import Originals
 from geometry.errors import regular_bytes
-from plans.words.words import message, word
+from plans.words.words import word
 
 # The exit codes of a class: the gravest first.
 CODES = {OURS: 1, UNREAD: 5, FAIL: 4, PASS: 0}
@@ -56,13 +56,8 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:
-    named = {}
-    for name, text in marking.tolerance.items():
-        read = allowance(text)
-        if read is None:
-            raise MarkingError(message("grade.marks.tolerance", file=options.marks, name=f"tolerance.{name}"))
-        named[name] = read
-    return Allowances(options.tolerance, named)
+    read = {name: allowance(text) for name, text in marking.tolerance.items()}
+    return Allowances(options.tolerance, {name: allowed for name, allowed in read.items() if allowed is not None})
 
 
 def _print(

@@ -130,7 +130,8 @@ def row(path: Path, graded: Graded, marking: Marking, language: str) -> list[str
     won, most = points_of(graded.verdicts, marking)
     points = [f"{won:g}", f"{most:g}"] if graded.reason is None else ["", ""]
     counts = [str(sum(said.kind == kind for said in graded.verdicts)) for kind in (RIGHT, FOLLOWS)]
-    lost = (said for said in gathered(graded.verdicts) if said in graded.wrong or not said.name)
+    unlost = (*verdict.GOOD, *verdict.UNGRADED)
+    lost = (said for said in gathered(graded.verdicts) if said.kind not in unlost or not said.name)
     reason = graded.reason
     what = "; ".join(_worded(said, language) for said in lost) if reason is None else reason.worded(language)
     cells = [plain_name(path), graded.outcome, *points, *counts, str(len(graded.wrong)), what]

@@ -9,8 +9,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from drawings.grading.allowance import allowance
 from drawings.paper.limits import TEXT_LENGTH
 from geometry.errors import DraftError, regular_bytes
+from plans.scene.guard import Places, line_column
 from plans.words.words import message
 
 RIGHT, FOLLOWS = "right", "follows"
@@ -162,26 +164,30 @@ def read_marking(path: Path) -> Marking:
     if len(source) > TEXT_LENGTH:
         raise MarkingError(message("grade.marks.long", file=path, limit=TEXT_LENGTH))
     try:
-        tables = tomllib.loads(source.decode("utf-8"))
+        tables = tomllib.loads(text := source.decode("utf-8"))
     except (ValueError, RecursionError) as error:  # also the plain ValueError of an integer with thousands of digits
         raise MarkingError(message("grade.marks.toml", file=path, error=str(error))) from None
     for name, table in tables.items():
         if name not in TABLES or not isinstance(table, dict):
-            raise MarkingError(message("grade.marks.table", file=path, name=name, names=tuple(TABLES)))
+            raise MarkingError(message("grade.marks.table", file=_at(path, text, name), name=name, names=tuple(TABLES)))
         for key, value in table.items():
-            _held(path, name, key, value)
+            _held(_at(path, text, name, key), name, key, value)
     return Marking(**{name: tables.get(name, {}) for name in TABLES})
 
 
-def _held(path: Path, table: str, key: str, value: object) -> None:
+def _at(path: Path, text: str, *keys: str) -> str:
+    return f"{path}:{line_column(text, Places(text).offset(keys))[0]}"
+
+
+def _held(file: str, table: str, key: str, value: object) -> None:
     """Hold a row of a table of marks to what it may say."""
     name, (most, kinds) = f"{table}.{key}", TABLES[table]
     if kinds and key not in kinds:
-        raise MarkingError(message("grade.marks.kind", file=path, name=name, names=kinds))
-    if not most and not isinstance(value, str):
-        raise MarkingError(message("grade.marks.tolerance", file=path, name=name))
+        raise MarkingError(message("grade.marks.kind", file=file, name=name, names=kinds))
+    if not most and (not isinstance(value, str) or allowance(value) is None):
+        raise MarkingError(message("grade.marks.tolerance", file=file, name=name))
     if most and (not isinstance(value, int | float) or isinstance(value, bool) or not 0 <= value <= most):
-        raise MarkingError(message("grade.marks.number", file=path, name=name, most=f"{most:.0f}"))
+        raise MarkingError(message("grade.marks.number", file=file, name=name, most=f"{most:.0f}"))
 
 
 def points_of(verdicts: Sequence[Verdict], marking: Marking) -> tuple[float, float]:

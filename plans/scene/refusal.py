@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import copy
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
 from plans.scene.forms import needing
-from plans.scene.readers import Refusal, Refused
+from plans.scene.readers import REFUSED, Refusal, Refused
 from plans.scene.source import Source, with_points
-from plans.scene.tables import Kinds, Missing, holders_of, tables_of
+from plans.scene.tables import REQUIRED, Kinds, Missing, holders_of, tables_of
 from plans.scene.units import type_name
 from plans.words.words import Message, message
 
@@ -76,15 +77,32 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
         return source.fault(path, "missing_for" if why else "missing", **details)
     if refusal.kind == "unknown_key":
         return _unknown_key(path, source, tables)
-    if refusal.kind in ("not_a_list", "not_a_table"):
-        wanted, lines = ("a table" if refusal.kind == "not_a_table" else "a list"), "a table of key = value lines"
+    if refusal.kind == "not_a_table":
+        return _bare(refusal, source, tables)
+    if refusal.kind == "not_a_list":
         several = message("example.list", name=dotted(path)) if (*path, "*") in tables else f"{path[-1]} = [...]"
-        shown = {"found": type_name(refusal.value), "example": lines if wanted == "a table" else several}
-        return source.fault(path, "wrong_type", wanted=wanted, **shown)
+        return source.fault(path, "wrong_type", wanted="a list", found=type_name(refusal.value), example=several)
     if refusal.kind == "pair" and (pointed := with_points(source.places.written(path))).count(",") == 1:
         advice = message("advice.decimal_comma", written=pointed)
         return source.fault(path, "pair", **{**refusal.details, "advice": advice})
     return source.fault(path, refusal.kind, **refusal.details)
+
+
+def _bare(refusal: Refusal, source: Source, tables: Tables) -> Fault:
+    """Make the fault of a bare value where a table belongs: its keys, and the value under the first that takes it."""
+    path, pattern = refusal.path, _pattern(refusal.path, tables)
+    holders = holders_of(tables[pattern]) if pattern else {}
+    keys = {name: kinds[0].keys[name] for name, kinds in holders.items()}
+    fits = next((name for name, known in keys.items() if known.field.read(refusal.value, (), []) is not REFUSED), "")
+    missing = [known.missing for known in keys.values() if known.default is REQUIRED and known.missing]
+    asked = [known.example.partition(", or ")[0] for known in missing]
+    lines = [f"{fits} = {source.places.written(path)}"] * bool(fits)
+    lines += [line for line in asked if re.match(rf"(?!{fits} =)\w+ = ", line)]
+    stated = _missing(path, tables).example
+    inline = f"{{ {', '.join(lines)} }}" if lines else "a table of key = value lines"
+    wanted = message("example.keys", keys=", ".join(keys)) if keys else "a table"
+    shown = {"found": type_name(refusal.value), "example": stated if stated.startswith("[") else inline}
+    return source.fault(path, "wrong_type", wanted=wanted, **shown)
 
 
 def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:

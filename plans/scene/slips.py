@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
 
 from plans.scene.faults import Fault, dotted
 from plans.scene.guard import GUARD, STRING, Places, line_column
 from plans.words.words import ENGLISH, Message, words
 from plans.words.words import message as said_by
 
+SLIPS_LIMIT = 8  # told of one text at once
 TWICE = r"overwrite|twice|[Dd]uplicate|mutate|[Cc]annot redefine"  # what tomllib says of a name defined again
 # Signs that word processors and other keyboards put in place of the ASCII ones, with what should stand there.
 LOOKALIKES: Mapping[str, str] = {
@@ -20,6 +22,38 @@ LOOKALIKES: Mapping[str, str] = {
     **{chr(0xFF10 + digit): str(digit) for digit in range(10)},
     **dict(zip("＝［］｛｝，．", "=[]{},.", strict=True)),
 }
+
+
+def slips(text: str, file: str, message: str, written: Callable[[str], str]) -> list[Fault]:
+    """Give the first slips of a refused text: while each is of a line of its own, the rest is read without that line.
+
+    `written` gives the text as it is read.
+    """
+    found = [slip(text, file, message)]
+    while len(found) < SLIPS_LIMIT and _alone(text, found[-1].line):
+        lines = text.split("\n")
+        text = "\n".join([*lines[: found[-1].line - 1], "", *lines[found[-1].line :]])
+        try:
+            tomllib.loads(written(text))
+            break
+        except ValueError as error:
+            further = slip(text, file, str(error))
+        if not _alone(text, further.line):
+            break  # it may follow from what was left out
+        found.append(further)
+    return found
+
+
+def _alone(text: str, line: int) -> bool:
+    """Tell whether a line is a whole one, "key = value": within no bracket or string, and opening none."""
+    lines = text.split("\n")
+    start = len("\n".join(["", *lines[: line - 1]]))
+    end, depth = start + len(lines[line - 1]), {True: 0, False: 0}  # brackets open before the line, and in it
+    for token in GUARD.finditer(text, 0, end + 1):
+        if token.start() < start < token.end() or token.end() > end:
+            return False
+        depth[token.start() < start] += {"opens": 1, "closes": -1}.get(token.lastgroup or "", 0)
+    return not any(depth.values()) and re.match(r"\s*[^\s\[#][^\n]*=", lines[line - 1]) is not None
 
 
 def slip(text: str, file: str, message: str) -> Fault:

@@ -151,10 +151,10 @@ def parse_source(text: str, file: str) -> Source:
     try:
         source = Source(file, text, tomllib.loads(in_one_alphabet(text), parse_float=decimal), marked)
     except ValueError as error:
-        from plans.scene.slips import slip  # noqa: PLC0415  (only a refused text pays for it)
+        from plans.scene.slips import slips  # noqa: PLC0415  (only a refused text pays for it)
 
         # Also the plain ValueError of an integer with thousands of digits.
-        raise SceneError([slip(text, file, str(error))]) from None
+        raise SceneError(slips(text, file, str(error), in_one_alphabet)) from None
     if re.search(HEXADECIMAL, text):
         coded = [path for path in source.places.values() if re.match(HEXADECIMAL, source.places.written(path))]
         if coded:

@@ -162,6 +162,14 @@ def test_an_empty_table_is_told_once_and_an_empty_plan_in_its_position() -> None
     assert len(list(gathered([empty[0]._replace(kind="right"), *empty[1:]]))) == 13
 
 
+def test_a_row_names_each_mistake_though_a_whole_column_is_told_as_one() -> None:
+    lacking = [Verdict("table output", k, name, "missing") for k in range(3) for name in ("S", "v")]
+    there = [Verdict("table output", k, "a", kind) for k, kind in enumerate(("sign", "right", "wrong"))]
+    told = row(Path("own.svg"), Graded("mistakes", (*lacking, *there)), Marking(), "en")[-1].split("; ")
+    assert [any(f" {name}" in one for one in told) for name in ("S", "v")] == [True, True]
+    assert len(told) == 4
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -175,6 +183,20 @@ def test_a_wrong_table_is_refused(tmp_path: Path, text: str) -> None:
     table = tmp_path / "marks.toml"
     table.write_text(text, encoding="utf-8")
     with pytest.raises(MarkingError, match=r"marks\.toml"):
+        read_marking(table)
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("[keeps]\nsign = 1\n\n[pionts]\n", 4),
+        ("[points]\nv = 1\nv_B = -1\n", 3),
+        ('[tolerance]\n# of the drawing\nv_B = "2 kg"\n', 3),
+    ],
+)
+def test_a_wrong_table_is_told_with_its_line(tmp_path: Path, text: str, line: int) -> None:
+    (table := tmp_path / "marks.toml").write_text(text, "utf-8")
+    with pytest.raises(MarkingError, match=rf"marks\.toml:{line}: "):
         read_marking(table)
 
 
