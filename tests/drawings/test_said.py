@@ -182,7 +182,7 @@ ROWS = {
     ),
     "a heavy shaft has enough energy": Row(text(asked=f"{NO_FLYWHEEL}\nshafts = [{{ inertia = 40 }}]"), [], [STOPS]),
     "rounding is nothing: weights do no work over a turn": Row(
-        text("[loads]\ngravity = 9.81\n", "positions = 12"), ["| 0 |"], ["0.0000000000"]
+        text("[loads]\ngravity = 9.81\n", "positions = 12"), ["| 0 |"], ["0.0000000000", "·10⁻¹⁶ J", "·10⁻¹⁷ J"]
     ),
     "rotation and working stroke where no forces are drawn": Row(
         text().replace("120 rpm", "-120 rpm"),
@@ -193,7 +193,7 @@ ROWS = {
         ],
     ),
     "loads that drive": Row(
-        text(PLANING.replace('against = "motion"', "direction = 180")), ["has the wrong direction"]
+        text(PLANING.replace('against = "motion"', "direction = 180")), ["one of them has the wrong direction"]
     ),
     "a scene that draws no such sheet": Row(
         text().replace('sheets = ["dynamics"]', 'sheets = ["positions"]'),

@@ -38,6 +38,7 @@ SCENES |= SOUND | TEXTS
 # signs cannot be seen, that travel rises, that a number is none, that two places or links are one, that one length is
 # more than another, that an order is one of a list.
 UNSEEN = {
+    "a14_decimal_comma_in_text",
     "b04_nan", "b21_repeated_position", "b_diagram_of_unequal_lists", "c01_point_twice_in_a_link",
     "c02_two_codings_of_a_letter", "c03_hidden_sign_in_a_title", "d13_guide_of_equal_points",
     "g08_diagram_of_travel_that_falls", "g08_diagram_that_covers_a_part_of_the_stroke", "j03_planes_coincide",
@@ -51,9 +52,9 @@ def readable(text: str) -> dict[str, Any] | None:
     """Give the tables of a scene that is TOML at all."""
     try:
         parse_source(text, "scene.toml")
-    except (SceneError, LimitError):
+        return tomllib.loads(text)
+    except (SceneError, LimitError, tomllib.TOMLDecodeError):  # keys in Cyrillic are the reader's alone
         return None
-    return tomllib.loads(text)
 
 
 @cache
