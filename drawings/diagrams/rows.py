@@ -28,6 +28,7 @@ SLIDING, TURNING = ("S", "v", "a"), ("ψ", "ω", "ε")
 AHEAD = ("Δψ", "Δω", "ε")  # of an output that turns fully: what it is ahead of an even turn
 STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
 GREATEST, LEAST = "Δφ greatest", "Δφ least"
+STEEP = 30.0  # times higher than all the rest a peak between positions leaves of it less than 2 mm of a row
 NOUGHT = 1e-9  # of what the row above would make it: a rounding, which no scale is told of
 
 
@@ -118,7 +119,9 @@ def _by_chords(row: DiagramRow, diagrams: DiagramsStudy, places: Floats) -> Diag
     flat = bool(np.nanmax(np.abs(values), initial=0.0) <= NOUGHT * diagrams.course.omega * above)
     results = () if flat else tuple(_smooth(found.axis, places, values))
     chords = Plot(places[there], values[there])
-    return row._replace(results=results, thin=() if flat else row.results, chords=chords, off=off, flat=flat)
+    rest = max(np.nanmax(np.abs(of), initial=0.0) for of in (values, row.at))
+    steep = any(np.nanmax(np.abs(curve.y), initial=0.0) > STEEP * rest for curve in row.results)
+    return row._replace(results=results, thin=() if flat or steep else row.results, chords=chords, off=off, flat=flat)
 
 
 def _even(found: Diagrams, dense: list[OutputRates]) -> list[Floats]:
@@ -231,7 +234,7 @@ class DiagramsPlate(RowPlate[DiagramRow]):
         else:
             above = self.rows[self.place(row) - 1].letter
             by = self.drafting.word("diagram by chords", above=above, pole=self.pole_letters(row)[0])
-            yield "".join((by, *self._off(row)))
+            yield "".join((by, *self._off(row), "" if row.thin else self.drafting.word("diagram steep")))
 
     def _off(self, row: DiagramRow) -> Iterator[str]:
         """Tell how far the chords are off at the most, and where."""
