@@ -15,7 +15,7 @@ from typing import Final, NamedTuple, TypeAlias, TypeGuard
 import numpy as np
 
 from drawings.checks.expected import Wrong, on
-from drawings.lettering.words import WRITTEN, number, numerals
+from drawings.lettering.words import WRITTEN, last_place, number, numerals
 from drawings.page.frame import NUMBERS
 from drawings.page.page import BLOCK
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
@@ -47,8 +47,7 @@ def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
     found = value(text)
     if found is None:
         return False
-    mantissa, _, power = numerals(text).partition("e")
-    last: float = int(power or 0) - len(mantissa.partition(".")[2])
+    last: float = last_place(text)
     if digits:
         last = math.floor(math.log10(abs(true))) + 1 - digits if true else -math.inf
     return abs(found - true) <= 0.5000001 * math.pow(10.0, last) + 1e-9 * abs(true) + slack
@@ -74,7 +73,7 @@ def marked_scales(leaf: Leaf) -> Iterator[Message]:
         drawn |= {("", part.states.scale) for part in tree if part.states is not None and part.states.kind is Kind.AXIS}
         for letter, mu in drawn if everywhere else ():
             stated = scale.get(letter) or everywhere
-            if not any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in stated):
+            if not any(size == numerals(number(1 / mu if symbol == "K" else mu)) for symbol, size in stated):
                 yield message("wrong.scale", text=figure.name)
 
 

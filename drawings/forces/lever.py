@@ -21,8 +21,7 @@ from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Kind, Line, LineStyle, Statement, Stroke
 from drawings.paper.walk import stating, tied, tied_spot
-from drawings.symbols.couples import ForceArrow, not_to_scale
-from drawings.symbols.couples import letters as letter_each
+from drawings.symbols.couples import ForceArrow, letter_each, not_to_scale
 from drawings.symbols.figure import LEAST as LEAST_ARM
 from drawings.symbols.figure import Arm, Subject, around, heading, heading_width, plain_name, point, to_scale
 from drawings.symbols.symbols import HINGE, POINT, STAND, fixed_hinge

@@ -27,8 +27,7 @@ from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
-from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, ForceArrow, Gear, not_to_scale
-from drawings.symbols.couples import letters as letter_each
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, ForceArrow, Gear, letter_each, not_to_scale
 from drawings.symbols.figure import LINE, Arm, Dimension, Subject, heading, plain_name, to_scale
 from drawings.symbols.symbols import BLOCK, MASS, fit_dashes
 from plans.forces.drive import DRIVING

@@ -179,7 +179,7 @@ def _numbers(value: Any) -> Iterator[float]:
                 yield from _numbers(part)
 
 
-SCALE = re.compile(r"([μK]_?(\{[^{}]*\}|[^\s=]+))(\s*=\s*)[\d.,]+(\s*(?:\([^()]*\)|1)?[^\d;()]*)")
+SCALE = re.compile(rf"([μK]_?(\{{[^{{}}]*\}}|[^\s=]+))(\s*=\s*){WRITTEN}(\s*(?:\([^()]*\)|1)?[^\d;()]*)")
 LETTER = re.compile(r"[^\W\d]{1,2}['’ʹ]{0,2}(, \D*(1/\D+)?)?")  # of an axis, with its unit: no number, no name
 VALUED = re.compile(r"=|(^|\s)\d")  # of what no vector is lettered by: a dimension, the ray of an angle
 STEPS = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)  # the sizes of places within each power of ten: the next one is taken

@@ -227,33 +227,41 @@ class BarFigure(ChartFigure):
             ends = tuple(complex(x, chart.bottom - LEVEL * k) for x in (zero, chart.at(row.setting or 0.0)))
             data = Subject(NAME, SYMBOL, None).data("vector", f"{SETTING}{k}", ends[1] - ends[0], self.place.scale)
             start, end = (self.place.on(spot) - 1j * (under + hand.number) for spot in ends)
-            text = self._told(row, abs(end - start))
+            told = self._over(row, start, end)
             heads = (arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol))
-            yield Group((Line(start, end, hand.drafted),), "", data, Text(0j, text).plain)
+            yield Group((Line(start, end, hand.drafted),), "", data, told.plain)
             yield from (head for head in heads if head is not None)
-            yield self._over(start, end, text)
+            yield told
             for spot, tip in zip(ends, (start, end), strict=True):
                 yield Line(self._on(spot.real, chart.bottom) - 1j * under, tip - 1j, hand.drafted)
 
-    def _over(self, start: complex, end: complex, text: str) -> Text:
-        """Write over the middle of a dimension, or where that is too short before it, or past it for want of room."""
-        wide, (first, last) = self._wide(text) + 2 * BESIDE, sorted((start.real, end.real))
-        if wide <= last - first:
-            label = self._text((start + end) / 2, text)
-            return label._replace(at=label.at + 1j * (BESIDE - text_reach(label)[0]))  # a comma hangs below its line
-        before = first - wide >= self._on(-NAMES).real
-        foot = complex(first - 2 * BESIDE if before else last + 2 * BESIDE, start.imag - self.hand.number / 2)
-        return self._text(foot, text, "end" if before else "start")
+    def _over(self, row: BarRow, start: complex, end: complex) -> Text:
+        """Write over the middle of a dimension whose angle it is; where that is too short before it, or past it."""
+        first, last = sorted((start.real, end.real))
+        before, past = first - self._on(-NAMES).real, self._on(TURN).real + PAST - last
+        full, named, bare = self._told(row)
+        foot = start.imag - self.hand.number / 2
+        for text in (full, named, bare):
+            wide = self._wide(text) + 2 * BESIDE
+            if wide <= last - first:
+                label = self._text((start + end) / 2, text)
+                return label._replace(
+                    at=label.at + 1j * (BESIDE - text_reach(label)[0])
+                )  # a comma hangs below its line
+            if text != full and wide <= before:
+                return self._text(complex(first - 2 * BESIDE, foot), text, "end")
+            if text != full and wide <= past:
+                break
+        return self._text(complex(last + 2 * BESIDE, foot), text, "start")
 
-    def _told(self, row: BarRow, room: float) -> str:
-        """Write whose setting angle it is, in words where they have room; of one before 0 what it lacks of a turn."""
+    def _told(self, row: BarRow) -> tuple[str, str, str]:
+        """Write whose setting angle it is: in words, with the name, alone; of one before 0 what it lacks of a turn."""
         setting, back = row.setting or 0.0, self.chart.at(0.0) - self.chart.at(row.setting or 0.0)
         lack = f"360° − {course.degrees(back, self.drafting)} = " if back > 0 else ""
         angle = f"{lack}{course.degrees(within(setting), self.drafting)}"
         text = self.drafting.word("cyclogram setting", angle=angle)
         name = course.name(row, self.drafting)
-        full = self.drafting.word("cyclogram set angle", name=name, angle=text)
-        return full if self._wide(full) + 2 * BESIDE <= room else f"{name}: {text}"
+        return self.drafting.word("cyclogram set angle", name=name, angle=text), f"{name}: {text}", text
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         """Number the positions; a turn ends where it begins."""

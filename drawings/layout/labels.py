@@ -132,12 +132,14 @@ class Labels:
                 if self.ink.under(padded(box, corner)):
                     continue
                 start = spot + cmath.rect(0.7 * gap, angle)
+                if _begins_at(start, 0.7 * gap, others):
+                    continue
                 end = _nearest(box, corner, start)
                 crossed, run = self.ink.along(start, end)
                 cost = reach + 1.5 * TURNED * off + CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
-                if crossed < LETTERED and cost < cheapest and not _begins_at(start, 0.7 * gap, others):
+                if crossed < LETTERED and cost < cheapest:
                     cost += OTHER * sum(crossing((start, end), other) for other in others)
-                    cost += STRAY * any(_off(box, corner, other) < gap + NEAR[-1] for other in others)
+                    cost += STRAY * any(_within(box, corner, other, gap + NEAR[-1]) for other in others)
                     if cost < cheapest:
                         best, cheapest = (start, end, corner), cost
         return best
@@ -179,12 +181,19 @@ def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
 def _strays(box: Box, corner: complex, spot: complex, others: Lines) -> bool:
     """Tell whether a shifted box is nearer to another line than to its own spot."""
     own = _off(box, corner, (spot, spot)) if others else 0.0
-    return any(_off(box, corner, other) < own for other in others)
+    return any(_within(box, corner, other, own) for other in others)
 
 
 def _begins_at(start: complex, gap: float, others: Lines) -> bool:
     """Tell whether a leader begins at another line."""
     return any(tied(abs(start - nearest(*other, start))) < gap for other in others)
+
+
+def _within(box: Box, corner: complex, line: Segment, far: float) -> bool:
+    """Tell whether a line is nearer than `far` mm to a shifted box: most are not even to the circle around it."""
+    left, bottom, right, top = padded(box, corner, 0.0)
+    centre, radius = complex(left + right, bottom + top) / 2, abs(complex(right - left, top - bottom)) / 2
+    return abs(centre - nearest(*line, centre)) - radius < far and _off(box, corner, line) < far
 
 
 def _off(box: Box, corner: complex, line: Segment) -> float:

@@ -78,6 +78,16 @@ def numerals(text: str) -> str:
     return text.translate(LEVEL).replace("·10", "e")
 
 
+def last_place(text: str) -> int:
+    """Give the power of ten that the last digit of a written number counts.
+
+    >>> last_place("−1,2393·10⁻⁷"), last_place("0.02"), last_place("350")
+    (-11, -2, 0)
+    """
+    digits, _, power = text.partition("·10")
+    return int(power.translate(LEVEL) or 0) - len(digits.replace(",", ".").partition(".")[2])
+
+
 def span(values: Iterable[float], language: str = "en") -> str:
     """Write the least and the greatest of some numbers, once where they are written alike.
 

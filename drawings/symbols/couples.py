@@ -80,7 +80,7 @@ def not_to_scale(
     return ForceArrow(letter, at, direction / abs(direction), length, ending, unknown)
 
 
-def letters(marks: Sequence[ForceArrow | Arm], labels: Labels, hand: Hand) -> Iterator[Stroke]:
+def letter_each(marks: Sequence[ForceArrow | Arm], labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter forces, or arms, each nearer to its own than to any other of them."""
     lines = [mark.reach(hand) if isinstance(mark, Arm) else (mark.start, mark.tip) for mark in marks]
     for k, mark in enumerate(marks):

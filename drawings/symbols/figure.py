@@ -162,7 +162,7 @@ BEYOND = 4.0  # mm that a line of action is drawn past the foot of the perpendic
 SQUARE = 2.5  # side of the mark of a right angle
 LEAST = 0.5  # mm: a shorter arm is a point on paper
 BESIDE = 1.0  # mm from the perpendicular to its letter
-LETTERED = 7  # places along an arm where its letter may stand: none near its ends, where arms meet
+STATIONS = 7  # places along an arm where its letter may stand: none near its ends, where arms meet
 
 
 class Arm(NamedTuple):
@@ -234,7 +234,7 @@ class Arm(NamedTuple):
         The letter is no nearer to `others`.
         """
         start, end = self.ends
-        along = [start + share * (end - start) for share in SHARES[:LETTERED]]
+        along = [start + share * (end - start) for share in SHARES[:STATIONS]]
         first, *further = along if roomy(self.length, hand) else [(end + self.reach(hand)[1]) / 2]
         across = 1j * (self.foot - self.about) if self.length >= LEAST else 1 + 1j
         above = -across if tied(across.imag) < 0 else across  # as on any dimension line

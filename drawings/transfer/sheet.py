@@ -111,7 +111,7 @@ class _TransferSheet:
         yield word("transfer turned", pole=drive.pivot, image=image, end=with_index(drive.end))
         slides = [of.of for of in functions(self.study.linkage.mechanism) if not isinstance(of.of, int)]
         ways = ((one.point, math.degrees(cmath.phase(one.way(FIXED).direction))) for one in slides)
-        if told := "; ".join(f"{with_index(name)} {self.drafting.number(way)}°" for name, way in ways):
+        if told := "; ".join(f"{with_index(name)} {self.drafting.number(round(way, 2))}°" for name, way in ways):
             yield word("transfer along", ways=told)
         yield word("transfer second", crank=drive.link)
         if any(one.equal for one in schemes):

@@ -5,17 +5,19 @@ import math
 import numpy as np
 import pytest
 
-from drawings.kinds import curve_graph, hodograph
+from drawings.kinds import bar_chart, curve_graph, hodograph
 from drawings.kinds.curve_graph import GraphCurve
 from drawings.kinds.hodograph import Hodograph
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
+from drawings.lettering.lettering import bounds
 from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 from drawings.reading.measure import Measured, check, measure
+from plans.model.cyclogram import BarRow
 
 HAND = hand_of("A1")
 AT, DENSE = np.arange(12) * 30.0, np.linspace(0.0, 360.0, 361)
@@ -131,3 +133,14 @@ def test_positions_whose_ends_fall_together_have_one_number_of_them_all() -> Non
     drawn = flat(figure(SHOWN._replace(values=values, ends=ends, shown=0)))
     told = {stroke.plain for stroke in drawn if isinstance(stroke, Text)}
     assert {"0", "2, 10", "6"} <= told and not {"2", "10"} & told
+
+
+@pytest.mark.parametrize("setting", [0.3, 1.3, 2.3, 3.0, 5.9])
+@pytest.mark.parametrize("name", ["clamp", "lever-of-the-feed-into-the-clamp"])
+def test_a_setting_angle_is_told_between_the_names_and_the_end_of_the_turn(name: str, setting: float) -> None:
+    chart, hand = bar_chart.Chart((BarRow(name, (), setting),)), hand_of("A4")
+    room = bar_chart.measure(chart, Drafting(hand, "en"))
+    spot = Spot(Field(0, 0, *room.size(scale := Scale(0.05, "φ", "rad"))), scale)
+    figure = bar_chart.draw(chart, room, spot, Drafting(hand, "en"))
+    told = [stroke for stroke in flat(figure.lines[0]) if isinstance(stroke, Text) and "set" in stroke.plain]
+    assert told and all(-hand.text < bounds(one)[0] and bounds(one)[2] < spot.box.right for one in told)

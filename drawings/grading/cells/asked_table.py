@@ -15,7 +15,7 @@ from drawings.grading.altered import Alteration, alterations
 from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
 from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.written_number import SURE, number
-from drawings.lettering.words import word
+from drawings.lettering.words import last_place, word
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, stated, texts
 from drawings.reading.alphabet import folded
@@ -229,7 +229,7 @@ class _Own:
         written = number((Text(0j, plain),))
         off = abs(written.value - value) if written is not None and value else 0.0
         rough = off <= 0.5 * 10.0 ** (math.floor(math.log10(abs(value) or 1.0)) + 1 - SURE)
-        half = 0.5 * 10.0 ** -len(plain.replace(",", ".").partition(".")[2])
+        half = 0.5 * 10.0 ** last_place(plain)
         return max(half, off if rough else 0.0) + expected.allowed + ROUNDED * abs(value)
 
     def _called(self, key: Key, quantity: str) -> tuple[str, str]:
