@@ -74,7 +74,7 @@ class PlateFrame:
             heights[SPEEDS] = max(heights[SPEEDS], self._beside)
         if WORKS in found:
             heights |= self._integrated(self._shared)
-        if SURPLUS in found:
+        if SURPLUS in found and self._high(SURPLUS):  # of nothing it would fill all
             spare = total - sum(heights.values())
             heights[SURPLUS] = max(heights[SURPLUS], self._filled(SURPLUS, heights[SURPLUS] + spare))
         if WORKS in found:
