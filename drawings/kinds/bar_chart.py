@@ -50,6 +50,11 @@ class Chart(NamedTuple):
         """The rows with a setting angle."""
         return tuple(row for row in self.rows if row.setting)
 
+    def level(self, row: BarRow) -> int:
+        """Give the level of a setting angle: the shortest is nearest to the chart, so none is crossed."""
+        sizes = {one: abs(self.at(one.setting or 0.0) - self.at(0.0)) for one in self.settings}
+        return 1 + sorted(sizes, key=lambda one: sizes[one]).index(row)
+
     @property
     def bottom(self) -> float:
         """The ordinate of the abscissa."""
@@ -224,7 +229,8 @@ class BarFigure(ChartFigure):
         hand, chart, zero = self.hand, self.chart, self.chart.at(0.0)
         under = TICK + 2 * BESIDE + hand.number  # the degrees of the abscissa
         for k, row in enumerate(chart.settings, 1):
-            ends = tuple(complex(x, chart.bottom - LEVEL * k) for x in (zero, chart.at(row.setting or 0.0)))
+            low = chart.bottom - LEVEL * chart.level(row)
+            ends = tuple(complex(x, low) for x in (zero, chart.at(row.setting or 0.0)))
             data = Subject(NAME, SYMBOL, None).data("vector", f"{SETTING}{k}", ends[1] - ends[0], self.place.scale)
             start, end = (self.place.on(spot) - 1j * (under + hand.number) for spot in ends)
             told = self._over(row, start, end)
@@ -245,9 +251,8 @@ class BarFigure(ChartFigure):
             wide = self._wide(text) + 2 * BESIDE
             if wide <= last - first:
                 label = self._text((start + end) / 2, text)
-                return label._replace(
-                    at=label.at + 1j * (BESIDE - text_reach(label)[0])
-                )  # a comma hangs below its line
+                # A comma hangs below its line
+                return label._replace(at=label.at + 1j * (BESIDE - text_reach(label)[0]))
             if text != full and wide <= before:
                 return self._text(complex(first - 2 * BESIDE, foot), text, "end")
             if text != full and wide <= past:

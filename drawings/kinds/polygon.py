@@ -143,13 +143,14 @@ def carriers(arrows: Sequence[LaidVector], place: Place, hand: Hand) -> list[Str
 
 
 def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float]], labels: Labels) -> list[Stroke]:
-    """Letter each vector on its outer side, the shortest served first; `mark` gives a name's letter and its size."""
+    """Letter each vector on its outer side, nearest to it, the shortest first; `mark` gives its letter and size."""
     spots = [end for arrow in arrows for end in arrow.ends]
     middle = sum(spots, 0j) / max(len(spots), 1)
     strokes = []
     for vector, (start, end), shift in sorted(arrows, key=lambda arrow: tied(abs(arrow.ends[1] - arrow.ends[0]))):
         outward = shift or tied_spot((start + end) / 2 - middle) or 1j
-        strokes.append(labels.along(start, end, *mark(vector.name), BESIDE, cmath.phase(outward)))
+        others = [arrow.ends for arrow in arrows if arrow.vector is not vector]
+        strokes.append(labels.along(start, end, *mark(vector.name), BESIDE, cmath.phase(outward), others))
     return strokes
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from itertools import product
 from typing import TypeAlias
 
@@ -64,7 +65,7 @@ class Labels:
             near = self._near(spot, box, gap, prefer, others)
             if not self.ink.under(padded(box, near)):
                 bare.append(near)
-                if not _strays(box, near, spot, others):
+                if not _strays(box, near, (spot, spot), others):
                     return self._written(near, content, size)
         led = self._led(spots, box, gap, prefer, (*others, *self._leaders))
         led = led or (None if bare else self._led(spots, box, gap, prefer))
@@ -86,8 +87,13 @@ class Labels:
         near = self._near(point, box, gap, prefer)
         return None if self.ink.under(padded(box, near)) else self.free(point, content, size, gap, prefer)
 
-    def along(self, start: complex, end: complex, content: str, size: float, gap: float, prefer: float) -> Stroke:
-        """Place a label `gap` mm beside a line, near its middle if it can, else as beside a point of it."""
+    def along(
+        self, start: complex, end: complex, content: str, size: float, gap: float, prefer: float, others: Lines = ()
+    ) -> Stroke:
+        """Place a label `gap` mm beside a line, near its middle if it can, else as beside points of it.
+
+        It is to be no nearer to `others`, which have labels of their own.
+        """
         box = bounds(Text(0j, content, size, "start", self._slanted))
         across = 1j * (end - start) / abs(end - start)
         if tied((across * cmath.rect(1.0, -prefer)).real) < 0:
@@ -97,9 +103,10 @@ class Labels:
         for share in SHARES:
             for side in (across, -across):
                 corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
-                if not self.ink.under(padded(box, corner, WELL_CLEAR)):
+                if not (self.ink.under(padded(box, corner, WELL_CLEAR)) or _strays(box, corner, (start, end), others)):
                     return self._written(corner, content, size)
-        return self.beside((start + end) / 2, content, size, gap, cmath.phase(across))
+        further = [start + share * (end - start) for share in (SHARES[3:5] if others else ())]
+        return self.beside((start + end) / 2, content, size, gap, cmath.phase(across), others, further)
 
     def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Lines = ()) -> complex:
         """Find the freest place beside a point; one that covers nothing is taken before any other."""
@@ -113,7 +120,7 @@ class Labels:
                     break
                 corner = _touching(point, box, gap + reach, angle)
                 cost = self.ink.under(padded(box, corner)) + least
-                if cost < cheapest and (cost := cost + STRAY * _strays(box, corner, point, others)) < cheapest:
+                if cost < cheapest and (cost := cost + STRAY * _strays(box, corner, (point, point), others)) < cheapest:
                     best, cheapest = corner, cost
         return best
 
@@ -121,7 +128,7 @@ class Labels:
         self, spots: Spots, box: Box, gap: float, prefer: float, others: Lines = ()
     ) -> tuple[complex, complex, complex] | None:
         """Find a free place further off, and the leader to it: from beside a point to the label's nearer edge."""
-        best, cheapest = None, math.inf
+        best, cheapest, beginning = None, math.inf, cache(lambda start: _begins_at(start, 0.7 * gap, others))
         for reach, spot in product(LED, spots):
             if cheapest <= reach:
                 break
@@ -132,13 +139,15 @@ class Labels:
                 if self.ink.under(padded(box, corner)):
                     continue
                 start = spot + cmath.rect(0.7 * gap, angle)
-                if _begins_at(start, 0.7 * gap, others):
+                if beginning(start):
                     continue
                 end = _nearest(box, corner, start)
+                cost = reach + 1.5 * TURNED * off + OTHER * sum(crossing((start, end), other) for other in others)
+                if cost >= cheapest:
+                    continue
                 crossed, run = self.ink.along(start, end)
-                cost = reach + 1.5 * TURNED * off + CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
+                cost += CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
                 if crossed < LETTERED and cost < cheapest:
-                    cost += OTHER * sum(crossing((start, end), other) for other in others)
                     cost += STRAY * any(_within(box, corner, other, gap + NEAR[-1]) for other in others)
                     if cost < cheapest:
                         best, cheapest = (start, end, corner), cost
@@ -178,9 +187,9 @@ def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
     return centre - half - complex(left, bottom)
 
 
-def _strays(box: Box, corner: complex, spot: complex, others: Lines) -> bool:
-    """Tell whether a shifted box is nearer to another line than to its own spot."""
-    own = _off(box, corner, (spot, spot)) if others else 0.0
+def _strays(box: Box, corner: complex, line: Segment, others: Lines) -> bool:
+    """Tell whether a shifted box is nearer to another line than to its own."""
+    own = _off(box, corner, line) if others else 0.0
     return any(_within(box, corner, other, own) for other in others)
 
 

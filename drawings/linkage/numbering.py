@@ -298,13 +298,10 @@ def _join(station: NumberedPlace, chosen: list[NumberedPlace], place: Place, han
     for k, other in enumerate(chosen):
         apart = abs(place.on(station.spot) - place.on(other.spot))
         if other.back == station.back and apart < TOGETHER * hand.number:
-            chosen[k] = other._replace(name=", ".join(sorted((*other.name.split(", "), station.name), key=_order)))
+            names = sorted((*other.name.split(", "), station.name), key=lambda name: (int(name.rstrip("'")), name))
+            chosen[k] = other._replace(name=", ".join(names))
             return
     chosen.append(station)
-
-
-def _order(name: str) -> tuple[int, str]:
-    return int(name.rstrip("'")), name
 
 
 def _uncrowded(first: list[NumberedPlace], rest: list[NumberedPlace], place: Place, hand: Hand) -> list[NumberedPlace]:

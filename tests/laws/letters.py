@@ -15,6 +15,7 @@ from drawings.paper.walk import groups
 from tests.drawings.collisions import ink
 
 ROUNDED = 0.1  # mm: a letter just as near to two lines is at both
+DRAWN = ("scheme-", "lever-", "forces-", "couples")  # figures whose vectors are lettered
 CLEAR = 1.0  # mm: marks whose letters may be either's are no nearer to each other, nor is one letter between them
 
 
@@ -31,7 +32,7 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
                 free = all(distance([label], [there]) > far for label in labels[other])
                 if abs(there - at) > CLEAR and distance([own], [there]) < far - CLEAR and free:
                     yield f"{figure.name}: the letter of {name} stands at {other}"
-        for kind in ("force", "vector") if figure.name.startswith(("scheme-", "lever-")) else ():
+        for kind in ("force", "vector") if figure.name.startswith(DRAWN) else ():
             yield from (f"{figure.name}: the letter of {own} is at {other}" for own, other in _strayed(figure, kind))
 
 
@@ -51,7 +52,8 @@ def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
             own = [ink(stroke).line for stroke in group.strokes if isinstance(stroke, Line)]
             name = Text(0j, group.title).plain
             lines[name] = shapely.union_all([*own, lines.get(name)])
-    for name, label in ((own, label) for own in lines for label in labels_of((figure,)).get(own, ())):
+    letters = ((own, label) for own in lines for label in labels_of((figure,)).get(own, ()))
+    for name, label in ((own, label) for own, label in letters if label.text.plain == own):  # no heading
         place = shapely.box(*label.place)
         leader = shapely.shortest_line(place, shapely.box(*bounds(label.text)))
         far = place.distance(lines[name]) - ROUNDED

@@ -21,7 +21,6 @@ CELLS = {
     "issued": TitleCell(135, 0, 24, 12),
     "code": TitleCell(159, 0, 9.5, 12), "sheet": TitleCell(168.5, 0, 11.5, 12),
 }  # fmt: skip
-MANDATORY = ("owner", "number", "issued", "sheet", "title", "approval", "creator", "type")
 # The entry of the scene that each field shows as it is.
 GIVEN = {
     "department": "group", "checked by": "checked", "creator": "drawn", "approval": "approved", "scale": "scale",
