@@ -45,15 +45,12 @@ def _points(figure: Group) -> Iterator[tuple[str, complex]]:
 
 
 def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
-    """Name the forces, or the arms, whose letter stands nearer to another, or is led from it; or two led crosswise."""
-    lines, crossed = dict[str, shapely.Geometry](), set[tuple[str, str]]()
-    for group in groups((figure,)):
-        if group.data.get("kind") == kind and group.title:
-            own = [ink(stroke).line for stroke in group.strokes if isinstance(stroke, Line)]
-            name = Text(0j, group.title).plain
-            lines[name] = shapely.union_all([*own, lines.get(name)])
-    letters = ((own, label) for own in lines for label in labels_of((figure,)).get(own, ()))
-    for name, label in ((own, label) for own, label in letters if label.text.plain == own):  # no heading
+    """Name the vectors whose letter stands nearer to another, or is led from it; or two that are led crosswise."""
+    lines, crossed, labels = dict[str, shapely.Geometry](), set[tuple[str, str]](), labels_of((figure,))
+    for group in (group for group in groups((figure,)) if group.data.get("kind") == kind and group.title):
+        shafts, name = [ink(one).line for one in group.strokes if isinstance(one, Line)], Text(0j, group.title).plain
+        lines[name] = shapely.union_all([*shafts, lines.get(name)])
+    for name, label in ((own, label) for own in lines for label in labels.get(own, ()) if label.text.plain == own):
         place = shapely.box(*label.place)
         leader = shapely.shortest_line(place, shapely.box(*bounds(label.text)))
         far = place.distance(lines[name]) - ROUNDED
