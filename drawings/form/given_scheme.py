@@ -19,6 +19,7 @@ from drawings.paper.strokes import GIVEN, Stroke
 from drawings.paper.walk import PLACES
 from drawings.sheets.stated_scales import Exhibit
 from drawings.symbols.figure import heading
+from geometry.errors import DraftError
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import at_angles
 from plans.model.motion import Complexes, Floats
@@ -31,14 +32,22 @@ FLAT = 1e-6  # of the square of a mechanism's size: three points of a smaller tr
 
 def given_scheme(study: Study, drafting: Drafting, size: float) -> Iterator[Exhibit]:
     """Show the mechanism of a task, so many letters large; of a task without one, or that no position has, nothing."""
-    if "linkage" not in study.techniques or (bones := _between(study.of(LinkageStudy))) is None:
+    if (bones := _between(study)) is None:
         return
     room = measured(GIVEN, bones.points, drafting.word("form scheme"), (MARGINS, 0.0), drafting)
     room = room.at(max(room.wide, room.high) / (size * drafting.hand.letter))
     yield Exhibit(Panel(room), partial(_draw, bones, room, drafting=drafting))
 
 
-def _between(study: LinkageStudy) -> Pose | None:
+def _between(task: Study) -> Pose | None:
+    """Give the pose that is shown; a structure of a class that is not constructed has none."""
+    try:
+        return _halfway(task.of(LinkageStudy)) if "linkage" in task.scene.techniques else None
+    except DraftError:
+        return None
+
+
+def _halfway(study: LinkageStudy) -> Pose | None:
     """Give the most general pose half-way between two positions, which is none of those that are sought."""
     phi = study.turn.phi
     for angles in ((phi[:-1] + phi[1:]) / 2, phi):

@@ -151,6 +151,8 @@ def test_a_form_gives_the_scheme_of_its_mechanism_of_which_no_line_is_graded() -
     read = [{text.plain for text in texts(part.groups)} for part in (whole, ungiven(whole))]
     assert ["E" in every for every in read] == [True, False]
     assert "Velocity plan, position 4; position 10: ab" in leaf.description
+    _, (structure,) = form(GALLERY / "spatial-rocker.toml")
+    assert GIVEN in {group.name for group in structure.groups}
 
 
 def planted(leaf: Leaf, *strokes: Any) -> bytes:
