@@ -11,7 +11,7 @@ import numpy as np
 from geometry.board import Mark, behind
 from geometry.hand_error import SlippingHand, slopes
 from plans.explanation import Explanation, NoMark
-from plans.forces.cut import indices
+from plans.forces.cut import CutGroup, ForcePlan, indices
 from plans.forces.drive import BALANCING, DRIVING, balancing_quantity
 from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
@@ -23,6 +23,7 @@ from plans.words.words import Message, message
 if TYPE_CHECKING:
     from geometry.board import Board
     from plans.forces.force_template import ForcePlans
+    from plans.model.motion import Floats
     from plans.study import Study
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
@@ -66,7 +67,7 @@ def _find(board: Board, name: str) -> tuple[Mark | None, Message | None]:
 
 
 # The figures of a force sheet on which each board of the record is drawn.
-FIGURES = {"positions": "scheme-", "forces": "forces-", "lever": "lever"}
+FIGURES = {"positions": "scheme", "forces": "forces"}
 
 
 def forces_by_hand(
@@ -74,29 +75,38 @@ def forces_by_hand(
 ) -> dict[tuple[str, int], float]:
     """Give what a hand may be out on the force sheet of one position, by the names of the findings.
 
-    Arms are measured on the schemes of the groups, and all polygons drawn, each as the coarsest of them: `scales` are
-    those of the figures, true units a mm: "scheme-4-5", "forces-4-5", "lever". Inertia forces and the lever's images
-    are known from the kinematics.
+    Arms are measured on the schemes of the groups, and polygons drawn, each at its own scale or that of one before it
+    which is coarser: `scales` are those of the figures, true units a mm: "scheme-4-5", "forces-4-5", "lever". Inertia
+    forces and the lever's images are known from the kinematics.
     """
     drawn = statics.drafts([position]).plans
-    coarsest = {plan: [mu for n, mu in scales.items() if n.startswith(figure)] for plan, figure in FIGURES.items()}
-    rows = {plan: np.array([max(found)]) for plan, found in coarsest.items() if found}
-    found = errors_by_hand(dict(_forces_read(drawn)), SlippingHand(SLIP, rows), by)
+    coarsest: dict[str, float] = {}
+    alike: dict[tuple[tuple[str, float], ...], dict[str, Mark]] = {}  # what is found at the same scales
+    for cut in drawn.plan.cuts:
+        for board, figure in FIGURES.items():
+            if (mu := scales.get(f"{figure}-{cut.label}")) is not None:
+                coarsest[board] = max(mu, coarsest.get(board, mu))
+        alike.setdefault(tuple(coarsest.items()), {}).update(_forces_read(drawn.plan, cut))
     if drawn.lever is not None:
         name, _, share = balancing_quantity(statics.study.mechanism.drive)
-        hung = errors_by_hand({name: drawn.lever.moment}, SlippingHand(SLIP, rows), by)
-        found[f"{name} lever"] = share * hung[name]
+        rows = {"lever": scales["lever"], **coarsest} if "lever" in scales else coarsest
+        alike.setdefault(tuple(rows.items()), {})[f"{name} lever"] = drawn.lever.moment
+    found: dict[str, Floats] = {}
+    for drawn_at, read in alike.items():
+        found |= errors_by_hand(read, SlippingHand(SLIP, {board: np.array([mu]) for board, mu in drawn_at}), by)
+    if drawn.lever is not None:
+        found[f"{name} lever"] = share * found[f"{name} lever"]
     return {(name, position): float(error[0]) for name, error in found.items()}
 
 
-def _forces_read(drawn: ForcePlans) -> Iterator[tuple[str, Mark]]:
-    """Give where a force plan and its lever show what is read off them, by the names of the findings."""
-    plan = drawn.plan
-    for support in (support for cut in plan.cuts for support in cut.reactions):
+def _forces_read(plan: ForcePlan, cut: CutGroup) -> Iterator[tuple[str, Mark]]:
+    """Give what is read off the polygon of a cut, by the names of the findings."""
+    for support in cut.reactions:
         index = indices(*sorted((support.giver, support.taker)))
         yield f"R_{index}", support.force
         if support.moment is not None:
             yield f"M_{index}", support.moment
-    yield BALANCING, plan.balancing
-    if plan.drive is not None:
-        yield DRIVING, plan.drive
+    if cut.group is None:
+        yield BALANCING, plan.balancing
+        if plan.drive is not None:
+            yield DRIVING, plan.drive

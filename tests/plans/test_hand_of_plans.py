@@ -112,6 +112,8 @@ def test_forces_are_out_by_their_polygons_and_arms() -> None:
     finer = forces_by_hand(statics, 2, {**scales, "forces-2-3": 5.0, "forces-4-5": 5.0})
     assert all(finer[key] < error for key, error in ruled.items() if key[0].startswith("R_"))
     assert finer["M_bal lever", 2] == ruled["M_bal lever", 2]  # no polygon enters the lever
+    own = forces_by_hand(statics, 2, {**scales, "forces-2-3": 250.0})
+    assert own["R_34", 2] == ruled["R_34", 2] < own["R_12", 2] / 5  # found in the polygon of its own group alone
 
 
 def test_each_position_of_a_sheet_is_out_by_the_scales_of_its_own_figures() -> None:
