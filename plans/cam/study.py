@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import cached_property, partial
 from itertools import repeat
 from typing import TypeAlias
@@ -18,7 +20,7 @@ from plans.cam.hub import wall
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
-from plans.model.cam import Cam
+from plans.model.cam import Cam, Hub
 from plans.model.cam_motion import CamError, CamFound, Contour, large_roller, pivot_passed, thin_wall
 from plans.model.cyclogram import Window
 from plans.model.motion import Floats
@@ -76,8 +78,21 @@ class CamDrawing:
             farthest = float(np.abs(profile(self.course, found.sizes, 0.0, turned).contour.profile).max())
             if farthest >= found.sizes.centre:
                 raise pivot_passed(self.cam, farthest, found.sizes.centre)
-        if self.cam.hub is not None and (left := wall(found)) < self.cam.hub.wall:
-            raise thin_wall(self.cam, left, self.cam.hub.wall)
+        if (hub := self.cam.hub) is not None and (left := wall(found)) < hub.wall:
+            raise thin_wall(self.cam, left, hub.wall, self._larger(hub, found.sizes.base, left))
+
+    def _larger(self, hub: Hub, base: float, left: float) -> float:
+        """Give how much larger a least radius leaves the wall, m: a roller by rule grows with it."""
+        more = lacking = hub.wall - left
+        for _ in range(3):  # a secant: the wall grows all but in proportion
+            larger = replace(
+                self.cam, given=self.cam.given._replace(base=base + more), hub=hub._replace(wall=-math.inf)
+            )
+            try:
+                more *= lacking / (wall(CamDrawing(larger).found) - left)
+            except CamError:
+                return lacking
+        return more
 
     @contextmanager
     def _placing(self) -> Iterator[None]:

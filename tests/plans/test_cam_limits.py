@@ -92,3 +92,14 @@ def test_a_wall_is_left_over_bore_and_keyway(sense):
         more = re.search(r"larger by ([\d.]+) mm", str(refused.value))
         assert more and len(more[1].replace(".", "").lstrip("0")) <= 4
         assert wall(draw(cam, CamSizes(base + float(more[1]) / 1000))) >= depth + deeper  # the cure helps
+
+
+def test_a_roller_by_rule_grows_with_the_cam_and_the_cure_of_a_thin_wall_counts_it() -> None:
+    cam = replace(
+        limited(TRANSLATING, FORCE, 30, 30, 1), given=GivenSizes(0.035, 0.0), hub=Hub(0.035, 0, 0, wall=0.004)
+    )
+    with pytest.raises(CamError) as refused:
+        CamStudy([cam]).found  # noqa: B018
+    more = re.search(r"larger by ([\d.]+) mm", str(refused.value))
+    assert more
+    CamStudy([replace(cam, given=GivenSizes(0.035 + float(more[1]) / 1000, 0.0))]).found  # noqa: B018
