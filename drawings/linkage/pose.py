@@ -104,7 +104,9 @@ def shown(study: LinkageStudy, comparison: MotionComparison, table: str, asked: 
     moving = np.flatnonzero(~np.isnan(comparison.construction.links[study.output.link].omega)).tolist()
     for k in (k for k in chosen if k not in moving):
         others = ", ".join(map(str, moving[:CHOICES])) or "—"
-        refused = message("refused.no_motion", table=table, position=k, positions=others)
+        gap = next(gap for gap in comparison.construction.gaps if gap.position == k)
+        why = {"reason": gap.reason, "where": gap.where, "advice": gap.advice}
+        refused = message("refused.no_motion", table=table, position=k, positions=others, **why)
         line, column = study.scene.place((table, "positions") if asked else ("sheet", "plans"))
         raise SheetError(placed(f"{study.scene.file}:{line}:{column}", refused))
     return chosen
