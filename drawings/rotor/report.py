@@ -41,8 +41,7 @@ class RotorNotes(NamedTuple):
     def sums(self) -> Iterator[str]:
         """Say what was unbalanced, and what one plane leaves so."""
         rotor, balance, word, phrase = self.rotor, self.balance, self.drafting.word, self.drafting.phrase
-        if rotor.dynamic:
-            yield word("arms from", plane=rotor.planes[-1].name)
+        yield word("arms from", plane=rotor.planes[-1].name) if rotor.dynamic else word("masses from")
         couple = self._vector("ΣmDh", balance.couple, "kg*m2")
         yield phrase("sums before", unbalance=self._vector("ΣmD", balance.unbalance, "kg*m"), couple=couple)
         if not rotor.dynamic and not balance.couple.vanishes:
