@@ -307,7 +307,8 @@ class SpeedTable(Table):
     speed_from: str = key(
         f.words(DRIVE, DYNAMICS),
         DRIVE,
-        meaning="Whether plans and forces are at the speed of the drive or at the machine's true one in each position.",
+        meaning="Whether plans and forces are at the speed of the drive or at the machine's true one in each position, "
+        "which is that of its motor where it has one.",
     )
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.errors import ConstructionError
+from plans.analytic.dynamics.flywheel import reduced_link
 from plans.analytic.dynamics.speeds import Swing
 from plans.dynamics.form import DYNAMICS, DynamicsForm
 from plans.dynamics.quantities import DynamicsComparison, compare_dynamics
@@ -20,6 +21,7 @@ from plans.quantity import Numbers, Quantity, gap_numbers, plain
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:
+    from plans.analytic.dynamics.run import SteadySwing
     from plans.study import Study
 
 
@@ -188,14 +190,27 @@ def pace_of(study: Study) -> Pace | None:
         return None
     dynamics = study.of(DynamicsStudy)
     found = compare_dynamics(dynamics, compare(dynamics.linkage, VELOCITIES.number))
-    motion = found.after or found.before
-    if not isinstance(motion, Swing):
+    motion = _steady_motion(dynamics, found)
+    if motion is None:
         line, column = scene.place(("drive", "speed_from"))
         raise NoPace(placed(f"{scene.file}:{line}:{column}", message("dynamics.no_pace")))
     return _pace(motion, dynamics.reduction.start, dynamics.linkage.sense)
 
 
-def _pace(motion: Swing, start: float, sense: int) -> Pace:
+def _steady_motion(study: DynamicsStudy, found: DynamicsComparison) -> Swing | SteadySwing | None:
+    """Give the turn that repeats itself: with its motor, or where none is told by a constant moment."""
+    if study.motor is None or study.motor.steepness == 0:
+        motion = found.after or found.before
+        return motion if isinstance(motion, Swing) else None
+    from plans.analytic.dynamics.run import SteadySwing  # noqa: PLC0415  (the solver is paid for by motors)
+
+    run = found.exact.run
+    if found.turn is None or run is None or run.steady is None:
+        return None
+    return SteadySwing(reduced_link(found.turn, study.constant), study.motor, run.steady.start)
+
+
+def _pace(motion: Swing | SteadySwing, start: float, sense: int) -> Pace:
     def rates(phi: Floats) -> Rates:
         turned = np.mod(sense * (phi - start), 2 * np.pi)
         return Rates(sense * motion.omega(turned), sense * motion.epsilon(turned))

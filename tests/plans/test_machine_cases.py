@@ -140,6 +140,21 @@ def test_plans_at_the_machines_true_speed() -> None:
     assert paced.comparison("forces").agrees
 
 
+def test_plans_at_the_true_speed_of_a_machine_with_its_motor() -> None:
+    """speed_from: the motor drives the steady turn, so omega keeps below its synchronous speed, and the works close."""
+    motor = f"{ASKED}\nmotor = {{ starting = 400, synchronous = 14 }}\nrun = {{ turns = 3 }}"
+    drive = 'positions = 720\nspeed_from = "dynamics"'
+    paced = Study(parse_scene(text(asked=motor, drive=drive).replace('["dynamics"]', '["kinematics"]')))
+    omega, epsilon = (paced["linkage"].motion(2).links[1][order] for order in (1, 2))
+    assert 0 < omega.max() < 14
+    given = 400 * (1 - omega / 14)
+    assert given.mean() * 2 * np.pi == pytest.approx(compared().exact.cycle.driving * 2 * np.pi, rel=1e-3)
+    risen = (np.roll(omega, -1) - np.roll(omega, 1)) / (2 * 2 * np.pi / 720)
+    smooth = np.abs(np.roll(epsilon, -1) - np.roll(epsilon, 1)) < 0.05 * np.abs(epsilon).max()
+    assert smooth.sum() > 650
+    assert (omega * risen)[smooth] == pytest.approx(epsilon[smooth], abs=1e-3 * np.abs(epsilon).max())
+
+
 def compare_at(turned: np.ndarray) -> Swing:
     found = compared().after
     assert isinstance(found, Swing)

@@ -28,6 +28,7 @@ from plans.analytic.dynamics.equation import (
     size_of,
 )
 from plans.model.dynamics import ANALYSIS, TURN
+from plans.model.motion import Floats
 from plans.model.motor import Motor
 from plans.model.run import (
     RUN_DOWN,
@@ -65,6 +66,32 @@ def chosen(link: ReducedLink, motor: Motor, speed: float) -> Solver:
     """Choose the solver by how stiff the motor is at a speed, with rows enough for a drawing."""
     name = IMPLICIT if stiffness_of(link, motor, speed) > STIFF else EXPLICIT
     return Solver(name, size_of(link, speed), TURN / speed / SHOWN)
+
+
+class SteadySwing:
+    """The motion of a machine in the turn that it settles to, with its motor, between the rows of its solution."""
+
+    def __init__(self, link: ReducedLink, motor: Motor, start: float) -> None:
+        self.link, self.motor = link, motor
+        solver = chosen(link, motor, motor.speed(0.0) or start)
+        rows = solver.leg(Equation(link, motor, loaded=True), _at(start), LegEnds(TURN)).rows
+        self._turned, self._omega, self._slope = rows[:, 1], rows[:, 2], rows[:, 3] / rows[:, 2]
+
+    def omega(self, turned: Floats) -> Floats:
+        """Give the angular velocity of the crank, rad/s, at angles turned (N,): Hermite's cubic from row to row."""
+        at = np.clip(np.searchsorted(self._turned, turned, "right"), 1, len(self._turned) - 1)
+        step = self._turned[at] - self._turned[at - 1]
+        part = (turned - self._turned[at - 1]) / step
+        left, right = self._slope[at - 1] * step, self._slope[at] * step
+        rise = self._omega[at] - self._omega[at - 1]
+        bent = part * (1 - part) * ((left - rise) * (1 - part) + (rise - right) * part)
+        return np.asarray(self._omega[at - 1] + part * rise + bent)
+
+    def epsilon(self, turned: Floats) -> Floats:
+        """Give its angular acceleration, rad/s2 (6.8); at a jump of the forces as it is beyond it."""
+        equation = Equation(self.link, self.motor, loaded=True)
+        places = zip(turned.tolist(), self.omega(turned).tolist(), strict=True)
+        return np.array([equation.epsilon(beyond(place), omega) for place, omega in places])
 
 
 def mean_resistance(link: ReducedLink) -> float:
