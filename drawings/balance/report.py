@@ -79,10 +79,15 @@ def headline(study: Study) -> str:
 def _concluded(study: Study) -> Iterator[str]:
     """Say what is put on, what that makes of the mass centre, and what it costs, each by itself."""
     notes = notes_of(study)
-    weights = [weight for weight in notes.balance.counterweights if weight.needed]
-    yield from (_weight(weight, notes) for weight in weights)
-    told = () if weights else notes.counterweights()
+    found = [*weights(notes)]
+    yield from found
+    told = () if found else notes.counterweights()
     yield from map(entry, (*told, *notes.balanced(), *notes.left(), *notes.price()))
+
+
+def weights(notes: BalanceNotes) -> Iterator[str]:
+    """Say of each counterweight that is needed how heavy it is, and where it is put."""
+    yield from (_weight(weight, notes) for weight in notes.balance.counterweights if weight.needed)
 
 
 def _weight(weight: Counterweight, notes: BalanceNotes) -> str:

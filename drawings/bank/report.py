@@ -10,12 +10,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from drawings.balance.report import notes_of, weights
+from drawings.forces.report import mass_table
 from drawings.lettering.words import lowered_bank
+from drawings.linkage.notes import lengths
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, listed, plain
 from drawings.report.report import ANGLE, Report, TableSubject, chapter, header, row
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
+from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import BankBalance, Compensator, Harmonic
 from plans.model.motion import Complexes
@@ -81,6 +85,16 @@ def mirrored(balance: BankBalance, order: int) -> bool:
     return flat and apart <= max(EYE * abs(single.ahead), single.slack)
 
 
+def linkage_of(study: Study) -> tuple[str, ...]:
+    """Tell lengths, masses and counterweights of a bank's linkage; of one told by its sizes nothing."""
+    if study.of(BankStudy).task.unit is not None:
+        return ()
+    language = study.scene.sheet.language
+    told = [*mass_table(study.of(Statics).machine, language)]
+    told += weights(notes_of(study)) if study.scene.has(("balance",)) else ()
+    return *lengths(study.of(LinkageStudy), language), *(line.removeprefix("- ") for line in told)
+
+
 def crank_of(study: Study) -> float:
     """Give the length m of the cranks of a scene's bank."""
     bank = study.of(BankStudy)
@@ -123,6 +137,7 @@ class BankNotes(NamedTuple):
 
     balance: BankBalance
     drafting: Drafting
+    linkage: tuple[str, ...] = ()  # lengths and masses of a linkage of the bank
     digits: int = 5
 
     @property
@@ -142,7 +157,12 @@ class BankNotes(NamedTuple):
             yield self.drafting.word("bank places", places=self._row(1000 * member.place for member in members))
         yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
         if task.unit is not None:
-            yield word("bank unit", ratio=self._number(task.unit.ratio))
+            unit = task.unit
+            sizes = {"crank": unit.crank, "rod": unit.rod}
+            told = {name: self._number(1000 * float(size)) for name, size in sizes.items()}
+            told |= {name: self._number(float(getattr(unit, name))) for name in ("rotating", "reciprocating")}
+            yield word("bank unit", ratio=self._number(unit.ratio), **told)
+        yield from self.linkage
         yield self._senses()
 
     def _senses(self) -> str:
@@ -303,7 +323,7 @@ def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
 
 
 def _notes(study: Study) -> BankNotes:
-    return BankNotes(study.of(BankStudy).balance, drafting_of(study.scene), DIGITS)
+    return BankNotes(study.of(BankStudy).balance, drafting_of(study.scene), linkage_of(study), DIGITS)
 
 
 REPORT = Report(chapters, headline, subject=subject)

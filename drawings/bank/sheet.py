@@ -13,7 +13,7 @@ from drawings.bank import compensators, shaft, star
 from drawings.bank.compensators import COUPLED, MASS, CompensatorLayout
 from drawings.bank.diagrams import ACTING, LEFT, ROCKING, STATIONS, TurnCurve, TurnGraph, polygon_room, polygons
 from drawings.bank.due import expected
-from drawings.bank.report import ORDER_HEADS, BankNotes, crank_of, direction, order_rows, straight
+from drawings.bank.report import ORDER_HEADS, BankNotes, crank_of, direction, linkage_of, order_rows, straight
 from drawings.bank.star import BankView
 from drawings.kinds import hodograph, polygon
 from drawings.kinds.hodograph import Hodograph
@@ -115,7 +115,7 @@ def view_of(study: Study) -> BankView:
     """Give what the sheets of a scene's bank show."""
     bank = study.of(BankStudy)
     drawing = bank.drawing
-    return BankView(bank.balance, {FORCE: drawing.forces, M: drawing.moments}, crank_of(study))
+    return BankView(bank.balance, {FORCE: drawing.forces, M: drawing.moments}, crank_of(study), linkage_of(study))
 
 
 def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
@@ -128,7 +128,7 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
     shows += tuple(_layouts(shown, drafting))
     writers = order_table, compensator_table
     tables = [*(write(shown.balance, drafting) for write in writers), results(comparison, bool(orders), drafting)]
-    notes = BankNotes(shown.balance, drafting).all
+    notes = BankNotes(shown.balance, drafting, shown.linkage).all
     title = drafting.word("bank sheet title")
     there = tuple(written for written in tables if written is not None)
     later = partial(bank_by_hand, comparison.findings)

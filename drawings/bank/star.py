@@ -62,6 +62,7 @@ class BankView(NamedTuple):
     balance: BankBalance
     polygons: Mapping[str, Mapping[int, Total]]  # of forces and of moments, by signed order
     crank: float
+    linkage: tuple[str, ...] = ()  # what is given of a linkage of the bank
 
     @property
     def members(self) -> tuple[Member, ...]:
