@@ -212,7 +212,8 @@ class DiagramsPlate(RowPlate[DiagramRow]):
     def explained(self) -> tuple[str, ...]:
         """Lines under the heading: what the scales follow from, what is drawn how, what is left aside."""
         s, v, a = letters_of(self.diagrams)
-        keys = ("diagrams explained", *(("diagrams even",) if self.diagrams.course.lead else ()))
+        rule = f"diagrams rule {self.drafting.notation}"
+        keys = (rule, "diagrams explained", *(("diagrams even",) if self.diagrams.course.lead else ()))
         return tuple(line for key in keys for line in self.drafting.word(key, s=s, v=v, a=a).split("\n"))
 
     @property
