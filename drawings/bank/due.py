@@ -176,9 +176,10 @@ class Bank:
         return cmath.rect(1.0, math.radians(float(member.crank % 360)) + self.task.axis)
 
     def force_of(self, name: str) -> Complexes:
-        """Give what is followed over the turn by the name of its finding."""
+        """Give what is followed over the turn, as the shaft turns, by the name of its finding."""
         rows = {WHOLE: self.analysis.force, LEFT: self.analysis.left, WHOLE_MOMENT: self.analysis.moment}
-        return np.asarray(rows[name] if self.straight(name) else rows[name] * self.turn)
+        row = rows[name] if self.task.speed > 0 else rows[name][::-1]
+        return np.asarray(row if self.straight(name) else row * self.turn)
 
     @cached_property
     def compensated(self) -> bool:

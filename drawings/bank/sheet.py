@@ -150,8 +150,8 @@ def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 
 def _force_graph(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     balance, compensated = shown.balance, shown.compensated
-    force = TurnCurve(ACTING, FORCE, balance.force.real, "relative" if compensated else "result")
-    left = (TurnCurve(LEFT, FORCE + AFTER, balance.left.real),) if compensated else ()
+    force = TurnCurve(ACTING, FORCE, shown.along(balance.force).real, "relative" if compensated else "result")
+    left = (TurnCurve(LEFT, FORCE + AFTER, shown.along(balance.left).real),) if compensated else ()
     graph = TurnGraph("force_graph", drafting.word("bank force title"), FORCE, "N", (force, *left))
     yield exhibit(TurnGraph, graph, drafting)
 
@@ -160,7 +160,7 @@ def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
     values = shown.balance.moment
     if not straight(values, values):
         return _hodograph(ROCKING, M, "N*m", shown.on_sheet(values), drafting)
-    curve = TurnCurve(ROCKING, M, values.real)
+    curve = TurnCurve(ROCKING, M, shown.along(values).real)
     graph = TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (curve,))
     return exhibit(TurnGraph, graph, drafting)
 

@@ -138,9 +138,13 @@ class BankView(NamedTuple):
         """Give the direction of the guide of a member on the sheet."""
         return direction(member.axis) * self.turn
 
+    def along(self, values: Complexes) -> Complexes:
+        """Give what is followed over the turn as the shaft turns, whichever way round that is."""
+        return values if self.balance.task.speed > 0 else values[::-1]
+
     def on_sheet(self, values: Complexes) -> Complexes:
-        """Turn vectors as the sheet shows them."""
-        return np.asarray(values * self.turn)
+        """Turn vectors as the sheet shows them, over the turn as the shaft turns."""
+        return np.asarray(self.along(values) * self.turn)
 
 
 NAME = "star"
