@@ -145,7 +145,7 @@ def _solve(commands: Commands) -> None:
     add = solve.add_argument
     add("--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)")
     add("--json", action="store_true", help="JSON, which is the only form and the default")
-    add("--only", type=_orders, metavar="PLANS", help="some plans, joined by commas: positions,velocities or forces")
+    add("--only", type=_orders, metavar="PLANS", help="some plans, joined by commas: extremes,positions or forces")
     add("--trace", action=_TraceParser, nargs=0, help=TRACED)
 
 
