@@ -57,6 +57,7 @@ def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
         place = shapely.box(*label.place)
         leader = shapely.shortest_line(place, shapely.box(*bounds(label.text)))
         far = max(place.distance(lines[name]) - ROUNDED, LEADS * (label.leader is not None))
-        yield from ((name, other) for other in lines if other != name and place.distance(lines[other]) < far)
-        crossed |= {(name, other) for other in lines if other != name and leader.intersects(lines[other])}
+        others = [other for other in lines if other != name]
+        yield from ((name, one) for one in others if lines[one].length > CLEAR and place.distance(lines[one]) < far)
+        crossed |= {(name, other) for other in others if leader.intersects(lines[other])}
     yield from (pair for pair in sorted(crossed) if pair[::-1] in crossed)
