@@ -38,7 +38,7 @@ from plans.study import Study
 
 PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
-AFTER = 2.0  # mm between two forces that follow one another on one line of action
+AFTER = 4.0  # mm between two forces that follow one another on one line of action: further than heads that meet
 # What speaks against a place of a force: that it is off its image, or led past another; that it touches another force.
 AWAY, TOUCHING = 2, 2
 STANDS = 12  # directions tried for the stand of the pole
@@ -68,19 +68,22 @@ def placed_forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, dra
 
 def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
     """Draw a force from its image or to it; where both run along others, led from it further on its line of action."""
-    along, step = force / abs(force), length + AFTER
+    along = force / abs(force)
+    ends = ((end - image) / along for line in taken.forces for end in line)
+    steps = sorted({tied(abs(end.real)) + AFTER for end in ends if abs(end.imag) < SAME} | {length + AFTER})
     tries = [not_to_scale(letter, force, image, length), not_to_scale(letter, force, image, length, ending=True)]
-    slid = (not_to_scale(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2))
+    ways = (sign * step * along for step in steps for sign in (1, -1))
+    slid = (not_to_scale(letter, force, image + way, length, (way / along).real < 0) for way in ways)
     tries += [arrow._replace(lead=image) for arrow in slid]
 
     def cost(arrow: ForceArrow) -> int:
-        ends = arrow.start, arrow.tip
-        over = ON_LINE * sum(merging(ends, other) for other in taken.forces)
-        over += TOUCHING * sum(_touching(ends, other) for other in taken.forces)
+        run = arrow.start, arrow.tip
+        over = ON_LINE * sum(merging(run, other) for other in taken.forces)
+        over += TOUCHING * sum(_touching(run, other) for other in taken.forces)
         over += OUTSIDE * (not within(arrow.free, taken.box))
         others = (spot for rod in taken.rods for spot in rod if abs(spot - image) > SAME)
         passed = any(abs(spot - nearest(image, arrow.at, spot)) < APART for spot in others)
-        return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * ((arrow.lead is not None) + passed)
+        return over + any(merging(run, rod) for rod in taken.rods) + AWAY * ((arrow.lead is not None) + passed)
 
     return min(tries, key=cost)
 
