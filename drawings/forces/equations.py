@@ -183,15 +183,13 @@ class LeverEquation(NamedTuple):
         return self._passage(mu, unit).write(box, self.drafting.hand)
 
     def _passage(self, mu: float | None, unit: str = "mm") -> EquationBlock:
-        arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}
+        lengths, slot = dict(statements(self.told)), self.drafting.slot
+        arms = {arm: WIDEST if mu is None else slot(Slot(arm, size / mu, ARM)) for arm, size in lengths.items()}
         figure = f"{NAME}-{self.column}"
         said = [Statement(Kind.LETTER, figure, term.letter) for term in self.told]
         letters = moments(POLE, [term.written for term in self.told], states=said)
         lines = (_lengths(arms, unit, self.drafting), letters, self._numbers(arms), *self._found())
         return EquationBlock(NAME, lines, self.drafting.hand.text, figure=figure)
-
-    def _arm(self, letter: str, length: float, mu: float | None) -> str:
-        return WIDEST if mu is None else self.drafting.slot(Slot(letter, length / mu, ARM))
 
     def _numbers(self, arms: dict[str, str]) -> WrittenEquation:
         """Write the equation with its numbers: newtons by arms."""

@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
+from itertools import combinations
 from typing import NamedTuple
 
 from drawings.forces.arms import ON_LINE, OUTSIDE, LeverTerm, aside, leverages, terms, within
@@ -13,6 +14,7 @@ from drawings.forces.letters import BALANCE, LOAD, PAIR, letter_of
 from drawings.forces.polygon import ZERO
 from drawings.kinds.polygon import ShownVector
 from drawings.kinds.vector_plan import LEAST, letter_images
+from drawings.layout.contents import EVEN
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Segment, crossing, merging, nearest
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
@@ -36,8 +38,8 @@ from plans.study import Study
 
 PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
-AFTER = 2.0  # mm between two forces that follow one another on one line of action
-# What speaks against a place of a force: that it runs along another or touches it, out of the figure, is off its image.
+AFTER = 4.0  # mm between two forces that follow one another on one line of action: further than heads that meet
+# What speaks against a place of a force: that it is off its image, or led past another; that it touches another force.
 AWAY, TOUCHING = 2, 2
 STANDS = 12  # directions tried for the stand of the pole
 BOTH, PARALLEL = 2, 0.1  # of forces on one line through an image one comes and one goes; parallel to 3 degrees
@@ -65,17 +67,23 @@ def placed_forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, dra
 
 
 def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
-    """Draw a force from its image or to it; where both run along others, further on along its line of action."""
-    along, step = force / abs(force), length + AFTER
+    """Draw a force from its image or to it; where both run along others, led from it further on its line of action."""
+    along = force / abs(force)
+    ends = ((end - image) / along for line in taken.forces for end in line)
+    steps = sorted({tied(abs(end.real)) + AFTER for end in ends if abs(end.imag) < SAME} | {length + AFTER})
     tries = [not_to_scale(letter, force, image, length), not_to_scale(letter, force, image, length, ending=True)]
-    tries += [not_to_scale(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
+    ways = (sign * step * along for step in steps for sign in (1, -1))
+    slid = (not_to_scale(letter, force, image + way, length, (way / along).real < 0) for way in ways)
+    tries += [arrow._replace(lead=image) for arrow in slid]
 
     def cost(arrow: ForceArrow) -> int:
-        ends = arrow.start, arrow.tip
-        over = ON_LINE * sum(merging(ends, other) for other in taken.forces)
-        over += TOUCHING * sum(_touching(ends, other) for other in taken.forces)
+        run = arrow.start, arrow.tip
+        over = ON_LINE * sum(merging(run, other) for other in taken.forces)
+        over += TOUCHING * sum(_touching(run, other) for other in taken.forces)
         over += OUTSIDE * (not within(arrow.free, taken.box))
-        return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * (abs(arrow.at - image) > SAME)
+        others = (spot for rod in taken.rods for spot in rod if abs(spot - image) > SAME)
+        passed = any(abs(spot - nearest(image, arrow.at, spot)) < APART for spot in others)
+        return over + any(merging(run, rod) for rod in taken.rods) + AWAY * ((arrow.lead is not None) + passed)
 
     return min(tries, key=cost)
 
@@ -111,6 +119,8 @@ def _downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:
 QUARTER = -1j  # the plan is turned clockwise
 MARGINS = Margins(3.0, 3.0, 3.0)  # paper beyond the forces, in sizes of the letters
 LETTERS, EACH = 12.0, 1.6  # a lever is drawn at least so many letters large, and so many for each force that it bears
+
+ROOMY, LARGER = 4.0, 2.0  # times the least distance of its images at which a lever is roomy; weight of a crowded one
 
 
 class Hanging(NamedTuple):
@@ -182,6 +192,13 @@ def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
     return terms(shown.forces, [(true, letters.split(" ")[0]) for _, letters, true in shown.images], drafting)
 
 
+def weight(shown: Hanging) -> float:
+    """Tell how many times as large as other figures a lever wants to be: where its forces act near one another."""
+    spots = {tied_spot(spot) for spot in (0j, *(force.at for force in shown.forces))}
+    apart = [abs(spot - other) for spot, other in combinations(spots, 2)] or [1.0]
+    return min(max(max(apart) / min(apart) / ROOMY, EVEN), LARGER)
+
+
 def measure(shown: Hanging, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
     hand = drafting.hand
@@ -236,16 +253,17 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
 def _letters(
     shown: Hanging, place: Place, arrows: Sequence[ForceArrow], arms: Sequence[Arm], hand: Hand, labels: Labels
 ) -> Iterator[Stroke]:
-    """Letter the pole and its images, then the forces and their arms."""
+    """Letter the pole and its images, then the arms and the forces."""
     images = [(0j, shown.pole), *((true, letters) for _, letters, true in shown.images)]
     spots = ((place.on(true), letters.split(" ")) for true, letters in images)
     yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
+    yield from letter_each(arms, labels, hand, arrows)
     yield from letter_each(arrows, labels, hand)
-    yield from letter_each(arms, labels, hand)
 
 
 def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterator[Stroke]:
-    """Draw the forces, each as what it states; the second of a couple is the first turned round."""
+    """Draw the forces, each as what it states, and lines that lead to them; the second of a couple is turned round."""
+    yield from (Line(arrow.lead, arrow.at, hand.drafted) for arrow in arrows if arrow.lead is not None)
     names = set[str]()
     for arrow in arrows:
         name = plain_name(arrow.letter)

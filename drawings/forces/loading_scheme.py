@@ -318,16 +318,14 @@ def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> Letter
 
 def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
-    yield from letter_each(layout.arms, labels, hand)
+    yield from letter_each(layout.arms, labels, hand, (*layout.arrows, *layout.couples))
     for shift in layout.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
     lines = [line for line in layout.links if isinstance(line, Line)] + [arrow.shaft for arrow in layout.arrows]
     for name, value in layout.shown.named.items():
         spot, gap = layout.place.on(value), layout.clear(name) + 1.0
         yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
-    yield from letter_each(layout.arrows, labels, hand)
-    for couple in layout.couples:
-        yield couple.letter_beside(labels, hand)
+    yield from letter_each([*layout.arrows, *layout.couples], labels, hand)
     if layout.gear is not None and layout.gear.slants(layout.hand):
         middle, turn = layout.gear.angle(layout.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)

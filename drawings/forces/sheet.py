@@ -172,7 +172,7 @@ class _ForceSheet:
             return
         shown = lever.hanging(plans.plan, plans.lever, self.position)
         terms = lever.balance(shown, self.drafting)
-        yield exhibit(lever, shown, self.drafting, together=LEVER if terms else "")
+        yield exhibit(lever, shown, self.drafting, together=LEVER if terms else "", weight=lever.weight(shown))
         if terms:
             turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
             moment = at(plans.lever.moment.point, self.position).real if turned else None

@@ -245,14 +245,10 @@ class RowFrame(ABC, Generic[Shown]):
         spare = (self._high - sum(taken)) / len(taken)
         return {row.key: high + spare for row, high in zip(self.plate.rows, taken, strict=True)}
 
-    @cached_property
-    def _spans(self) -> list[float]:
-        """What the rows go over, in their own units."""
-        return [high - low for low, high in (row.span for row in self.plate.rows)]
-
     def _taken(self, scales: Sequence[Scale]) -> list[float]:
         """Give what the rows take at some scales, mm."""
-        return [span / scale.mu for span, scale in zip(self._spans, scales, strict=True)]
+        spans = (row.span for row in self.plate.rows)
+        return [(high - low) / scale.mu for (low, high), scale in zip(spans, scales, strict=True)]
 
     @cached_property
     def scales(self) -> dict[str, Scale]:

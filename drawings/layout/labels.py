@@ -10,7 +10,7 @@ from itertools import product
 from typing import TypeAlias
 
 from drawings.layout.ink import CLEAR, LETTERED, Ink, padded
-from drawings.layout.parallel_offsets import Segment, crossing, nearest
+from drawings.layout.parallel_offsets import Segment, crossing, merging, nearest
 from drawings.lettering.lettering import bounds
 from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied, tied_spot
@@ -149,7 +149,8 @@ class Labels:
                 cost += CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
                 if crossed < LETTERED and cost < cheapest:
                     cost += STRAY * any(_within(box, corner, other, gap + NEAR[-1]) for other in others)
-                    if cost < cheapest:
+                    # Two leaders that begin back to back are read as one
+                    if cost < cheapest and not any(merging((start, end), (2 * a - b, b)) for a, b in self._leaders):
                         best, cheapest = (start, end, corner), cost
         return best
 

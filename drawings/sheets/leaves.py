@@ -342,7 +342,7 @@ class _Leaves:
             "subtitle": self.draft.title,
             "designation": self.page.designation,
             **{key: getattr(self.scene.sheet, key) for key in ENTRIES},
-            "scale": spot.scale.ratio(self.drafting.language) if spot is not None else "",
+            "scale": spot.scale.ratio(self.drafting.language) if spot is not None and spot.scale.letter == "l" else "",
             "sheet": str(number),
             "sheets": str(count),
         }

@@ -5,9 +5,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from itertools import chain, pairwise
+from typing import NamedTuple, TypeAlias
 
 from drawings.layout.labels import Labels, Lines
+from drawings.layout.parallel_offsets import Segment
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, stated
 from drawings.symbols.figure import Arm, plain_name
@@ -80,13 +82,6 @@ def not_to_scale(
     return ForceArrow(letter, at, direction / abs(direction), length, ending, unknown)
 
 
-def letter_each(marks: Sequence[ForceArrow | Arm], labels: Labels, hand: Hand) -> Iterator[Stroke]:
-    """Letter forces, or arms, each nearer to its own than to any other of them."""
-    lines = [mark.reach(hand) if isinstance(mark, Arm) else (mark.start, mark.tip) for mark in marks]
-    for k, mark in enumerate(marks):
-        yield mark.letter_beside(labels, hand, (*lines[:k], *lines[k + 1 :]))
-
-
 def _open_head(force: ForceArrow, hand: Hand) -> tuple[Stroke, ...]:
     """Draw an open arrowhead: two thin lines of the size of a filled one."""
     along = force.direction * hand.symbol
@@ -98,6 +93,7 @@ HALF, THREE_QUARTERS = math.pi, 1.5 * math.pi  # rad: the arcs of a couple
 RADIUS = 8.0  # mm, to the factor of the hand's symbols
 SIDE = 0.3 * math.tau  # rad that arcs about one place face apart at the least: three can, in steps of thirty degrees
 OFF_ARC = 1.2  # mm from the arc to its letter
+CHORDS = (0.0, 0.25, 0.5, 0.75, 1.0)  # shares of an arc between which it is felt as straight
 
 
 class CoupleArc(NamedTuple):
@@ -115,6 +111,12 @@ class CoupleArc(NamedTuple):
         """The middle of the arc: beside it stands the letter."""
         return self.at + cmath.rect(self.radius, self.facing)
 
+    @property
+    def chords(self) -> list[Segment]:
+        """The arc as it is felt, in straight pieces."""
+        turns = (self.facing + self.sweep * (share - 0.5) for share in CHORDS)
+        return [*pairwise(self.at + cmath.rect(self.radius, turn) for turn in turns)]
+
     def crowded(self, others: Iterable[CoupleArc]) -> int:
         """Count the arcs about the same place that face nearly the same way: whose a letter is could not be told.
 
@@ -130,9 +132,27 @@ class CoupleArc(NamedTuple):
         data = {"kind": "couple", "name": plain_name(self.letter), "sense": f"{self.sense:+d}"}
         return Group(arrow, "", data, self.letter)
 
-    def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
-        """Letter it beyond the middle of its arc."""
-        return labels.beside(self.place, self.letter, hand.letter, OFF_ARC, self.facing)
+    def letter_beside(self, labels: Labels, hand: Hand, others: Lines = ()) -> Stroke:
+        """Letter it beyond the middle of its arc, or beside another place of that, no nearer to `others`."""
+        further = [spot for spot, _ in self.chords[1:]]
+        return labels.beside(self.place, self.letter, hand.letter, OFF_ARC, self.facing, others, further)
+
+
+Mark: TypeAlias = ForceArrow | CoupleArc | Arm
+
+
+def letter_each(marks: Sequence[Mark], labels: Labels, hand: Hand, around: Sequence[Mark] = ()) -> Iterator[Stroke]:
+    """Letter forces, couples or arms, each nearer to its own than to any other of them or of those `around`."""
+    lines = [_lines(mark, hand) for mark in (*marks, *around)]
+    for k, mark in enumerate(marks):
+        yield mark.letter_beside(labels, hand, [*chain(*lines[:k], *lines[k + 1 :])])
+
+
+def _lines(mark: Mark, hand: Hand) -> Lines:
+    """Give the line of a mark, or the chords of an arc."""
+    if isinstance(mark, CoupleArc):
+        return mark.chords
+    return (mark.reach(hand) if isinstance(mark, Arm) else (mark.start, mark.tip),)
 
 
 CONTACT = 0.9  # radius of the pitch point

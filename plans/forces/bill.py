@@ -125,7 +125,8 @@ class ForceBill:
     @cached_property
     def known(self) -> tuple[ActingForce, ...]:
         """Weights, inertia forces and loads on the links, and the forces of the groups that hang on them."""
-        return tuple(force for link in self.links for force in (*self._given(link), *self._handed(link)))
+        handed = {link: [self._bearing(bond).whole for bond in self._hung(link)] for link in self.links}
+        return tuple(force for link in self.links for force in (*self._given(link), *handed[link]))
 
     @cached_property
     def couples(self) -> tuple[ActingCouple, ...]:
@@ -195,9 +196,6 @@ class ForceBill:
         for load in position.loading.forces:
             if load.link == link:
                 yield ActingForce(load.name, link, position.on(link, load.at), complex(load.force[k]), load.point)
-
-    def _handed(self, link: int) -> Iterator[ActingForce]:
-        return (self._bearing(bond).whole for bond in self._hung(link))
 
     def _hung(self, link: int) -> Iterator[Pair]:
         """Give the pairs of the groups that hang on a link, as they act on it."""

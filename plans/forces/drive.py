@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import permutations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,7 +23,7 @@ from plans.linkage import leads
 from plans.linkage.ram import apart
 from plans.model.kinetostatics import Applied, Effort, Kinetostatics, Loading, Reaction
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
-from plans.model.mechanism import FRAME, Drive, Mechanism, Ram, Slide
+from plans.model.mechanism import FRAME, Drive, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
 from plans.words.words import because
 
@@ -204,18 +205,12 @@ def _ends(mechanism: Mechanism) -> Iterator[tuple[int, str, complex]]:
     """Give the links that a cylinder pushes apart, each with its point: rod or its link, cylinder or its link."""
     ram, links = mechanism.drive.ram, mechanism.links
     assert ram is not None  # one drives
-    base, moved = ram.links or (FRAME, mechanism.drive.link)
-    cylinder, rod = next(_drawn(mechanism, ram), (base, moved))
+    # Where the scene has cylinder and rod as links: of two that slide in each other the ends of both
+    pairs = (pair for slide in mechanism.slides for pair in permutations((slide.slider, slide.owner)))
+    drawn = (pair for pair in pairs if ram.foot in links[pair[0]].points and ram.point in links[pair[1]].points)
+    cylinder, rod = next(drawn, ram.links or (FRAME, mechanism.drive.link))
     yield rod, ram.point, links[rod].points[ram.point]
     yield cylinder, ram.foot, links[cylinder].points[ram.foot]
-
-
-def _drawn(mechanism: Mechanism, ram: Ram) -> Iterator[tuple[int, int]]:
-    """Give cylinder and rod where the scene has them as links: of two that slide in each other the ends of both."""
-    for slide in mechanism.slides:
-        for base, moved in ((slide.slider, slide.owner), (slide.owner, slide.slider)):
-            if ram.foot in mechanism.links[base].points and ram.point in mechanism.links[moved].points:
-                yield base, moved
 
 
 def _power(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading) -> Floats:

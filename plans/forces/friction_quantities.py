@@ -129,7 +129,8 @@ class _ComparedFriction:
     def _driving(self, key: str) -> Quantity:
         reaction, rubs = self.forces.reactions[key], self.machine.friction[key]
         arm = (self.forces.size if reaction.along is None else 1.0) * (1.0 + self.ours.locking[key])
-        most = max((finding.allowed for finding in self.compared.of("forces") if finding.unit == "N"), key=_most)
+        forces = (finding.allowed for finding in self.compared.of("forces") if finding.unit == "N")
+        most = max(forces, key=lambda allowed: float(np.nanmax(allowed, initial=0.0)))
         largest = largest_of([arm * self.forces.largest]) * self._fast(key) + self._largest(key)
         turning = self._pressed(key) * rubs.coefficient
         off = (arm * most + turning) * self.rates[key] + arm * self.forces.largest * self._off_rate(reaction)
@@ -178,7 +179,3 @@ def _jammed(found: Friction, key: str) -> Floats:
 def _index(key: str) -> str:
     giver, taker = map(int, key.split("-"))
     return indices(giver, taker)
-
-
-def _most(allowed: Floats) -> float:
-    return float(np.nanmax(allowed, initial=0.0))

@@ -6,7 +6,6 @@ Drawn by drawings/forces/lever.py; held by `balancing` of quantities.py, its ink
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from geometry.board import Board, Mark
@@ -51,11 +50,15 @@ def lever(plan: ForcePlan) -> Lever | None:
     pole = board.given("p", 0j, because("lever_pole"))
     links = sorted(plan.mechanism.links)
     loads, pairs, moments = list[Load](), list[LeverCouple](), list[tuple[str, Mark]]()
-    for load in _loads(plan, board, [load for link in links for load in plan.loads[link] if load.kind != REACTION]):
-        loads.append(load)
-        moments.append((load.name, board.moment(f"p({load.name})", pole, load.at, load.force, because("moment"))))
-    known = [couple for link in links for couple in plan.couples[link] if couple.kind != REACTION]
-    for pair in _pairs(plan, board, known):
+    for load in (load for link in links for load in plan.loads[link] if load.kind != REACTION):
+        image = plan.image(load)
+        if image is not plan.velocities.pole:  # at a fixed point a load does no work
+            loads.append(load._replace(at=_turned(board, image)))
+            why = because("moment")
+            moments.append((load.name, board.moment(f"p({load.name})", pole, loads[-1].at, load.force, why)))
+    known = (couple for link in links for couple in plan.couples[link] if couple.kind != REACTION)
+    readings = ((couple, plan.velocities.readings.get(couple.link)) for couple in known)
+    for pair in (_pair(plan, board, couple, arm) for couple, arm in readings if arm is not None):  # its link turns
         pairs.append(pair)
         why = because("couple_moment")
         moments.append((pair.name, board.moment(f"p({pair.name})", pair.start, pair.end, pair.force, why)))
@@ -68,23 +71,8 @@ def lever(plan: ForcePlan) -> Lever | None:
     return Lever(board, pole, tuple(loads), tuple(pairs), tuple(moments), image, force, moment)
 
 
-def _loads(plan: ForcePlan, board: Board, loads: Iterable[Load]) -> Iterator[Load]:
-    """Put forces at the turned images of their points; one at a fixed point does no work."""
-    for load in loads:
-        image = plan.image(load)
-        if image is not plan.velocities.pole:
-            yield load._replace(at=_turned(board, image))
-
-
-def _pairs(plan: ForcePlan, board: Board, couples: Iterable[Couple]) -> Iterator[LeverCouple]:
-    """Replace couples by two forces at the ends of a vector of their link; one on a link that does not turn rests."""
-    for couple in couples:
-        reading = plan.velocities.readings.get(couple.link)
-        if reading is not None:
-            yield _pair(plan, board, couple, reading)
-
-
 def _pair(plan: ForcePlan, board: Board, couple: Couple, reading: Reading) -> LeverCouple:
+    """Replace a couple by two forces at the ends of a vector of its link."""
     arm = reading.arm.step.inputs[0] if reading.arm.step.op == "transfer" else reading.arm
     start, end = arm.step.inputs
     base = plan.positions.board

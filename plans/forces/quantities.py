@@ -13,7 +13,7 @@ from geometry.meet import EPS
 from geometry.precision import errors
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment, energy_balance
-from plans.forces.cut import INERTIA, Support, indices
+from plans.forces.cut import INERTIA, indices
 from plans.forces.drive import BALANCING as BALANCED
 from plans.forces.drive import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.equilibrium import BALANCING, Bounds, acting, balances, power
@@ -94,7 +94,8 @@ class ForceFindings:
         self.largest = max(ours.largest, borne)
         places = np.array([point.r for point in motion.construction.points.values()])
         self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft
-        self.supports = {_key(support): support for cut in self.plans.plan.cuts for support in cut.reactions}
+        every = (support for cut in self.plans.plan.cuts for support in cut.reactions)
+        self.supports = {"-".join(map(str, sorted((one.giver, one.taker)))): one for one in every}
         found = ((support.force, support.moment) for support in self.supports.values())
         marks = [mark for both in found for mark in both if mark is not None]
         lever = [] if self.plans.lever is None else [self.plans.lever.moment]
@@ -225,10 +226,6 @@ class ForceFindings:
             found[str(link)] = (sum(forces, self.off(None)), sum(couples, self.off(None)))
         found[BALANCING] = (self.off(plan.drive), self.off(plan.balancing))
         return found
-
-
-def _key(support: Support) -> str:
-    return f"{min(support.giver, support.taker)}-{max(support.giver, support.taker)}"
 
 
 def numbers(study: Study, by: str) -> Numbers:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups
 
 LONG, SHARP = 5.0, math.radians(20)  # mm of a straight head on A1, and its angle
@@ -28,6 +28,20 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
         arc = next((one for one in own if isinstance(one, Arc)), None)
         if arc is not None and not lines and not any(_on(arc, head) for head in own if _is_head(head)):
             yield f"{group.states or group.data}: no head at an end of its arc"
+    for figure in (figure for figure in leaf.groups if figure.name.startswith("lever-")):
+        yield from (f"{figure.name}: {name} is off its image" for name in _loose(figure))
+
+
+def _loose(figure: Group) -> Iterator[str]:
+    """Name the forces of a lever that neither stand at an image nor are led from one by a thin line."""
+    every, leads = [*groups((figure,))], [one for one in figure.strokes if isinstance(one, Line)]
+    marks = [one for group in every if group.data.get("kind") in ("point", "pole") for one in group.strokes]
+    images = [one.centre for one in marks if isinstance(one, Circle)]
+    for force in (group for group in every if group.data.get("kind") == "force"):
+        ends = [end for one in force.strokes if isinstance(one, Line) for end in (one.start, one.end)]
+        ends += [lead.start for lead in leads if min(abs(lead.end - end) for end in ends) <= FINE]
+        if min(abs(end - image) for end in ends for image in images) > FINE:
+            yield force.data["name"]
 
 
 def _is_arrow(group: Group) -> bool:

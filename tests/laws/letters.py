@@ -16,6 +16,7 @@ from tests.drawings.collisions import ink
 
 ROUNDED = 0.1  # mm: a letter just as near to two lines is at both
 DRAWN = ("scheme-", "lever-", "forces-", "couples")  # figures whose vectors are lettered
+LEADS = 0.5  # mm: a leader that begins so near to a line leads from it
 CLEAR = 1.0  # mm: marks whose letters may be either's are no nearer to each other, nor is one letter between them
 
 
@@ -47,13 +48,16 @@ def _points(figure: Group) -> Iterator[tuple[str, complex]]:
 def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
     """Name the vectors whose letter stands nearer to another, or is led from it; or two that are led crosswise."""
     lines, crossed, labels = dict[str, shapely.Geometry](), set[tuple[str, str]](), labels_of((figure,))
-    for group in (group for group in groups((figure,)) if group.data.get("kind") == kind and group.title):
+    drawn = [one for one in groups((figure,)) if one.data.get("kind") in (kind, "force") and one.title]
+    for group in drawn:
         shafts, name = [ink(one).line for one in group.strokes if isinstance(one, Line)], Text(0j, group.title).plain
         lines[name] = shapely.union_all([*shafts, lines.get(name)])
-    for name, label in ((own, label) for own in lines for label in labels.get(own, ()) if label.text.plain == own):
+    own = {Text(0j, group.title).plain for group in drawn if group.data["kind"] == kind}
+    for name, label in ((one, label) for one in own for label in labels.get(one, ()) if label.text.plain == one):
         place = shapely.box(*label.place)
         leader = shapely.shortest_line(place, shapely.box(*bounds(label.text)))
-        far = place.distance(lines[name]) - ROUNDED
-        yield from ((name, other) for other in lines if place.distance(lines[other]) < far)
-        crossed |= {(name, other) for other in lines if other != name and leader.intersects(lines[other])}
+        far = max(place.distance(lines[name]) - ROUNDED, LEADS * (label.leader is not None))
+        others = [other for other in lines if other != name]
+        yield from ((name, one) for one in others if lines[one].length > CLEAR and place.distance(lines[one]) < far)
+        crossed |= {(name, other) for other in others if leader.intersects(lines[other])}
     yield from (pair for pair in sorted(crossed) if pair[::-1] in crossed)

@@ -115,6 +115,10 @@ def smaller(one: Circle) -> Circle:
     return one._replace(radius=0.9 * one.radius)
 
 
+def moved(one: Circle) -> Circle:
+    return one._replace(centre=one.centre + 1)
+
+
 def leaning(one: Line) -> Line:
     return one._replace(start=one.start + 1)
 
@@ -123,6 +127,7 @@ OVER = Text(200 + 200j, "B"), Line(190 + 201j, 220 + 201j)
 BREACHES: Mapping[str, tuple[object, str, Change]] = {
     "a head too large": (arrows, "forces", in_part("scheme-2-3-2", each(Fill, larger))),
     "a vector longer than to its head": (arrows, "forces", in_part("forces-2-3-2", each(Line, longer))),
+    "a force off its image": (arrows, "forces", in_part("lever-2", each(Circle, moved))),
     "a tick of the bar aside": (bar, "forces", in_part("control-bar", each(Line, leaning))),
     "a bar too long": (bar, "forces", in_part("control-bar", each(Line, longer))),
     "a text over a line": (lettering, "forces", plus("scheme-2-3-2", *OVER)),

@@ -66,8 +66,9 @@ def _check_masses(survey: LinkageSurvey, form: ForceForm) -> None:
 def _check_loads(survey: LinkageSurvey, loads: LoadsTable) -> None:
     for path, load in _loads(loads):
         _check_place(survey, path, load)
-        if load.stroke is not None and survey.know((*path, "stroke"), (load.stroke,)):
-            _check_moves(survey, (*path, "stroke"), load.stroke)
+        told = () if load.stroke is None else (load.stroke,)
+        if told and survey.know((*path, "stroke"), told) and survey.owners(told)[:1] == [FRAME]:
+            survey.report((*path, "stroke"), "fixed_output", name=told[0])
     for index, spring in enumerate(loads.springs):
         _check_ends(survey, ("loads", "springs", index), spring.between)
 
@@ -88,11 +89,6 @@ def _check_place(survey: LinkageSurvey, path: Path, load: ForceTable | MomentTab
         _check_ends(survey, path, load.between)
     if isinstance(load.direction, tuple):
         survey.know((*path, "direction"), load.direction)
-
-
-def _check_moves(survey: LinkageSurvey, path: Path, name: str) -> None:
-    if survey.owners((name,))[:1] == [FRAME]:
-        survey.report(path, "fixed_output", name=name)
 
 
 def _check_ends(survey: LinkageSurvey, path: Path, ends: Ends) -> None:
