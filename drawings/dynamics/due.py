@@ -160,7 +160,7 @@ class _FullTurn:
 
     @cached_property
     def wheel(self) -> Wheel | None:
-        """The rim of the flywheel, if its diameter is known."""
+        """The rim of the flywheel, if one is asked for."""
         return None if self.turn.wheel is None else wheel(self.turn.wheel.inertia, self.turn.task.rim)
 
     def rim(self) -> Iterator[Expected]:
@@ -174,6 +174,8 @@ class _FullTurn:
             yield from measured(row, 1000 * abs(value), DIGITS)
         figures = ("m", rim.mass, share * rim.mass), ("J", rim.inertia, share * rim.inertia)
         yield from phrases(SKETCH, figures, DIGITS)
+        if (ratio := self.turn.task.rim.ratio) != 1 and self.turn.wheel is not None:
+            yield from phrases(SKETCH, [("u", ratio, 0.0), ("J_{fly}", self.turn.wheel.inertia, self.slack)], DIGITS)
 
     @property
     def _share(self) -> float:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from drawings.dynamics import report_tables as tables
+from drawings.dynamics.flywheel_sketch import geared
 from drawings.forces.report import counted_strokes
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
@@ -175,6 +176,8 @@ class DynamicsNotes(NamedTuple):
         said |= {"breadth": slot("rim b", 1000 * rim.breadth), "thickness": slot("rim t", 1000 * rim.thickness)}
         said |= {"speed": slot("rim v", rim.at_speed(self.task.speed * self.task.rim.ratio))}
         yield phrase("rim sizes", **said, added=Slot("rim added", 100 * rim.added, PER_CENT))
+        if self.task.rim.diameter is None:
+            yield self.drafting.word("rim chosen")
 
     def fluctuation(self, delta: float, of: str = "δ") -> Phrase:
         """Write a coefficient of fluctuation as tables of permitted ones do."""
@@ -294,9 +297,9 @@ def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     wheel, language, drafting = notes.account.flywheel, notes.drafting.language, notes.drafting
     if wheel is None:
         return
-    exact = study.of(DynamicsComparison).exact.flywheel
+    exact, further = study.of(DynamicsComparison).exact.flywheel, geared(notes.rim, drafting) if notes.rim else ()
     yield from listed(
-        chapter(language, "flywheel"), [*notes.reasons(), *notes.missing(), *notes.other(), *notes.sizes()]
+        chapter(language, "flywheel"), [*notes.reasons(), *notes.missing(), *notes.other(), *notes.sizes(), *further]
     )
     yield ""
     yield from tables.tangents(wheel, exact, drafting)

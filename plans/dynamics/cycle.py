@@ -19,7 +19,7 @@ from plans.dynamics.reduction import Reducing, Reduction
 from plans.dynamics.touch import touched
 from plans.forces.loading import ROUNDING, OutputStroke, asks, working_of
 from plans.linkage.sweep import NODES, at_angles, changes_of_sign
-from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Wheel, settled
+from plans.model.dynamics import CHOSEN, CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Wheel, settled
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
 from plans.words.calculus import REASONS
@@ -27,17 +27,19 @@ from plans.words.words import because
 
 
 def rim_of(inertia: float, rim: Rim) -> Wheel | None:
-    """Size the rim of a flywheel of kg*m2 at the crank's shaft; None without a diameter, or without a flywheel.
+    """Size the rim of a flywheel of kg*m2 at the crank's shaft; None without a flywheel.
 
     The ring is thin: J = rho pi D s (D/2)^2 of a section s, on a shaft that turns u times as fast J/u^2.
     """
-    if rim.diameter is None or not inertia > 0:
+    if not inertia > 0:
         return None
     on_shaft = inertia / rim.ratio**2
-    around = rim.density * math.pi * rim.diameter  # kg for a square metre of the section
-    section = on_shaft / (around * (rim.diameter / 2) ** 2)
+    thin = 4 * on_shaft / (rim.density * math.pi * rim.breadth * CHOSEN**2)  # D^5 of a rim that is just thin
+    diameter = rim.sized(thin**0.2)
+    around = rim.density * math.pi * diameter  # kg for a square metre of the section
+    section = on_shaft / (around * (diameter / 2) ** 2)
     breadth = math.sqrt(section * rim.breadth)
-    return Wheel(on_shaft, rim.diameter, around * section, section / breadth, breadth)
+    return Wheel(on_shaft, diameter, around * section, section / breadth, breadth, rim.ratio)
 
 
 def methods(cycle: Cycle, task: Task) -> Methods | None:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from plans.analytic.dynamics.flywheel import wheel
 from plans.analytic.dynamics.run import run as solved
 from plans.dynamics.cycle import rim_of
 from plans.dynamics.form import DynamicsForm, motor_of, run_task
@@ -213,8 +214,15 @@ def test_the_least_diameter_is_just_wide_enough() -> None:
     assert least.thickness / least.diameter == pytest.approx(THICKEST, rel=1e-12)
 
 
-def test_no_rim_without_a_diameter_or_without_a_flywheel() -> None:
-    assert rim_of(1.0, Rim()) is None
+@pytest.mark.parametrize(("size", "less", "inertia"), [(0.16, 0.12, 0.011), (0.5, 0.4, 1.662), (1.0, 0.8, 86.62)])
+def test_a_diameter_that_is_not_given_is_the_least_of_row_ra10_at_which_the_rim_is_thin(size, less, inertia) -> None:
+    chosen, smaller = sized(4 * inertia, Rim(-2.0)), sized(inertia, Rim(diameter=less))
+    assert wheel(4 * inertia, Rim(-2.0)) == pytest.approx(chosen, rel=1e-12)
+    assert (chosen.diameter, chosen.ratio) == (pytest.approx(size), -2.0)
+    assert chosen.thickness / size <= 1 / 8 < smaller.thickness / less
+
+
+def test_no_rim_without_a_flywheel() -> None:
     assert rim_of(0.0, Rim(diameter=0.5)) is None
 
 
