@@ -50,6 +50,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from phrases(NOTES, _rates(study.of(DynamicsStudy).task), DIGITS, may_lack=True)
         yield from _reduction(comparison.analysis)
         return
+    level, strokes = statics.level(study.of(MotionComparison).road.extremes)
+    yield from diagrams(level.loads, strokes)
     turn = AnalysedTurn(study.of(DynamicsStudy).task, comparison.analysis)
     machine, shown = _FullTurn(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
     frame = shown.get((LOOP, None)) or Frame(0j, 1 + 0j, 1j, 1.0, 1.0)  # without a loop it is stated nowhere
