@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
@@ -59,6 +61,21 @@ def test_loads_follow_the_working_stroke_that_is_chosen(by: str) -> None:
     assert turned == pytest.approx([-1500] * 5 + [0] * 7, abs=1e-9)
     card = loaded(ENGINE + ON_B + CARD + 'direction = 0\n[output]\nworking = "right"\n', by).force()
     assert card == pytest.approx([1, 1 - AT_60, 1 - AT_90, 0, 1 - AT_90, 1 - AT_60], abs=1e-14)
+
+
+@pytest.mark.parametrize("by", ROADS)
+@pytest.mark.parametrize("own", ['stroke = "K"\n', '[output]\npoint = "K"\n'])
+@pytest.mark.parametrize("angle", [0.0, 75.0, 180.0])
+def test_a_load_on_a_coupler_works_while_its_point_goes_against_it(angle: float, own: str, by: str) -> None:
+    """A crusher's jaw: its way is that of the point along the load, whatever the turn of its link does."""
+    jaw = ROCKER.replace("AB C", "ABK C").replace('start = "extreme"', "positions = 720")
+    jaw += "[mechanism.points]\nK = { on = 2, at = [0.25, 0.09] }\n"
+    load = f'[[loads.forces]]\non = 2\npoint = "K"\ndirection = {angle}\nvalue = 7\nduring = "working stroke"\n{own}'
+    one, along = loaded(jaw + load, by), cmath.rect(1.0, math.radians(-angle))
+    place, speed = ((along * row).real for row in one.motion.points["K"][:2])
+    assert (np.abs(one.force()) > 0).tolist() == (speed < 0).tolist()
+    (stroke,) = one.strokes.values()
+    assert stroke.reach == pytest.approx((place.max(), place.min()), abs=1e-5)
 
 
 @pytest.mark.parametrize("by", ROADS)
