@@ -242,7 +242,8 @@ def works(cycle: Cycle) -> StripGraph:
     work = -cycle.work
     resisting = GraphTrace(cycle.turned, work, "result", "A_{us}", 0.6, _away(-cycle.driving))
     line = np.array([0.0, 0.25, 1.0])  # its letter stands at a point of its own
-    driving = GraphTrace(TURN * line, work[-1] * line, "relative", "A_{dr}", 0.5, OVER)
+    at, side = (0.5, OVER) if cycle.driving >= 0 else (1.0, RIGHT)  # over a falling line stand the numbers
+    driving = GraphTrace(TURN * line, work[-1] * line, "relative", "A_{dr}", at, side)
     return StripGraph(WORKS, "A", "J", work, work, (resisting, driving))
 
 
