@@ -148,8 +148,8 @@ def _size(load: Force | Moment, share: float, idle: bool) -> float:
 
 
 NAME = "load_diagram"
-FORM = GraphForm(1.6, 1.6, Margins(3.2, 1.6, 1.0), 12.0)
-MOST = 20.0  # sizes of a letter, its length at most
+FORM = GraphForm(1.3, 1.3, Margins(3.2, 1.6, 1.0), 12.0)
+MOST = 28.0  # sizes of a letter, its length at most
 LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
 FEW = 12  # corners that all are lettered a, b, c; of more those that have room
 APART = 2.6  # sizes of a letter from one corner of many to the next
