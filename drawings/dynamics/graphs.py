@@ -126,14 +126,10 @@ OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distan
 
 def pole_part(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
     """Draw the pole at its distance, mm, and rays to the mean ordinates that lie apart, each carried to the axis."""
-    size, off = hand.letter, _off(cycle) * OFF * hand.letter
+    size, lower = hand.letter, -cycle.means.min() >= cycle.means.max()
+    off = (-1j if lower else 1j) * OFF * size  # on the side of the axis on which the diagram is lower
     pole = Pole((POLE, DISTANCE), distance, middles(cycle.turned), -cycle.means, BETWEEN_RAYS * size, off, UNDER)
     return pole.part(NAME, axes, hand)
-
-
-def _off(cycle: Cycle) -> complex:
-    """Give the side of the axis on which the diagram is lower."""
-    return -1j if -cycle.means.min() >= cycle.means.max() else 1j
 
 
 DOT = 0.6  # mm, radius of a point of a curve
@@ -185,9 +181,7 @@ def graph_part(shown: StripGraph, strips: DrawnStrips, axes: Axes, drafting: Dra
     numbered = strips.spaced(abs(axes.on(TURN) - axes.on(0.0)), APART * hand.number)
     sides = [*zip(values, (shown.before - shown.base).tolist(), strict=True)]
     turned, names = strips.turned.tolist(), strips.names
-    ordinates = {
-        k for k in numbered if k not in strips.jumps or sides[k][0] == sides[k][1]
-    }  # a jump stands for its own
+    ordinates = {k for k in numbered if k not in strips.jumps or sides[k][0] == sides[k][1]}  # a jump has its own
     lines = (
         *axes.lines((0.0, TURN), shown.span, hand, shown.name),
         *(

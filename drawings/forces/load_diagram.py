@@ -259,12 +259,8 @@ def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
             yield stating(Statement(Kind.CURVE, name_of(course), way), line)
         yield from drawn[1:]
     if course.out and course.back:
-        for ends in zip(_tips(course.out), _tips(course.back)[::-1], strict=True):
+        for ends in ((course.out[0], course.back[-1]), (course.out[-1], course.back[0])):
             yield from _branch(ends, axes, hand)
-
-
-def _tips(branch: Branch) -> tuple[complex, complex]:
-    return branch[0], branch[-1]
 
 
 def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:

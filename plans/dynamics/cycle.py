@@ -125,8 +125,8 @@ def _levels(reduction: Reduction) -> Iterator[Level]:
                 yield Level(_going(stroke))
         if isinstance(load, Moment) and load.against:
             yield Level(_turning(load.link))
-        if isinstance(load, Force) and load.resists and load.other is not None:
-            yield Level(_parting(load))
+        if isinstance(load, Force) and load.resists and load.other is not None and load.line is not None:
+            yield Level(_away(load.point, load.other.point, load.line))
         elif isinstance(load, Force) and load.direction is None and load.line is None:
             yield from _moving(reduction, load.point)
 
@@ -155,13 +155,8 @@ def _turning(link: int) -> Height:
     return lambda motion: _without_rounding(motion.links[link].omega, motion.links.values())
 
 
-def _parting(force: Force) -> Height:
-    """Tell the speed at which a point goes away from another along a line that both lie on."""
-    assert force.line is not None and force.other is not None  # of a force between two links
-    return _away(force.point, force.other.point, force.line)
-
-
 def _away(point: str, far: str, line: tuple[str, str]) -> Height:
+    """Tell the speed at which a point goes away from another along a line that both lie on."""
     start, end = line
 
     def height(motion: Motion) -> Floats:
@@ -181,7 +176,7 @@ def _without_rounding(speed: Floats, motions: Collection[PointMotion | LinkMotio
 
 def _moving(reduction: Reduction, point: str) -> Iterator[Level]:
     """Tell where a point reverses: its speed along the way that it had a node before changes its sign."""
-    speed = _nodes(reduction).points[point].v
+    speed = _motion(reduction, TURN * np.arange(NODES) / NODES).points[point].v
     with np.errstate(invalid="ignore"):
         turns = np.flatnonzero((speed.conj() * np.roll(speed, -1)).real < 0)
     for way in {complex(np.round(speed[k] / np.abs(speed[k]), 6)) for k in turns}:
@@ -190,10 +185,6 @@ def _moving(reduction: Reduction, point: str) -> Iterator[Level]:
 
 def _along(point: str, way: complex) -> Height:
     return lambda motion: np.asarray((way.conjugate() * motion.points[point].v).real)
-
-
-def _nodes(reduction: Reduction) -> Motion:
-    return _motion(reduction, TURN * np.arange(NODES) / NODES)
 
 
 def _motion(reduction: Reduction, turned: Floats) -> Motion:
