@@ -170,7 +170,7 @@ class Statics:
         """The strokes over which loads change, by construction."""
         return self.over(self._extremes)
 
-    def level(self, extremes: Reached | None = None) -> tuple[Machine, Mapping[Track, OutputStroke]]:
+    def level(self, extremes: Reached | None = None) -> tuple[Machine, dict[Track, OutputStroke]]:
         """Give the constant forces against the motion of sliders alone, as over their strokes, by either road."""
         sliding = (load for load in self.machine.forces if frame_way(self.study.mechanism, load.link))
         against = (load for load in sliding if not asks(load) and load.direction is None and load.line is None)
