@@ -371,5 +371,5 @@ def draw(diagrams: DiagramsStudy, spot: Spot, drafting: Drafting) -> Parts:
 def title(diagrams: DiagramsStudy, drafting: Drafting) -> str:
     """Head the figure with the output: a point of what slides, a link that turns."""
     travel, out = diagrams.course.travel, diagrams.linkage.output
-    point = (out.point or (travel.slide.point if travel.slide else "")) if travel.sliding else ""
+    point = (out.point or (travel.way[0] if travel.way else "")) if travel.sliding else ""
     return drafting.word("diagrams of point" if point else "diagrams of link", link=out.link, point=point)

@@ -50,6 +50,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from phrases(NOTES, _rates(study.of(DynamicsStudy).task), DIGITS, may_lack=True)
         yield from _reduction(comparison.analysis)
         return
+    level, strokes = statics.level(study.of(MotionComparison).road.extremes)
+    yield from diagrams(level.loads, strokes)
     turn = AnalysedTurn(study.of(DynamicsStudy).task, comparison.analysis)
     machine, shown = _FullTurn(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
     frame = shown.get((LOOP, None)) or Frame(0j, 1 + 0j, 1j, 1.0, 1.0)  # without a loop it is stated nowhere
@@ -160,7 +162,7 @@ class _FullTurn:
 
     @cached_property
     def wheel(self) -> Wheel | None:
-        """The rim of the flywheel, if its diameter is known."""
+        """The rim of the flywheel, if one is asked for."""
         return None if self.turn.wheel is None else wheel(self.turn.wheel.inertia, self.turn.task.rim)
 
     def rim(self) -> Iterator[Expected]:
@@ -174,6 +176,8 @@ class _FullTurn:
             yield from measured(row, 1000 * abs(value), DIGITS)
         figures = ("m", rim.mass, share * rim.mass), ("J", rim.inertia, share * rim.inertia)
         yield from phrases(SKETCH, figures, DIGITS)
+        if (ratio := self.turn.task.rim.ratio) != 1 and self.turn.wheel is not None:
+            yield from phrases(SKETCH, [("u", ratio, 0.0), ("J_{fly}", self.turn.wheel.inertia, self.slack)], DIGITS)
 
     @property
     def _share(self) -> float:

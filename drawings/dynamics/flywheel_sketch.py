@@ -17,7 +17,7 @@ from drawings.lettering.words import Slot, joined, telling
 from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
-from drawings.symbols.figure import Dimension, Subject, around, heading
+from drawings.symbols.figure import Dimension, Subject, around, explained, heading
 from drawings.symbols.symbols import fit, hatching
 from plans.model.dynamics import Wheel
 
@@ -88,24 +88,29 @@ class Outlines(NamedTuple):
 def measure(rim: Wheel, drafting: Drafting) -> Picture:
     """Measure the room that the sketch needs: both views, the dimensions beside them."""
     hand = drafting.hand
-    title = max(text_width(Text(0j, drafting.word("flywheel"), hand.title)), text_width(Text(0j, said(rim, drafting))))
+    first, *further = said(rim, drafting)
+    title = max(text_width(Text(0j, drafting.word("flywheel"), hand.title)), text_width(Text(0j, first)))
     far, corners = OFF * hand.symbol, Outlines(rim).corners
     margins = around(MARGINS, hand, 2 * far, AXIS * hand.symbol, far + hand.text)
     room = picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
-    return room._replace(most=MOST * hand.letter)
+    return explained(room._replace(most=MOST * hand.letter), further, hand)
 
 
 def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the sketch in its spot: the cut hatched, the side view, axes, sizes; mass and inertia under its scale."""
     place, hand, wheel = room.place(*spot), drafting.hand, Outlines(rim)
-    title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand)
-    under = complex(spot.box.centre.real, spot.box.top - 1.6 * hand.title - 2.6 * hand.text)
-    label = telling(NAME, Text(under, said(rim, drafting), hand.text, "middle", True))
+    title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand, *said(rim, drafting))
     sizes = tuple(_sizes(wheel, place, drafting))
     marks = (
         _marked(line, letter, value, spot.scale, hand) for line, (letter, value) in zip(sizes, true(rim), strict=True)
     )
-    lines = (title, label, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
+    lines = (
+        telling(NAME, title),
+        *_cut(wheel, place, hand),
+        *_side(wheel, place, hand),
+        *_axes(wheel, place, hand),
+        *marks,
+    )
     return LetteredFigure(NAME, lines, partial(_letters, sizes, hand))
 
 
@@ -121,9 +126,18 @@ def true(rim: Wheel) -> tuple[tuple[str, complex], ...]:
     return ("D", 1j * rim.diameter), ("t", 1j * rim.thickness), ("b", complex(rim.breadth))
 
 
-def said(rim: Wheel, drafting: Drafting) -> str:
-    """Say the mass of the rim and its moment of inertia on its own shaft."""
-    return drafting.phrase("rim mass", mass=Slot("m", rim.mass, DIGITS), inertia=Slot("J", rim.inertia, DIGITS))
+def said(rim: Wheel, drafting: Drafting) -> list[str]:
+    """Say the mass of the rim and its moment of inertia on its own shaft, and what both shafts have to do."""
+    own = drafting.phrase("rim mass", mass=Slot("m", rim.mass, DIGITS), inertia=Slot("J", rim.inertia, DIGITS))
+    return [own, *geared(rim, drafting)]
+
+
+def geared(rim: Wheel, drafting: Drafting) -> list[str]:
+    """Say how fast the flywheel's shaft turns, and its inertia reduced to the crank, where that is another shaft."""
+    if rim.ratio == 1:
+        return []
+    reduced = Slot("J_{fly}", rim.inertia * rim.ratio**2, DIGITS)
+    return [drafting.phrase("rim geared", ratio=Slot("u", rim.ratio, DIGITS), reduced=reduced)]
 
 
 def size(letter: str, metres: float, drafting: Drafting) -> str:

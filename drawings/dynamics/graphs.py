@@ -126,14 +126,10 @@ OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distan
 
 def pole_part(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
     """Draw the pole at its distance, mm, and rays to the mean ordinates that lie apart, each carried to the axis."""
-    size, off = hand.letter, _off(cycle) * OFF * hand.letter
+    size, lower = hand.letter, -cycle.means.min() >= cycle.means.max()
+    off = (-1j if lower else 1j) * OFF * size  # on the side of the axis on which the diagram is lower
     pole = Pole((POLE, DISTANCE), distance, middles(cycle.turned), -cycle.means, BETWEEN_RAYS * size, off, UNDER)
     return pole.part(NAME, axes, hand)
-
-
-def _off(cycle: Cycle) -> complex:
-    """Give the side of the axis on which the diagram is lower."""
-    return -1j if -cycle.means.min() >= cycle.means.max() else 1j
 
 
 DOT = 0.6  # mm, radius of a point of a curve
@@ -185,9 +181,7 @@ def graph_part(shown: StripGraph, strips: DrawnStrips, axes: Axes, drafting: Dra
     numbered = strips.spaced(abs(axes.on(TURN) - axes.on(0.0)), APART * hand.number)
     sides = [*zip(values, (shown.before - shown.base).tolist(), strict=True)]
     turned, names = strips.turned.tolist(), strips.names
-    ordinates = {
-        k for k in numbered if k not in strips.jumps or sides[k][0] == sides[k][1]
-    }  # a jump stands for its own
+    ordinates = {k for k in numbered if k not in strips.jumps or sides[k][0] == sides[k][1]}  # a jump has its own
     lines = (
         *axes.lines((0.0, TURN), shown.span, hand, shown.name),
         *(
@@ -242,7 +236,8 @@ def works(cycle: Cycle) -> StripGraph:
     work = -cycle.work
     resisting = GraphTrace(cycle.turned, work, "result", "A_{us}", 0.6, _away(-cycle.driving))
     line = np.array([0.0, 0.25, 1.0])  # its letter stands at a point of its own
-    driving = GraphTrace(TURN * line, work[-1] * line, "relative", "A_{dr}", 0.5, OVER)
+    at, side = (0.5, OVER) if cycle.driving >= 0 else (1.0, RIGHT)  # over a falling line stand the numbers
+    driving = GraphTrace(TURN * line, work[-1] * line, "relative", "A_{dr}", at, side)
     return StripGraph(WORKS, "A", "J", work, work, (resisting, driving))
 
 

@@ -141,8 +141,8 @@ class ShownTangent:
 
     @property
     def right(self) -> bool:
-        """Whether the more of it lies on the right of the axis of energy: the longer piece is measured."""
-        return abs(self.end - self.cut) >= abs(self.start - self.cut)
+        """Whether its piece on the right of the axis of energy is measured, at whose end the angle is lettered."""
+        return abs(self.end - self.cut) >= min(abs(self.start - self.cut), self.arm)
 
     @property
     def tail(self) -> complex:

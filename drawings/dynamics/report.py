@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from drawings.dynamics import report_tables as tables
+from drawings.dynamics.flywheel_sketch import geared
 from drawings.forces.report import counted_strokes
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
@@ -105,8 +106,8 @@ class DynamicsNotes(NamedTuple):
         excess = high.surplus - low.surplus
         share = excess / (self.task.speed**2 * self.task.delta)
         said: dict[str, object] = {
-            "fast": self._angle("Δφ fastest", high.turned),
-            "slow": self._angle("Δφ slowest", low.turned),
+            "fast": self._slot("Δφ fastest", math.degrees(high.turned)),
+            "slow": self._slot("Δφ slowest", math.degrees(low.turned)),
         }
         taken = "taken over drive" if cycle.net <= 0 else "taken together"
         said |= {"taken": self.drafting.phrase(taken, excess=self._slot("A excess", excess))}
@@ -140,7 +141,8 @@ class DynamicsNotes(NamedTuple):
         twice, half = (self.fluctuation(delta, of) for delta, of in zip(deltas, ("2δ", "δ/2"), strict=True))
         yield self.drafting.phrase("other fluctuation", **said, twice=twice, half=half)
         if self.exact:
-            off = Slot("J_fly off", 100 * self._less(wheel.inertia, self.exact) / self.exact, PER_CENT)
+            less = float(settled(np.array([wheel.inertia - self.exact]), abs(self.exact))[0])  # of rounding nothing
+            off = Slot("J_fly off", 100 * less / self.exact, PER_CENT)
             exact = self._slot("J_fly exact", self.exact)
             yield self.drafting.phrase("error of strips", count=len(cycle.means), exact=exact, off=off)
 
@@ -175,17 +177,12 @@ class DynamicsNotes(NamedTuple):
         said |= {"breadth": slot("rim b", 1000 * rim.breadth), "thickness": slot("rim t", 1000 * rim.thickness)}
         said |= {"speed": slot("rim v", rim.at_speed(self.task.speed * self.task.rim.ratio))}
         yield phrase("rim sizes", **said, added=Slot("rim added", 100 * rim.added, PER_CENT))
+        if self.task.rim.diameter is None:
+            yield self.drafting.word("rim chosen")
 
     def fluctuation(self, delta: float, of: str = "δ") -> Phrase:
         """Write a coefficient of fluctuation as tables of permitted ones do."""
         return joined("", ("1/", self.drafting.slot(self._slot(f"1/{of}", 1 / delta))))
-
-    def _less(self, value: float, other: float) -> float:
-        """Subtract; nothing is left where that is but rounding."""
-        return float(settled(np.array([value - other]), abs(other))[0])
-
-    def _angle(self, quantity: str, turned: float) -> Slot:
-        return self._slot(quantity, math.degrees(turned))
 
     def _signed(self, quantity: str, value: float) -> Phrase:
         """Write a number after its sign, which is a part of what it is called."""
@@ -294,9 +291,9 @@ def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     wheel, language, drafting = notes.account.flywheel, notes.drafting.language, notes.drafting
     if wheel is None:
         return
-    exact = study.of(DynamicsComparison).exact.flywheel
+    exact, further = study.of(DynamicsComparison).exact.flywheel, geared(notes.rim, drafting) if notes.rim else ()
     yield from listed(
-        chapter(language, "flywheel"), [*notes.reasons(), *notes.missing(), *notes.other(), *notes.sizes()]
+        chapter(language, "flywheel"), [*notes.reasons(), *notes.missing(), *notes.other(), *notes.sizes(), *further]
     )
     yield ""
     yield from tables.tangents(wheel, exact, drafting)

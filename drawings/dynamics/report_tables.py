@@ -87,10 +87,11 @@ def stages(runs: Mapping[str, MachineRun], drafting: Drafting) -> Iterator[str]:
     yield from header([word(drafting.language, f"table.{head}") for head in STAGES])
     for said, run in runs.items():
         for stage in run.stages:
-            yield row([f"{_named(stage, drafting)}, {word(drafting.language, said)}", *_cells(run, stage, drafting)])
+            yield row([f"{named(stage, drafting)}, {word(drafting.language, said)}", *_cells(run, stage, drafting)])
 
 
-def _named(stage: Stage, drafting: Drafting) -> str:
+def named(stage: Stage, drafting: Drafting) -> str:
+    """Give the name of a stage."""
     return word(drafting.language, f"run.{stage.name.replace('-', '_')}")
 
 

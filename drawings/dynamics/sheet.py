@@ -178,9 +178,10 @@ class MachineMotion(NamedTuple):
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of the motion of a scene's machine; a load that is constant is told in words."""
+    """Lay out the sheets of the motion of a scene's machine; a constant load is told in words too."""
     found, statics, said = study.of(DynamicsComparison), study.of(Statics), notes_of(study)
-    loads = tuple(courses(statics.machine, statics.strokes))
+    level = courses(*statics.level()) if found.construction.cycle is not None else ()
+    loads = (*courses(statics.machine, statics.strokes), *level)
     steady = (load for load in statics.machine.loads if not asks(load))  # the others have their diagrams
     notes = (*(load_given(load, statics, drafting_of(study.scene).language) for load in steady), *said.all)
     machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, notes)

@@ -7,43 +7,36 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from drawings.dynamics.report_tables import named
 from drawings.kinds.axes import OVER, UNDER, Axes, Letter, Part
 from drawings.kinds.graph import BESIDE, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.lettering.lettering import text_width
 from drawings.lettering.words import Slot, joined, telling
 from drawings.page.page import Drafting
-from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
-from drawings.symbols.figure import heading
+from drawings.paper.strokes import Line, Polyline, Stroke
+from drawings.symbols.figure import explained, heading
 from drawings.symbols.symbols import TICK
 from plans.model.run import MachineRun
-from plans.words.words import word
 
 NAME = "tachogram"
 FORM = GraphForm(2.2, 1.8, Margins(4.0, 2.0, 2.4), 20.0)
 CLOSE = 0.1  # mm: rows that lie nearer are one point of the curve
-NUMBERS = f"{NAME}-numbers"  # the name of what is told under its heading
 STEADY = "ω_{st}"  # the mean speed of the steady motion that is reached: not the one that is asked for
-APART = 1.6  # sizes of a text from one line to the next
 
 
 def measure(run: MachineRun, drafting: Drafting) -> Picture:
     """Measure the room of a tachogram: its scale is that of time."""
-    hand, lines = drafting.hand, run_lines(run, drafting)
-    room = FORM.room(NAME, float(run.t[-1]), ("t", "s"), drafting.word("tachogram"), hand)
-    margins = room.margins._replace(above=room.margins.above + APART * len(lines) * hand.text)
-    wide = max(room.heading, *(text_width(Text(0j, line, hand.text)) for line in lines))
-    return room._replace(margins=margins, heading=wide)
+    room = FORM.room(NAME, float(run.t[-1]), ("t", "s"), drafting.word("tachogram"), drafting.hand)
+    return explained(room, run_lines(run, drafting), drafting.hand)
 
 
 def draw(run: MachineRun, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw it in its spot: the speed over time, the ends of its stages measurable, the mean of the steady motion."""
     hand, long, most = drafting.hand, float(run.t[-1]), float(run.omega.max())
     axes = standing(room, spot, (0.0, most), ("ω", "rad/s"), drafting)
-    graph = Graph(NAME, axes, hand)
+    graph, title = Graph(NAME, axes, hand), drafting.word("tachogram")
     lines = (
-        heading(spot.box, drafting.word("tachogram"), drafting.scale(spot.scale, axes.up), hand),
-        _written(run, spot, drafting),
+        telling(NAME, heading(spot.box, title, drafting.scale(spot.scale, axes.up), hand, *run_lines(run, drafting))),
         *axes.lines((0.0, long), (0.0, most), hand, NAME),
         graph.stated("ω", [Polyline(tuple(_curve(run, axes)), False, hand.result)]),
         *(stroke for k, row in enumerate(ends(run), 1) for stroke in _end(run, k, row, graph)),
@@ -69,17 +62,6 @@ def run_lines(run: MachineRun, drafting: Drafting) -> tuple[str, ...]:
         return (instants,)
     numbers = {"mean": Slot(STEADY, run.steady.mean), "delta": Slot("δ", run.steady.delta)}
     return instants, drafting.phrase("steady speed", **numbers)
-
-
-def _written(run: MachineRun, spot: Spot, drafting: Drafting) -> Group:
-    """Write under the heading what the tachogram tells."""
-    hand, box = drafting.hand, spot.box
-    at = complex(box.centre.real, box.top - 1.6 * hand.title - hand.text)
-    texts = (
-        telling(NAME, Text(at - 1j * APART * k * hand.text, line, hand.text, "middle", True))
-        for k, line in enumerate(run_lines(run, drafting), 1)
-    )
-    return Group((Group(tuple(texts)),), NUMBERS)
 
 
 def _curve(run: MachineRun, axes: Axes) -> Iterator[complex]:
@@ -113,9 +95,4 @@ def _letters(run: MachineRun, axes: Axes, most: float, drafting: Drafting) -> It
     for k, stage in enumerate(run.stages):
         yield Letter(axes.on(float(run.t[stage.last])), f"t_{k + 1}", size, UNDER, TICK + BESIDE)
         middle = float(np.mean(run.t[[stage.first, stage.last]]))
-        yield Letter(axes.on(middle, most / 4), _named(stage.name, drafting), drafting.hand.text, OVER)
-
-
-def _named(stage: str, drafting: Drafting) -> str:
-    """Give the name of a stage."""
-    return word(drafting.language, f"run.{stage.replace('-', '_')}")
+        yield Letter(axes.on(middle, most / 4), named(stage, drafting), drafting.hand.text, OVER)

@@ -148,8 +148,8 @@ def _size(load: Force | Moment, share: float, idle: bool) -> float:
 
 
 NAME = "load_diagram"
-FORM = GraphForm(1.6, 1.6, Margins(3.2, 1.6, 1.0), 12.0)
-MOST = 20.0  # sizes of a letter, its length at most
+FORM = GraphForm(1.3, 1.3, Margins(3.2, 1.6, 1.0), 12.0)
+MOST = 20.0, 28.0  # sizes of a letter, its length at most: of a load, of an indicator card
 LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
 FEW = 12  # corners that all are lettered a, b, c; of more those that have room
 APART = 2.6  # sizes of a letter from one corner of many to the next
@@ -187,7 +187,7 @@ def measure(course: LoadCourse, drafting: Drafting) -> Picture:
     hand, axis = drafting.hand, _way(course)[:2]
     room = FORM.room(name_of(course), course.length, axis, _title(course, drafting), hand)
     below = room.margins.below + (LEVELS[-1] + 2) * hand.symbol
-    return room._replace(margins=room.margins._replace(below=below), most=MOST * hand.letter)
+    return room._replace(margins=room.margins._replace(below=below), most=MOST[course.card] * hand.letter)
 
 
 def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -259,12 +259,8 @@ def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
             yield stating(Statement(Kind.CURVE, name_of(course), way), line)
         yield from drawn[1:]
     if course.out and course.back:
-        for ends in zip(_tips(course.out), _tips(course.back)[::-1], strict=True):
+        for ends in ((course.out[0], course.back[-1]), (course.out[-1], course.back[0])):
             yield from _branch(ends, axes, hand)
-
-
-def _tips(branch: Branch) -> tuple[complex, complex]:
-    return branch[0], branch[-1]
 
 
 def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:

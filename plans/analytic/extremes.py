@@ -12,7 +12,7 @@ from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.ends import Station
 from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.turn import FULL, Blocks, Marched, station, stations_at, whole_turn
-from plans.model.mechanism import FASTER, FRAME, Mechanism, Output, Slide, by_time, works
+from plans.model.mechanism import FASTER, FRAME, Mechanism, Output, Way, by_time, works
 from plans.model.motion import Complexes, Extremes, Floats
 
 
@@ -20,23 +20,22 @@ class OutputCoordinate(NamedTuple):
     """The output coordinate: along the frame's guide in units of `size`, or the turn of the link."""
 
     place: int  # of the link in the poses
-    guide: Slide | None
+    way: Way | None
     own: complex  # the point shown, in the link's own frame, in units of `size`
     size: float
 
     @property
     def sliding(self) -> bool:
         """Whether it is a length."""
-        return self.guide is not None
+        return self.way is not None
 
     def along(self, taylor: Floats) -> Floats:
         """Give the coordinate and its two derivatives by the crank angle at N stations, (3, N)."""
-        if self.guide is None:
+        if self.way is None:
             return np.asarray(taylor[:, :, self.place, TURN])
-        way = self.guide.way(FRAME)
         places = _OutputSpot(self.place, self.own).along(taylor)
-        places[0] -= way.through / self.size
-        return np.asarray((places * way.direction.conjugate()).real)
+        places[0] -= self.way.through / self.size
+        return np.asarray((places * self.way.direction.conjugate()).real)
 
 
 class _OutputSpot(NamedTuple):
@@ -102,7 +101,8 @@ def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output
     named = (output.point or "", guide.point if guide else "", next(iter(points)))
     point = next(name for name in named if name in points)
     place = constraints.numbers.index(output.link)
-    return OutputCoordinate(place, guide, points[point] / constraints.size, constraints.size)
+    along = Way(0j, output.along) if output.along is not None else guide and guide.way(FRAME)
+    return OutputCoordinate(place, along, points[point] / constraints.size, constraints.size)
 
 
 def _spot(mechanism: Mechanism, constraints: Constraints, name: str) -> _OutputSpot:

@@ -19,7 +19,7 @@ from plans.dynamics.reduction import Reducing, Reduction
 from plans.dynamics.touch import touched
 from plans.forces.loading import ROUNDING, OutputStroke, asks, working_of
 from plans.linkage.sweep import NODES, at_angles, changes_of_sign
-from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Wheel, settled
+from plans.model.dynamics import CHOSEN, CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Wheel, settled
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
 from plans.words.calculus import REASONS
@@ -27,17 +27,19 @@ from plans.words.words import because
 
 
 def rim_of(inertia: float, rim: Rim) -> Wheel | None:
-    """Size the rim of a flywheel of kg*m2 at the crank's shaft; None without a diameter, or without a flywheel.
+    """Size the rim of a flywheel of kg*m2 at the crank's shaft; None without a flywheel.
 
     The ring is thin: J = rho pi D s (D/2)^2 of a section s, on a shaft that turns u times as fast J/u^2.
     """
-    if rim.diameter is None or not inertia > 0:
+    if not inertia > 0:
         return None
     on_shaft = inertia / rim.ratio**2
-    around = rim.density * math.pi * rim.diameter  # kg for a square metre of the section
-    section = on_shaft / (around * (rim.diameter / 2) ** 2)
+    thin = 4 * on_shaft / (rim.density * math.pi * rim.breadth * CHOSEN**2)  # D^5 of a rim that is just thin
+    diameter = rim.sized(thin**0.2)
+    around = rim.density * math.pi * diameter  # kg for a square metre of the section
+    section = on_shaft / (around * (diameter / 2) ** 2)
     breadth = math.sqrt(section * rim.breadth)
-    return Wheel(on_shaft, rim.diameter, around * section, section / breadth, breadth)
+    return Wheel(on_shaft, diameter, around * section, section / breadth, breadth, rim.ratio)
 
 
 def methods(cycle: Cycle, task: Task) -> Methods | None:
@@ -123,8 +125,8 @@ def _levels(reduction: Reduction) -> Iterator[Level]:
                 yield Level(_going(stroke))
         if isinstance(load, Moment) and load.against:
             yield Level(_turning(load.link))
-        if isinstance(load, Force) and load.resists and load.other is not None:
-            yield Level(_parting(load))
+        if isinstance(load, Force) and load.resists and load.other is not None and load.line is not None:
+            yield Level(_away(load.point, load.other.point, load.line))
         elif isinstance(load, Force) and load.direction is None and load.line is None:
             yield from _moving(reduction, load.point)
 
@@ -153,13 +155,8 @@ def _turning(link: int) -> Height:
     return lambda motion: _without_rounding(motion.links[link].omega, motion.links.values())
 
 
-def _parting(force: Force) -> Height:
-    """Tell the speed at which a point goes away from another along a line that both lie on."""
-    assert force.line is not None and force.other is not None  # of a force between two links
-    return _away(force.point, force.other.point, force.line)
-
-
 def _away(point: str, far: str, line: tuple[str, str]) -> Height:
+    """Tell the speed at which a point goes away from another along a line that both lie on."""
     start, end = line
 
     def height(motion: Motion) -> Floats:
@@ -179,7 +176,7 @@ def _without_rounding(speed: Floats, motions: Collection[PointMotion | LinkMotio
 
 def _moving(reduction: Reduction, point: str) -> Iterator[Level]:
     """Tell where a point reverses: its speed along the way that it had a node before changes its sign."""
-    speed = _nodes(reduction).points[point].v
+    speed = _motion(reduction, TURN * np.arange(NODES) / NODES).points[point].v
     with np.errstate(invalid="ignore"):
         turns = np.flatnonzero((speed.conj() * np.roll(speed, -1)).real < 0)
     for way in {complex(np.round(speed[k] / np.abs(speed[k]), 6)) for k in turns}:
@@ -188,10 +185,6 @@ def _moving(reduction: Reduction, point: str) -> Iterator[Level]:
 
 def _along(point: str, way: complex) -> Height:
     return lambda motion: np.asarray((way.conjugate() * motion.points[point].v).real)
-
-
-def _nodes(reduction: Reduction) -> Motion:
-    return _motion(reduction, TURN * np.arange(NODES) / NODES)
 
 
 def _motion(reduction: Reduction, turned: Floats) -> Motion:

@@ -259,7 +259,7 @@ class FlywheelTable(Table):
     """What is known of the flywheel: the shaft that it is to sit on, mean diameter of its rim m, material."""
 
     ratio: Decimal = key(RATIO, Decimal(1), meaning="Turns of its shaft for one turn of the crank: 1 is the crank's.")
-    diameter: Decimal | None = key(f.LENGTH, None, meaning="Mean diameter of the rim; its mass is found.")
+    diameter: Decimal | None = key(f.LENGTH, None, meaning="Mean diameter; default: one of row Ra10, with t <= D/8.")
     density: Decimal = key(MATERIAL, Decimal(7200), meaning="Density of the rim; default: grey iron.")
     breadth: Decimal = key(SHARE, Decimal("1.5"), meaning="Axial breadth of the rim's section over its thickness.")
 

@@ -94,8 +94,7 @@ def _notes(dynamics: DynamicsStudy, name: str) -> tuple[Message, ...]:
 def _result(study: Study, name: str) -> Iterator[Message]:
     """Say of what the table of results tells what the strips come to, and what it is without their error."""
     for quantity in study.quantities("dynamics") if name in RESULTS else ():
-        if SEGMENT.sub(r"o1\1", quantity.name.translate(BRACES)) == name and np.isinf(
-            quantity.allowed[0]
-        ):  # is not judged
+        named = SEGMENT.sub(r"o1\1", quantity.name.translate(BRACES))
+        if named == name and np.isinf(quantity.allowed[0]):  # is not judged
             ours, exact = (f"{row[0]:.10g}" for row in (quantity.construction, quantity.analysis))
             yield message("explain.strips", mark=name, ours=ours, exact=exact, unit=quantity.unit)

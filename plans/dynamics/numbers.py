@@ -49,24 +49,19 @@ def numbers(study: Study, by: str) -> Numbers:
 
 
 def _reduced(found: Reduced) -> dict[str, Any]:
-    return {
-        "phi": plain(found.phi),
-        "moment": plain(found.moment),
-        "inertia": plain(found.inertia),
-        "slope": plain(found.slope),
-        "gaps": [gap_numbers(gap) for gap in found.gaps],
-    }
+    return _rows(found, "phi", "moment", "inertia", "slope") | {"gaps": [gap_numbers(gap) for gap in found.gaps]}
+
+
+def _rows(found: Any, *names: str) -> dict[str, Any]:
+    """Give some rows of what is found by their names."""
+    return {name: plain(getattr(found, name)) for name in names}
 
 
 def _cycle(found: Cycle) -> dict[str, Any]:
     return {
-        "turned": plain(found.turned),
-        "breaks": plain(found.breaks),
+        **_rows(found, "turned", "breaks"),
         "moments": [plain(row) for row in found.moments],
-        "means": plain(found.means),
-        "work": plain(found.work),
-        "surplus": plain(found.surplus),
-        "inertia": plain(found.inertia),
+        **_rows(found, "means", "work", "surplus", "inertia"),
         "driving": found.driving + 0.0,
     }
 
@@ -77,12 +72,7 @@ def _flywheel(found: Flywheel, ratio: float) -> dict[str, Any]:
         "psi": np.arctan(found.slopes).tolist(),
         "cuts": list(found.cuts),
         "touches": [touch._asdict() for touch in found.touches],
-        "whole": found.whole,
-        "energy": found.energy,
-        "own": found.own,
-        "present": found.present,
-        "needed": found.needed,
-        "inertia": found.inertia,
+        **{name: getattr(found, name) for name in ("whole", "energy", "own", "present", "needed", "inertia")},
         "reduced_to": CRANK,
         "on_its_shaft": {"ratio": ratio, "inertia": found.inertia / ratio**2},
     }
@@ -97,8 +87,7 @@ def _speeds(found: Speeds | None) -> dict[str, Any] | None:
     if found is None:
         return None
     return {
-        "turned": plain(found.turned),
-        "omega": plain(found.omega),
+        **_rows(found, "turned", "omega"),
         "epsilon": [plain(row) for row in found.epsilon],
         "extremes": list(found.extremes),
         "delta": found.delta,
@@ -111,10 +100,7 @@ def _run(found: MachineRun) -> dict[str, Any]:
         "steady": None if found.steady is None else _steady(found.steady),
         "method": found.method._asdict(),
         "failure": None if found.failure is None else _failure(found.failure),
-        "t": plain(found.t),
-        "turned": plain(found.turned),
-        "omega": plain(found.omega),
-        "epsilon": plain(found.epsilon),
+        **_rows(found, "t", "turned", "omega", "epsilon"),
     }
 
 
@@ -129,17 +115,9 @@ def _stage(run: MachineRun, stage: Stage) -> dict[str, Any]:
 
 
 def _steady(turn: SteadyTurn) -> dict[str, Any]:
-    return {
-        "start": turn.start,
-        "extremes": list(turn.extremes),
-        "mean": turn.mean,
-        "delta": turn.delta,
-        "period": turn.period,
-        "closing": turn.closing,
-        "repeats": turn.repeats,
-        "works": turn.works._asdict(),
-        "efficiency": turn.works.efficiency,
-    }
+    names = "start", "extremes", "mean", "delta", "period", "closing", "repeats"
+    told = {name: getattr(turn, name) for name in names} | {"extremes": list(turn.extremes)}
+    return told | {"works": turn.works._asdict(), "efficiency": turn.works.efficiency}
 
 
 def _failure(why: Failure) -> dict[str, Any]:

@@ -6,9 +6,8 @@ rounding parts them; what the chords themselves leave out is told beside, agains
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -42,18 +41,15 @@ from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStu
 from plans.forces.loading import OutputStroke, loading
 from plans.linkage.quantities import ANALYSIS, MotionComparison
 from plans.model.dynamics import Cycle, Flywheel, Methods, Speeds
-from plans.model.kinetostatics import Loading
 from plans.model.machine import Track
-from plans.model.motion import Floats, Motion
+from plans.model.motion import Floats
 from plans.model.run import Account, MachineRun
 from plans.quantity import Comparison, Quantity
 
 if TYPE_CHECKING:
     from plans.study import Study
 
-CHORDS_ORDER = (
-    2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
-)
+ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
 SAME = 1e-7  # rad: a break is known to half the digits of an angle, by a notch or by a root
 # Of the largest moment: what a straight line through two ordinates beside an edge leaves out, or rounds, there.
 BESIDE = 2.0**-32
@@ -72,7 +68,7 @@ class Reductions(NamedTuple):
         pairs = (
             ("M_red", "N*m", "moment", lever.acting, 1),
             ("J_red", "kg*m2", "inertia", lever.moved, 1),
-            ("dJ/dφ", "kg*m2", "slope", lever.hindering, CHORDS_ORDER),
+            ("dJ/dφ", "kg*m2", "slope", lever.hindering, ORDER),
         )
         for name, unit, part, marks, order in pairs:
             values = getattr(ours, part), getattr(self.theirs.reduced, part)
@@ -127,9 +123,8 @@ class Chords:
     def _breaks(self) -> Quantity:
         """Compare where the moment jumps or bends, of each road the nearest of the other; position 0 is always one."""
         ours, theirs = (np.append(0.0, road.breaks) for road in (self.ours, self.turn))
-        pairs = [(place, _nearest(place, theirs)) for place in ours] + [
-            (_nearest(place, ours), place) for place in theirs
-        ]
+        pairs = [(place, _nearest(place, theirs)) for place in ours]
+        pairs += [(_nearest(place, ours), place) for place in theirs]
         both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
         return Quantity.of((WORKS, "φ", "rad"), (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
 
@@ -142,8 +137,7 @@ class Chords:
         steep, mass = ours.slopes[1], 2 * float(self.mass.max())
         cut = float(self._surplus.max()) + steep * mass
         largest = max(map(abs, (*ours.cuts, *theirs.cuts, _largest(self.ours.work))))
-        names = ("o1l", "o1k")
-        for name, ours_cut, other in zip(names, ours.cuts, theirs.cuts, strict=True):
+        for name, ours_cut, other in zip(("o1l", "o1k"), ours.cuts, theirs.cuts, strict=True):
             yield Quantity.of((FLYWHEEL, name, "J"), (ours_cut, other), cut + 4 * EPS * largest, largest)
         whole = self._whole(ours)
         yield Quantity.of((FLYWHEEL, "J_0", "kg*m2"), (ours.whole, theirs.whole), whole, abs(ours.whole))
@@ -230,9 +224,6 @@ def _largest(values: Floats) -> float:
     return float(np.abs(values).max(initial=0.0))
 
 
-ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
-
-
 @dataclass(frozen=True)
 class DynamicsComparison(Comparison):
     """A machine's motion by both roads, over its positions by both; `exact` is the turn without the chords' error."""
@@ -278,12 +269,8 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
 
 def _road(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, OutputStroke]]:
     strokes = study.statics.over(motion.road.extremes)
-    loads, start = partial(_loads, study, strokes), float(study.linkage.turn.phi[0])
-    return Reducing(motion.road, study.statics.machine, loads, start), strokes
-
-
-def _loads(study: DynamicsStudy, strokes: Mapping[Track, OutputStroke], motion: Motion) -> Loading:
-    return loading(study.statics.machine, motion, strokes)
+    machine, start = study.statics.machine, float(study.linkage.turn.phi[0])
+    return Reducing(motion.road, machine, lambda found: loading(machine, found, strokes), start), strokes
 
 
 def _sampled(study: DynamicsStudy, theirs: Account, turn: Exact, cycle: Cycle) -> Account:

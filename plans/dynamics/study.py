@@ -186,7 +186,7 @@ class DynamicsStudy:
 
     @cached_property
     def wheel(self) -> Wheel | None:
-        """The rim of the flywheel; None without a diameter, or where no flywheel is needed."""
+        """The rim of the flywheel; None where no flywheel is needed."""
         return rim_of(self.flywheel.inertia, self.task.rim) if self.flywheel else None
 
     @property

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from plans.model.kinetostatics import Applied, Loading, Twist
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, OUTPUT, WORKING, Force, Machine, Moment, Spring, Track
-from plans.model.mechanism import FRAME, Mechanism, Output, Parting, StructureError, Way, frame_way
+from plans.model.mechanism import FRAME, Mechanism, Output, Parting, StructureError, Way, frame_way, output_way
 from plans.model.motion import Complexes, Extremes, Floats, LinkMotion, Motion, PointMotion
 from plans.words.words import Message, message
 
@@ -43,7 +43,7 @@ class OutputStroke(NamedTuple):
     @property
     def output(self) -> Output:
         """What has the stroke."""
-        return Output(self.link, self.point or None, parting=self.parting)
+        return Output(self.link, self.point or None, parting=self.parting, along=self.way and self.way.direction)
 
     @property
     def sliding(self) -> bool:
@@ -118,7 +118,7 @@ def strokes(
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
                 raise NoStroke(load.name, _thing(load.stroke, output))
             sense = -1 if mechanism.drive.omega < 0 else 1
-            point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
+            point, way = (shown.parting is None and output_way(mechanism, shown)) or ("", None)
             point = shown.point or point
             found[load.stroke] = OutputStroke(*reached.phi, sense, reached.reach, shown.link, point, way, shown.parting)
         if asks(load):
@@ -146,6 +146,8 @@ def counted(mechanism: Mechanism, load: Force | Moment, output: Output) -> Outpu
         return output
     if track.parting is not None:
         return Output(load.link, track.point, track.working, track.parting)
+    if track.along is not None:
+        return Output(mechanism.link_of(track.point), track.point, track.working, along=track.along)
     shown = output_at(mechanism, track.point)
     return shown and shown._replace(working=track.working)
 

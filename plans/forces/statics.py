@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from plans.forces.drive import balancing_quantity, joined, push, with_cylinder, without
 from plans.forces.force_template import ForceDrawing, ForcePattern, ForcePlans
-from plans.forces.loading import ROUNDING, NoStroke, OtherStroke, OutputStroke, counted, loading, strokes
+from plans.forces.loading import ROUNDING, NoStroke, OtherStroke, OutputStroke, asks, counted, loading, strokes
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
 from plans.linkage.drafts import Drafts, near_edge
@@ -22,8 +22,8 @@ from plans.linkage.sweep import RedrawnPlans, at_angles
 from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
-from plans.model.machine import IDLE, WORKING, Force, Machine, Moment, Track
-from plans.model.mechanism import NoWorkingStroke, Output, StructureError
+from plans.model.machine import IDLE, WORKING, Diagram, Force, Machine, Moment, Track
+from plans.model.mechanism import NoWorkingStroke, Output, StructureError, frame_way
 from plans.model.motion import (
     CHANGE_POINT,
     DEAD_CENTRE,
@@ -84,6 +84,8 @@ def _off(force: Force, motion: Motion) -> float:
     return float(np.nanmax(np.abs(across), initial=0.0))
 
 
+CONSTANT = Diagram((0.0, 1.0), (1.0, 1.0))  # over a stroke, there and back
+Reached: TypeAlias = Callable[[Output], Extremes | None]
 ADVICE = {INDETERMINATE: message("gap.indeterminate"), DEAD_CENTRE: message("gap.no_force")}
 
 
@@ -168,11 +170,19 @@ class Statics:
         """The strokes over which loads change, by construction."""
         return self.over(self._extremes)
 
-    def over(self, extremes: Callable[[Output], Extremes | None]) -> dict[Track, OutputStroke]:
+    def level(self, extremes: Reached | None = None) -> tuple[Machine, dict[Track, OutputStroke]]:
+        """Give the constant forces against the motion of sliders alone, as over their strokes, by either road."""
+        sliding = (load for load in self.machine.forces if frame_way(self.study.mechanism, load.link))
+        against = (load for load in sliding if not asks(load) and load.direction is None and load.line is None)
+        forces = tuple(load._replace(diagram=CONSTANT, stroke=Track(load.point)) for load in against)
+        machine = replace(self.machine, forces=forces, moments=())
+        return machine, self.over(extremes or self._extremes, machine)
+
+    def over(self, extremes: Reached, machine: Machine | None = None) -> dict[Track, OutputStroke]:
         """Find the strokes over which loads change by the extreme positions of either road."""
         study = self.study
         try:
-            return strokes(self.machine, study.mechanism, study.output, extremes)
+            return strokes(machine or self.machine, study.mechanism, study.output, extremes)
         except NoStroke as error:
             why = error.args[0]
             if study.barriers and study.mechanism.drive.turns:

@@ -14,7 +14,7 @@ from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.linkage.sweep import FAN, LOOKS, NODES, Sweep, at_angles, changes_of_sign
 from plans.model.dyad import Assur
-from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output, Parting, Slide, by_time, works
+from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output, Parting, Slide, by_time, output_way, works
 from plans.model.motion import Complexes, Extremes, Floats, Motion, PointMotion
 
 # An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
@@ -34,12 +34,12 @@ class OutputTravel:
 
     def __init__(self, sweep: Sweep, out: Output) -> None:
         self.sweep, self.out = sweep, out
-        self.slide = None if out.parting else frame_slide(sweep.mechanism, out.link)
+        self.way = None if out.parting else output_way(sweep.mechanism, out)
 
     @property
     def sliding(self) -> bool:
         """Whether the output slides, on the frame or away from another point."""
-        return self.slide is not None or self.out.parting is not None
+        return self.way is not None or self.out.parting is not None
 
     def coordinate(self, turn: CrankPositions) -> Floats:
         """Read off the plan of positions: metres along the guide from its own point, or radians."""
@@ -59,9 +59,10 @@ class OutputTravel:
 
     def rows(self, motion: Motion) -> tuple[Floats, ...]:
         """Read the coordinate off a motion, with its derivatives by time; of an output that parts from no other."""
-        if self.slide is None:
+        if self.way is None:
             return tuple(motion.links[self.out.link])
-        way, (place, *rates) = self.slide.way(FRAME), motion.points[self.out.point or self.slide.point]
+        name, way = self.way
+        place, *rates = motion.points[self.out.point or name]
         return tuple(np.asarray(dot(way.direction, row)) for row in (place - way.through, *rates))
 
     def _parting(self, parting: Parting, motion: Motion) -> tuple[PointMotion, Complexes]:

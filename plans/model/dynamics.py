@@ -49,6 +49,8 @@ class Methods(NamedTuple):
 
 
 THICKEST = 0.5  # of the mean diameter: a thicker rim leaves no room for shaft, hub and spokes
+CHOSEN = 0.125  # likewise, at most, of a diameter that is chosen
+RA10 = (1.0, 1.2, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.3, 8.0, 10.0)  # preferred sizes (GOST 6636)
 
 
 class Wheel(NamedTuple):
@@ -59,6 +61,7 @@ class Wheel(NamedTuple):
     mass: float
     thickness: float  # along the radius
     breadth: float  # along the shaft
+    ratio: float = 1.0  # turns of its shaft for one of the crank
 
     @property
     def outer(self) -> float:
@@ -111,13 +114,23 @@ class Shaft(NamedTuple):
 class Rim(NamedTuple):
     """What is known of the flywheel's rim (обод): its shaft's turns for one of the crank, mean diameter m, material.
 
-    `density` is kg/m3, `breadth` the axial breadth over the radial thickness of the rim's section.
+    Without a diameter it is of the least preferred one at which it is thin. `density` is kg/m3, `breadth` the axial
+    breadth over the radial thickness of the rim's section.
     """
 
     ratio: float = 1.0
     diameter: float | None = None
     density: float = 7200.0
     breadth: float = 1.5
+
+    def sized(self, least: float) -> float:
+        """Give its mean diameter m; without one the least preferred size that is not less than one m.
+
+        >>> [Rim().sized(least) for least in (0.81, 1.0, 3.3)], Rim(diameter=0.7).sized(1.0)
+        ([1.0, 1.0, 4.0], 0.7)
+        """
+        power = 10.0 ** np.floor(np.log10(least))
+        return self.diameter or float(next(power * size for size in RA10 if power * size >= least))
 
 
 class Task(NamedTuple):

@@ -25,11 +25,15 @@ class Body(NamedTuple):
 
 
 class Track(NamedTuple):
-    """Whose stroke a load counts: of the output, of a point, or of one from another; and which of the two works."""
+    """Whose stroke a load counts: of the output, of a point, or of one from another; and which of the two works.
+
+    That of a point of a link that neither slides on the frame nor swings about it goes `along` a direction.
+    """
 
     point: str = ""  # "": the output
     working: str = SLOWER
     parting: Parting | None = None
+    along: complex | None = None
 
 
 OUTPUT = Track()

@@ -26,6 +26,7 @@ THROUGH = (PARALLEL, INERTIA)
 WAYS = {"right": 1 + 0j, "left": -1 + 0j, "up": 1j, "down": -1j}
 TURNS = {"counter-clockwise": 1, "clockwise": -1}
 PARTINGS = {"apart": 1, "together": -1}
+AGAINST = "against"  # the direction of a load along which a point of a coupler counts
 STROKES = (SLOWER, FASTER, *WAYS, *TURNS, *PARTINGS)
 # A stroke goes another way than is asked for where so small a share of it goes that way: square to it but for rounding.
 SQUARE = 1e-7
@@ -143,6 +144,7 @@ class Output(NamedTuple):
     point: str | None
     working: str = SLOWER  # which of its strokes is the working one
     parting: Parting | None = None  # from what its point is away, where that counts and not its motion on the frame
+    along: complex | None = None  # the direction in which the way of its point counts, where no guide gives it
 
 
 @dataclass(frozen=True)
@@ -239,12 +241,21 @@ def frame_way(mechanism: Mechanism, link: int) -> tuple[str, Way] | None:
     return next(((slide.point, slide.way(FRAME)) for slide in slides), None)
 
 
+def output_way(mechanism: Mechanism, output: Output) -> tuple[str, Way] | None:
+    """Give the point of an output that counts and its line: of a guide, or in the direction told; None: it swings."""
+    if output.along is not None:
+        return output.point or "", Way(0j, output.along)
+    return frame_way(mechanism, output.link)
+
+
 def _progress(mechanism: Mechanism, output: Output, begin: float, end: float) -> tuple[float, float]:
     """Give how far an output goes in the way that names its working stroke, and how far at all; 0 where it does not."""
     whole, name = end - begin, output.working
-    slide = frame_way(mechanism, output.link)
+    slide = output_way(mechanism, output)
     if output.parting is not None:
         return PARTINGS.get(name, 0) * whole, abs(whole)
+    if name == AGAINST:
+        return -whole, abs(whole)
     if name in TURNS:
         return (0.0 if slide else TURNS[name] * whole), abs(whole)
     if name not in WAYS:

@@ -65,8 +65,7 @@ def test_hatching_is_as_long_as_the_area_asks() -> None:
     lines = list(hatching(outline, hand))
     assert {round(math.degrees(cmath.phase(line.end - line.start))) for line in lines} == {45}
     assert sum(abs(line.end - line.start) for line in lines) * 2.0 == pytest.approx(1300.0, rel=0.01)
-    middles = [(line.start + line.end) / 2 for line in lines]
-    assert not any(middle.real > 25 and 10 < middle.imag < 30 for middle in middles)
+    assert not any(mid.real > 25 and 10 < mid.imag < 30 for mid in ((line.start + line.end) / 2 for line in lines))
 
 
 TURNED = np.linspace(0.0, 2 * np.pi, 73)
@@ -182,7 +181,8 @@ def test_a_jump_is_dashed_and_no_part_of_the_curve() -> None:
 
 
 @pytest.mark.parametrize(("law", "told"), [("value = 3200", True), ('value = 3200; during = "idle stroke"', False)])
-def test_a_load_that_is_constant_is_told_where_one_that_changes_has_its_diagram(law: str, told: bool) -> None:
+def test_a_constant_load_has_its_diagram_as_one_that_changes_and_is_told_too(law: str, told: bool) -> None:
     laid = leaves(Study(parse_scene(text(scene(forces=[f'on = 3; point = "B"; against = "motion"; {law}'])))))
     said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
     assert ("3200 N against the motion of B" in said.replace("\N{NO-BREAK SPACE}", " ")) == told
+    assert "load_diagram-F_us" in {group.name for leaf in laid for group in groups(leaf.groups)}

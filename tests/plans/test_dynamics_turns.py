@@ -99,15 +99,12 @@ def test_mirrored_machine_has_the_same_flywheel() -> None:
 
 def test_work_against_a_constant_force_is_force_times_way() -> None:
     """A scotch yoke without masses, against a constant force: the work is -F times the way."""
-    yoke = Steady(
-        linkages.scotch_yoke(0.1, omega=1.0, epsilon=0.0), machine(Force("F", 3, "D", 0j, 500.0, None), bodies={})
-    )
-    found = yoke.exact
+    force = Force("F", 3, "D", 0j, 500.0, None)
+    found = Steady(linkages.scotch_yoke(0.1, omega=1.0, epsilon=0.0), machine(force, bodies={})).exact
     turned = edges(found)
     assert found.breaks == pytest.approx([pi / 2, 3 * pi / 2], rel=1e-14)
-    way = np.where(
-        turned <= pi / 2, np.sin(turned), np.where(turned <= 3 * pi / 2, 2 - np.sin(turned), 4 + np.sin(turned))
-    )
+    up = np.sin(turned)
+    way = np.where(turned <= pi / 2, up, np.where(turned <= 3 * pi / 2, 2 - up, 4 + up))
     assert exact_cycle(found, turned).work == pytest.approx(-500 * 0.1 * way, abs=1e-12 * 200)
 
 

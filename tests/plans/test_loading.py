@@ -87,7 +87,5 @@ def test_an_extreme_is_the_same_position_to_the_rounding_of_its_angle() -> None:
 def test_a_crank_at_rest_is_about_to_move_with_its_acceleration() -> None:
     rest = ENGINE.replace("speed = 10", "speed = 0\nacceleration = 5") + ON_B + "value = 8\n" + AGAINST
     found = loaded(rest).force()
-    assert found[1:3] == pytest.approx([8, 8])
-    assert found[4:] == pytest.approx([-8, -8])
-    still = rest.replace("acceleration = 5", "acceleration = 0")
-    assert loaded(still).force().tolist() == [0] * 6
+    assert [*found[1:3], *found[4:]] == pytest.approx([8, 8, -8, -8])
+    assert loaded(rest.replace("acceleration = 5", "acceleration = 0")).force().tolist() == [0] * 6

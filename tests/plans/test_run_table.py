@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from plans.analytic.dynamics.flywheel import wheel
 from plans.analytic.dynamics.run import run as solved
 from plans.dynamics.cycle import rim_of
 from plans.dynamics.form import DynamicsForm, motor_of, run_task
@@ -102,11 +103,8 @@ LAWS: list[MotorLaw] = [Linear(60.0, 20.0), Kloss(60.0, 0.2, 157.0), Kloss(60.0,
 
 def test_kloss_has_its_greatest_moment_at_the_critical_slip_and_none_at_the_synchronous_speed() -> None:
     motor = Kloss(60.0, 0.2, 100.0)
-    assert motor.moment(80.0) == pytest.approx(60.0, rel=1e-15)
-    assert motor.moment(100.0) == 0.0
-    assert motor.moment(0.0) == pytest.approx(2 * 60 / (1 / 0.2 + 0.2), rel=1e-15)
-    assert motor.moment(60.0) == pytest.approx(2 * 60 / (2 + 0.5), rel=1e-15)
-    assert motor.moment(120.0) == pytest.approx(-60.0, rel=1e-15)
+    told = {80.0: 60.0, 100.0: 0.0, 0.0: 2 * 60 / (1 / 0.2 + 0.2), 60.0: 2 * 60 / (2 + 0.5), 120.0: -60.0}
+    assert [motor.moment(speed) for speed in told] == pytest.approx([*told.values()], rel=1e-15)
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -126,9 +124,8 @@ def test_a_table_is_straight_between_its_points_and_goes_on_beyond_them() -> Non
 def test_a_motor_is_brought_to_the_crank_by_its_ratio_once_for_the_moment_and_once_for_the_speed(ratio: float) -> None:
     motor = Motor(Linear(60.0, 250.0), ratio)
     assert motor.moment(10.0) == 12.5 * 60 * (1 - 125 / 250)
-    assert motor.slope(10.0) == pytest.approx(-(12.5**2) * 60 / 250)
-    assert motor.steepness == pytest.approx(12.5**2 * 60 / 250)
-    assert motor.speed(375.0) == pytest.approx(10.0)
+    steep = 12.5**2 * 60 / 250
+    assert (motor.slope(10.0), motor.steepness, motor.speed(375.0)) == pytest.approx((-steep, steep, 10.0))
 
 
 def scene_text(motor: str, run: str = "") -> str:
@@ -147,8 +144,7 @@ def scene_text(motor: str, run: str = "") -> str:
 def test_a_scene_gives_one_of_four_laws(motor: str, law: MotorLaw) -> None:
     scene = parse_scene(scene_text(motor, '[dynamics.run]\nstep = "5 ms"\nturns = 3\nbrake = 7\nresistance = "start"'))
     form = scene.of(DynamicsForm).dynamics
-    assert form.motor is not None
-    assert form.motor.law == law
+    assert form.motor is not None and form.motor.law == law
     assert motor_of(form.motor) == Motor(law)
     assert run_task(form.run, 12.0) == (12.0, 3, 7.0, True, 0.005)
 
@@ -201,9 +197,8 @@ def sized(inertia: float, rim: Rim) -> Wheel:
 def test_a_textbook_flywheel_and_the_same_on_a_faster_shaft() -> None:
     """M4.11: J = 11.8, D = 0.9 m; the same on a shaft of 14 turns, D = 0.3 m."""
     slow, fast = (sized(11.8, Rim(ratio, diameter)) for ratio, diameter in ((1.0, 0.9), (-14.0, 0.3)))
-    assert slow.mass == pytest.approx(58.27160494, rel=1e-9)
-    assert fast.inertia == pytest.approx(0.06020408163, rel=1e-9)
-    assert fast.mass == pytest.approx(2.675736961, rel=1e-9)
+    found = slow.mass, fast.inertia, fast.mass
+    assert found == pytest.approx((58.27160494, 0.06020408163, 2.675736961), rel=1e-9)
 
 
 def test_the_least_diameter_is_just_wide_enough() -> None:
@@ -213,12 +208,16 @@ def test_the_least_diameter_is_just_wide_enough() -> None:
     assert least.thickness / least.diameter == pytest.approx(THICKEST, rel=1e-12)
 
 
-def test_no_rim_without_a_diameter_or_without_a_flywheel() -> None:
-    assert rim_of(1.0, Rim()) is None
+@pytest.mark.parametrize(("size", "less", "inertia"), [(0.16, 0.12, 0.011), (0.5, 0.4, 1.662), (1.0, 0.8, 86.62)])
+def test_a_diameter_that_is_not_given_is_the_least_of_row_ra10_at_which_the_rim_is_thin(size, less, inertia) -> None:
+    chosen, smaller = sized(4 * inertia, Rim(-2.0)), sized(inertia, Rim(diameter=less))
+    assert wheel(4 * inertia, Rim(-2.0)) == pytest.approx(chosen, rel=1e-12)
+    assert (chosen.diameter, chosen.ratio) == (pytest.approx(size), -2.0)
+    assert chosen.thickness / size <= 1 / 8 < smaller.thickness / less
+
+
+def test_no_rim_without_a_flywheel_and_the_speed_of_the_mean_circle() -> None:
     assert rim_of(0.0, Rim(diameter=0.5)) is None
-
-
-def test_the_speed_of_the_mean_circle() -> None:
     assert sized(1.0, Rim(1.0, 0.8)).at_speed(-10.0) == 4.0
 
 

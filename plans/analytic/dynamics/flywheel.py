@@ -13,25 +13,27 @@ from plans.analytic.closure import EPS
 from plans.analytic.dynamics.breaks import LEAST, Sided, StrokeRun, TurnQuantity, breaks, broken, looks, roots, smooth
 from plans.analytic.dynamics.reduction import ExactReduction
 from plans.analytic.extremes import EQUAL
-from plans.model.dynamics import ANALYSIS, TURN, Cycle, Flywheel, Methods, Rim, Task, Touch, Wheel, settled
+from plans.model.dynamics import ANALYSIS, CHOSEN, TURN, Cycle, Flywheel, Methods, Rim, Task, Touch, Wheel, settled
 from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 from plans.model.run import OfTurn, ReducedLink
 
 
 def wheel(inertia: float, rim: Rim) -> Wheel | None:
-    """Size a flywheel of an inertia kg*m2 at the crank's shaft on its own; None without a diameter, or of none.
+    """Size a flywheel of an inertia kg*m2 at the crank's shaft on its own; None of none.
 
     On a shaft that turns U times faster J/U^2 stores as much energy; all the mass m = 4 J / D^2 is at the diameter D,
     and its volume is pi D times the section, whose breadth is so many times its thickness.
     """
-    if rim.diameter is None or inertia <= 0.0:
+    if inertia <= 0.0:
         return None
     on_shaft = inertia / rim.ratio**2
-    mass = 4.0 * on_shaft / rim.diameter**2
-    section = mass / (rim.density * pi * rim.diameter)
+    thick = sqrt(4.0 * on_shaft / (rim.density * pi) / rim.breadth)  # at a diameter of 1 m; t/D falls as D^(-5/2)
+    diameter = rim.sized((thick / CHOSEN) ** 0.4)
+    mass = 4.0 * on_shaft / diameter**2
+    section = mass / (rim.density * pi * diameter)
     thickness = sqrt(section / rim.breadth)
-    return Wheel(on_shaft, rim.diameter, mass, thickness, rim.breadth * thickness)
+    return Wheel(on_shaft, diameter, mass, thickness, rim.breadth * thickness, rim.ratio)
 
 
 ROUNDINGS = 8.0  # a linear solution at rest leaves a few roundings of the largest term in each of its rows

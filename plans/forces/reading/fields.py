@@ -186,7 +186,8 @@ class LinkLoadTable(Table):
     working: str = key(
         f.words(*STROKES),
         SLOWER,
-        meaning="Which stroke of that point is the working one; of the output [output] says it.",
+        meaning="Which stroke of that point is the working one; of the output [output] says it. A coupler's point goes "
+        "along its load: by default against it.",
     )
     useful: bool = key(f.FLAG, True, meaning="Whether its work is what the machine is for.")
     name: str | None = symbol()

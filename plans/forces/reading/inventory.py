@@ -9,6 +9,7 @@ from decimal import Decimal
 from fractions import Fraction
 from math import radians
 
+from plans.forces.loading import output_at
 from plans.forces.reading import form as tables
 from plans.forces.reading import references
 from plans.forces.reading.fields import Ends, Vector, holders, point_of
@@ -29,7 +30,7 @@ from plans.model.machine import (
     Track,
     Transmission,
 )
-from plans.model.mechanism import FRAME, Mechanism, Parting
+from plans.model.mechanism import AGAINST, FRAME, SLOWER, Mechanism, Parting
 from plans.scene.faults import Path, SceneError
 from plans.scene.scene import Scene
 from plans.scene.units import within
@@ -99,10 +100,24 @@ def _force(name: str, force: tables.ForceTable, mechanism: Mechanism) -> Force:
     track = Track(force.stroke or "", force.working)
     if other is not None and line is not None and force.stroke is None and force.changes:
         track = track._replace(point=end.point, parting=Parting(other.point, line))
+    elif course is not None and force.changes:
+        track = _coupled(track, course, mechanism)
     when = force.phase, diagram, _overrun(force.rests), track, force.useful
     there, behind = float(force.area(PRESSED)), float(force.area(BEHIND))
     piston = Piston(there, behind, -force.forced(Decimal(0))) if force.pressed else None
     return Force(name, end.link, end.point, end.at, size, course, *when, line, other, resists, piston)
+
+
+def _coupled(track: Track, course: complex, mechanism: Mechanism) -> Track:
+    """Give the track of a force: a point of a coupler, named or the output's, goes along the direction of the force.
+
+    Its working stroke is that against the force, if no way is named: time tells hardly more than which is longer.
+    """
+    out = mechanism.output
+    own = Track(out.point or "", out.working) if out and not track.point else track
+    if not own.point or output_at(mechanism, own.point) is not None:
+        return track
+    return own._replace(along=course, working=AGAINST if own.working == SLOWER else own.working)
 
 
 def _diagram(force: tables.ForceTable, table: DiagramTable) -> Diagram:
