@@ -17,7 +17,7 @@ from drawings.layout.picture import Place
 from drawings.lettering.lettering import bounds, text_reach, text_width
 from drawings.lettering.words import Phrase, fixed, slotted, telling, with_index
 from drawings.linkage.guides import PushArrow, TurningArrow, arrows
-from drawings.linkage.numbering import numbers, output_point, sliders
+from drawings.linkage.numbering import lone, numbers, output_point, sliders
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.linkage.trajectories import Traced, phases, sized, traced
 from drawings.paper.hand import Hand
@@ -163,12 +163,14 @@ def path_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
 
 
 def _numbers(pairs: Pairs, path: Traced, labels: Labels) -> Iterator[Stroke]:
-    every = max(math.ceil(len(path.numbered) / NUMBERED), 1)
-    for k in _shown(path):
-        direction = _direction(path, k, pairs.place)
-        if k % every == 0 and k != pairs.bones.shown and direction is not None:
-            spot, gap = pairs.place.on(complex(path.numbered[k])), TICK * pairs.hand.symbol + GAP
-            number = labels.close(spot, str(k), pairs.sheet.number, gap, cmath.phase(1j * direction))
+    """Number every so many ticks off all rows of numbers, two at least: one does not tell which way they count."""
+    every, place = max(math.ceil(len(path.numbered) / NUMBERED), 1), pairs.place
+    spots = [(k, place.on(complex(path.numbered[k]))) for k in _shown(path) if k % every == 0]
+    ticks = [(k, spot, way) for k, spot in spots if (way := _direction(path, k, place)) and lone(spot, pairs)]
+    for k, spot, way in ticks if len(ticks) > 1 else ():
+        if k != pairs.bones.shown:
+            gap = TICK * pairs.hand.symbol + GAP
+            number = labels.close(spot, str(k), pairs.sheet.number, gap, cmath.phase(1j * way))
             yield from () if number is None else (number,)
 
 
