@@ -10,13 +10,13 @@ import numpy as np
 
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Picture, Spot
-from drawings.lettering.lettering import bounds, text_width
+from drawings.lettering.lettering import text_width
 from drawings.linkage import position_plan
-from drawings.linkage.position_letters import clearest, length, stroke
+from drawings.linkage.position_letters import clearest, length, settled, stroke
 from drawings.linkage.position_plan import PositionFigure
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.page.page import Drafting
-from drawings.paper.strokes import INK, Arc, Circle, Group, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Arc, Circle, Group, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import fit_dashes
@@ -114,11 +114,5 @@ def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> I
             size = length(abs(station.place - other.place), drafting.language)
             text = drafting.word("cyclogram overrun size", size=size)
             strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)
-            ink.draw([*strokes, *(_frame(stroke) for stroke in strokes if isinstance(stroke, Text))])
+            settled(strokes, ink)
             yield from strokes
-
-
-def _frame(text: Text) -> Stroke:
-    """Give the box of a lettering: no other dimension runs through it."""
-    left, bottom, right, top = bounds(text)
-    return Polyline((complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top)), True)

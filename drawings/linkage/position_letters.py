@@ -23,7 +23,7 @@ from drawings.linkage.trajectories import Traced, phases, sized, traced
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY, SEEN
 from drawings.paper.strokes import Box, Group, Kind, Line, Statement, Stroke, Text
-from drawings.paper.walk import PLACES, stating, tied
+from drawings.paper.walk import PLACES, stating, texts, tied
 from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, TurnArrow, arrowhead, tick
 from drawings.symbols.trimming import trim
 from plans.linkage.travel import frame_slide
@@ -47,12 +47,18 @@ def strokes(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink)
     """Dimension the strokes of all sliders on the frame, in millimetres of the machine, each by its point's letter."""
     found = stroke(bones, place, hand, language, ink, named=bool(bones.strokes))
     for track in sliders(bones):
-        ink.draw(found)
+        settled(found, ink)
         ends = [place.on(numbered.spot) for numbered in track.places if numbered.extreme]
         if len(ends) == 2 and abs(ends[1] - ends[0]) > SEEN and track.travel is not None:
             text = _text(track.point, track.travel.extremes.stroke, language)
             found += _letters(f"H_{track.point}", clearest(_ordered(ends), text, bones, place, hand, ink), place)
     return found
+
+
+def settled(dimensions: list[Stroke], ink: Ink) -> None:
+    """Ink dimensions in: a line of another that runs through one of their numbers costs as much as one struck."""
+    ink.draw(dimensions)
+    ink.draw(texts(dimensions), STRUCK / CROSSED)
 
 
 def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, named: bool = False) -> list[Stroke]:
