@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.layout.labels import Labels
+from drawings.layout.labels import Labels, Lines
+from drawings.layout.parallel_offsets import nearest
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import TOGETHER, numbered, text_width
 from drawings.lettering.words import number
@@ -183,12 +184,21 @@ def _tracks(bones: Skeletons) -> Iterator[NumberedTrack]:
 def lone(spot: complex, pairs: Pairs) -> bool:
     """Tell whether a place on paper is so far from all crank places and tracks that its number joins no row of theirs.
 
-    Between them is room for the numbers of both, each with its gap.
+    Between them is room for the numbers of both, each with its gap; of a guide also between two of its places.
     """
-    places = [station.crank for station in crank_places(pairs.bones)]
-    places += [station.spot for track in _tracks(pairs.bones) for station in track.places]
-    far = 2 * (PATH_GAP + pairs.hand.number)
-    return not any(abs(spot - pairs.place.on(other)) < far for other in places)
+    rows = [(station.crank, station.crank) for station in crank_places(pairs.bones)]
+    rows += [piece for track in _tracks(pairs.bones) for piece in _row(track)]
+    far, on = 2 * (PATH_GAP + pairs.hand.number), pairs.place.on
+    return not any(abs(spot - nearest(on(start), on(end), spot)) < far for start, end in rows)
+
+
+def _row(track: NumberedTrack) -> Lines:
+    """Give where the numbers of a track stand: all along its guide, or at its places, m."""
+    spots = [station.spot for station in track.places if not math.isnan(station.spot.real)]
+    if track.slide is None:
+        return [(spot, spot) for spot in spots]
+    guide = track.slide.way(FRAME).direction.conjugate()
+    return [(min(spots, key=lambda spot: (spot * guide).real), max(spots, key=lambda spot: (spot * guide).real))]
 
 
 def _track_numbers(pairs: Pairs, track: NumberedTrack, labels: Labels) -> Iterator[Stroke]:
