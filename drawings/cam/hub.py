@@ -17,9 +17,9 @@ from drawings.paper.strokes import Arc, Circle, Kind, Line, Statement, Stroke, T
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
 from drawings.symbols.symbols import fit, pole
-from plans.cam.hub import keyed, wall
+from plans.cam.hub import wall
 from plans.model.cam import MM, Hub
-from plans.model.cam_motion import CamFound, Contour
+from plans.model.cam_motion import CamFound
 
 NAME, QUANTITY, SYMBOL, UNIT = "hub", "l", "l", "m"  # the view of the bore by itself
 MARGINS = Margins(1.0, 1.0, 1.0)  # paper around it in sizes of its letters, beyond its dimensions
@@ -115,12 +115,6 @@ def draw(shown: Hub, room: Picture, spot: Spot, drafting: Drafting) -> LetteredF
 
     origin = point(Subject(NAME, QUANTITY, None), ORIGIN, 0j, view.place, pole(view.zero), "pole")
     return LetteredFigure(NAME, (title, *axes, *view.lines(hand), *drawn, origin), letters)
-
-
-def bore(plan: str, found: CamFound, at: Contour, place: Place) -> KeyedBore | None:
-    """Give the bore of a cam that has one, the first of the contour's points being on the zero ray."""
-    hub = found.cam.hub
-    return KeyedBore(plan, hub, keyed(found, at), place) if hub is not None else None
 
 
 def notes(found: CamFound, drafting: Drafting) -> Iterator[str]:

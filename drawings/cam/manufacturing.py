@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.cam.hub import bore, keyway_place
+from drawings.cam.hub import KeyedBore, keyway_place
 from drawings.cam.hub import notes as hub_notes
 from drawings.cam.inversion import pushed
 from drawings.cam.profile_view import SHOWN, SYMBOL, UNIT, ProfileView, curves, lettered, profile_view
@@ -26,6 +26,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import TurnArrow, fit, pole
 from plans.cam.course import FollowerCourse, WorkshopTurns, stations
+from plans.cam.hub import keyed
 from plans.cam.profile.profile import profile
 from plans.model.cam import DWELL, MM, Cam, Phase
 from plans.model.cam_motion import CamFound, Points
@@ -116,7 +117,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
         *_radii(shown, place, drafting),
         *curves(view, PLAN, place, hand),
         *(Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.spots),
-        *(hub.lines(hand) if (hub := bore(PLAN, view.found, view.curve, place)) else ()),
+        *(KeyedBore(PLAN, hub, keyed(view.found, view.curve), place).lines(hand) if (hub := shown.cam.hub) else ()),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
     return LetteredFigure(PLAN, lines, partial(_letters, shown, place, drafting))

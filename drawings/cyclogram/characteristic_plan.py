@@ -14,7 +14,7 @@ from drawings.lettering.lettering import text_width
 from drawings.linkage import position_plan
 from drawings.linkage.position_letters import clearest, length, settled, stroke
 from drawings.linkage.position_plan import PositionFigure
-from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
+from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Arc, Circle, Group, Stroke, Text
 from drawings.paper.walk import tied
@@ -34,12 +34,6 @@ OVERRUNS, STROKE, NOTCHES, PINS = "overruns", "stroke", "notches", "pins"  # the
 LONG = 6.0  # mm of a notch arc kept on each side of its meeting
 DOT = 0.8  # mm, radius of a crank pin
 LETTERS = 30.0  # it is drawn at least so many of its letters large: its angles are read from it
-
-
-def bones_of(study: CyclogramStudy) -> Skeletons:
-    """Gather the poses of the characteristic positions; that where the tool meets the work is in full lines."""
-    pictured = study.pictured
-    return skeletons(pictured, pictured.motion(0), shown_of(study.cyclogram))
 
 
 def shown_of(found: Cyclogram) -> int:
