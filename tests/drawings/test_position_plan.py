@@ -99,7 +99,7 @@ def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pi
     fills = [s for s in found.strokes("shown-position") if isinstance(s, Fill)]
     assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2
     offset = found.place.length(abs(float(found.bones.study.form.mechanism.slides[0].offset)))
-    assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
+    assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)
 
 
 def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
