@@ -252,11 +252,12 @@ def _hub(values: CamValues, spots: Points, slack: float) -> Iterator[Expected]:
         return
     sizes = {"bore": hub.bore, "keyway": hub.width, "over keyway": hub.bore + hub.depth}
     for size in sizes if hub.width else ["bore"]:
-        yield from measured(Expected(Kind.LENGTH, PLAN, size, sizes[size]), MM * sizes[size], digits=FINE)
+        yield from measured(Expected(Kind.LENGTH, "hub", size, sizes[size]), MM * sizes[size], digits=FINE)
     key, end = spots[0] / abs(spots[0]) * np.exp(-1j * values.cam.sense * hub.angle), hub.bore / 2 + hub.depth
     sides = key * np.array([0, end, end, 0] + hub.width / 2 * np.array([-1j, -1j, 1j, 1j]))
     for side, spot in enumerate(sides[1:3] if hub.width else ()):
         yield Expected(Kind.POINT, PLAN, f"keyway {side}", complex(spot), slack * hub.bore / abs(spots[0]))
+        yield Expected(Kind.POINT, "hub", f"keyway {side}", complex(1j * spot / key), slack)
     rim = values.at(np.linspace(0.0, values.cam.turn, EDGE)).profile
     ways = [np.abs(rim) - hub.bore / 2]
     for start, side in zip(sides, np.diff(sides), strict=False) if hub.width else ():

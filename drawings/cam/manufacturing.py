@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.cam.hub import KeyedBore, bore, keyway_place
+from drawings.cam.hub import KeyedBore, keyway_place
 from drawings.cam.hub import notes as hub_notes
 from drawings.cam.inversion import pushed
 from drawings.cam.profile_view import SHOWN, SYMBOL, UNIT, ProfileView, curves, lettered, profile_view
@@ -26,6 +26,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import TurnArrow, fit, pole
 from plans.cam.course import FollowerCourse, WorkshopTurns, stations
+from plans.cam.hub import keyed
 from plans.cam.profile.profile import profile
 from plans.model.cam import DWELL, MM, Cam, Phase
 from plans.model.cam_motion import CamFound, Points
@@ -49,10 +50,8 @@ class Manufacture(NamedTuple):
     @property
     def corners(self) -> list[complex]:
         """The corners of what is drawn to scale, m."""
-        if self.cam.translates:
-            left, right = self.view.body
-            return [left, complex(right.real, float(self.view.curve.pitch.imag.max()))]
-        return [complex(spot) for curve in (*self.view.outlines, self.view.curve.pitch) for spot in curve]
+        spots = [complex(spot) for curve in (*self.view.outlines, self.view.curve.pitch) for spot in curve]
+        return [*(self.view.body if self.cam.translates else ()), *spots]
 
 
 def manufacture(found: CamFound) -> Manufacture:
@@ -83,8 +82,9 @@ def dwells(shown: Manufacture) -> Iterator[tuple[Phase, float]]:
 
 
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
-LETTERS, LARGE = 20.0, 40.0  # it is drawn at least so many letters large; enlarged, at most so many
-TRUE = 1000.0  # mm of paper to a metre: at its own size it is drawn where it can be
+LETTERS, LARGE = 20.0, 40.0  # it is drawn at least so many letters large; of a smaller cam at most so many
+TRUE, LARGER = 1000.0, 2.5  # mm of paper to a metre: at its own size it is drawn where it can be, and where paper
+# is left beside that so many times as large
 BESIDE = 1.0  # mm from a radius to its letter
 PAST = 7.0  # mm that the zero ray and the axes go past the profile
 OUT, SWEEP = 6.0, 22.0  # mm from the profile to the arrow of rotation, and its length
@@ -99,12 +99,12 @@ def label(shown: Manufacture, name: float, drafting: Drafting) -> str:
 
 
 def measure(shown: Manufacture, drafting: Drafting) -> Picture:
-    """Measure the room that the profile needs: it is drawn at its own size, enlarged only where it is small."""
+    """Measure the room that the profile needs: it is drawn at its own size, enlarged where it is small or has room."""
     hand = drafting.hand
     title = text_width(Text(0j, drafting.word("working profile"), hand.title))
     room = picture(PLAN, shown.corners, (SYMBOL, UNIT), around(MARGINS, hand), title, LETTERS * hand.letter)
     natural = max(room.wide, room.high) * TRUE
-    return room._replace(most=natural if natural >= room.least else LARGE * hand.letter)
+    return room._replace(most=LARGER * natural if natural >= room.least else LARGE * hand.letter)
 
 
 def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -117,14 +117,10 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> L
         *_radii(shown, place, drafting),
         *curves(view, PLAN, place, hand),
         *(Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.spots),
-        *(hub.lines(drafting) if (hub := _bore(shown, place)) else ()),
+        *(KeyedBore(PLAN, hub, keyed(view.found, view.curve), place).lines(hand) if (hub := shown.cam.hub) else ()),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
     return LetteredFigure(PLAN, lines, partial(_letters, shown, place, drafting))
-
-
-def _bore(shown: Manufacture, place: Place) -> KeyedBore | None:
-    return bore(PLAN, shown.view.found, shown.view.curve, place)
 
 
 def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
@@ -141,8 +137,6 @@ def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Label
         spot = place.on(complex(shown.spots[k]))
         towards = math.pi / 2 if translates else cmath.phase(spot - zero)
         yield labels.beside(spot, label(shown, name, drafting), hand.number, BESIDE, towards)
-    if hub := _bore(shown, place):
-        yield from hub.letters(drafting, labels)
     yield from lettered(shown.view, place, drafting, labels)
 
 

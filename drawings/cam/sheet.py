@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, Final, NamedTuple
 
-from drawings.cam import law_diagrams, law_frame, manufacturing, pressure_graph, size_diagram, size_view
+from drawings.cam import hub, law_diagrams, law_frame, manufacturing, pressure_graph, size_diagram, size_view
 from drawings.cam import profile as profile_figure
 from drawings.cam.coordinates import enclosures
 from drawings.cam.due import expected
@@ -159,7 +159,8 @@ def _workshop_draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Sc
     for small in _formats(scene):
         draft = _workshop_variant(shown, EVERY[0], several, drafting_of(small))
         composed = _composed(small, draft)
-        (room,) = (show.panel.item for show in draft.shows if isinstance(show.panel.item, Picture))
+        room = draft.shows[0].panel.item
+        assert isinstance(room, Picture)
         natural = max(room.wide, room.high) * TRUE
         large = max(natural, room.least) * SMALLER
         if len(composed) == 1 and room.extent(composed[0].spots[room.name].scale) >= large:
@@ -188,12 +189,13 @@ def _lies(scene: Scene) -> bool:
 
 def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
     title = drafting.word("cam profile sheet title" + (" of" if several else ""), name=shown.cam.name)
-    figure = exhibit(manufacturing, shown, drafting)
+    shows = [exhibit(manufacturing, shown, drafting, weight=FOREMOST)]
+    shows += [exhibit(hub, shown.cam.hub, drafting)] if shown.cam.hub else []
     table = manufacturing.radii(shown, every, drafting)
     return Draft(
         KIND,
         title,
-        (figure,),
+        tuple(shows),
         (table,),
         tuple(manufacturing.notes(shown, drafting)),
         partial(figures_facts, cam=shown.cam.name, every=every),

@@ -65,7 +65,7 @@ def unlettered(leaf: Leaf, expected: Mapping[Key, str] | None = None) -> Iterato
         _, plan, name, _ = key
         wanted = known.get(key) or letter
         plain = Text(0j, wanted if "{" in wanted else with_index(wanted)).plain
-        if not beside(labels.get(plain, ()), spots, WITHIN.get(plan, NEAREST)):
+        if not beside(labels.get(wanted) or labels.get(plain) or (), spots, WITHIN.get(plan, NEAREST)):
             yield on("letter", plan, name=name)
 
 

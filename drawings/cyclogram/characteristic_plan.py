@@ -10,13 +10,13 @@ import numpy as np
 
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Picture, Spot
-from drawings.lettering.lettering import bounds, text_width
+from drawings.lettering.lettering import text_width
 from drawings.linkage import position_plan
-from drawings.linkage.position_letters import clearest, length, stroke
+from drawings.linkage.position_letters import clearest, length, settled, stroke
 from drawings.linkage.position_plan import PositionFigure
-from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
+from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.page.page import Drafting
-from drawings.paper.strokes import INK, Arc, Circle, Group, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Arc, Circle, Group, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import fit_dashes
@@ -34,12 +34,6 @@ OVERRUNS, STROKE, NOTCHES, PINS = "overruns", "stroke", "notches", "pins"  # the
 LONG = 6.0  # mm of a notch arc kept on each side of its meeting
 DOT = 0.8  # mm, radius of a crank pin
 LETTERS = 30.0  # it is drawn at least so many of its letters large: its angles are read from it
-
-
-def bones_of(study: CyclogramStudy) -> Skeletons:
-    """Gather the poses of the characteristic positions; that where the tool meets the work is in full lines."""
-    pictured = study.pictured
-    return skeletons(pictured, pictured.motion(0), shown_of(study.cyclogram))
 
 
 def shown_of(found: Cyclogram) -> int:
@@ -114,11 +108,5 @@ def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> I
             size = length(abs(station.place - other.place), drafting.language)
             text = drafting.word("cyclogram overrun size", size=size)
             strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)
-            ink.draw([*strokes, *(_frame(stroke) for stroke in strokes if isinstance(stroke, Text))])
+            settled(strokes, ink)
             yield from strokes
-
-
-def _frame(text: Text) -> Stroke:
-    """Give the box of a lettering: no other dimension runs through it."""
-    left, bottom, right, top = bounds(text)
-    return Polyline((complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top)), True)

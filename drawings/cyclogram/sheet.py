@@ -16,6 +16,7 @@ from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
 from drawings.linkage.positions import of_linkage
+from drawings.linkage.skeleton import skeletons
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import FRAME, GRAPH, PLAN, SheetKind
@@ -64,23 +65,19 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a cyclogram whose two roads are compared."""
     drafting = drafting_of(study.scene)
-    bones = characteristic_plan.bones_of(study)
+    bones = skeletons(study.pictured, study.pictured.motion(0), characteristic_plan.shown_of(study.cyclogram))
     room = characteristic_plan.measure(bones, drafting)
     draw = partial(characteristic_plan.draw, study, bones, room, drafting=drafting)
     plan = Exhibit(Panel(room, FOREMOST), draw)
-    charts = [exhibit(kind, chart_of(study), drafting) for kind in (bar_chart, circular_chart)]
+    turned = tuple(position.turned for position in study.cyclogram.positions)  # from the first extreme
+    chart = Chart(rows_of(study.cyclogram, study.cams), study.cyclogram.sense, turned, turned[0])
+    charts = [exhibit(kind, chart, drafting) for kind in (bar_chart, circular_chart)]
     written = characteristic(comparison, drafting)
     stations = Caption(Panel(written.block(written.name)), partial(written.write, drafting=drafting))
     said = CyclogramNotes(study.cyclogram, study.cams, drafting).all
     title = drafting.word("cyclogram sheet title")
     facts = partial(figures_facts, characteristic=characteristic_plan.shown_of(study.cyclogram))
     return lay_out(study.scene, [Draft(CYCLOGRAM, title, (plan, *charts, stations), (), said, facts)])
-
-
-def chart_of(study: CyclogramStudy) -> Chart:
-    """Give what the charts show; the turn begins at the first extreme."""
-    turned = tuple(position.turned for position in study.cyclogram.positions)
-    return Chart(rows_of(study.cyclogram, study.cams), study.cyclogram.sense, turned, turned[0])
 
 
 FORM: Final = {"characteristic": FRAME, "bars": GRAPH, "circle": PLAN}

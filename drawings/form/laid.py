@@ -18,7 +18,7 @@ from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
 from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
-from drawings.lettering.words import WRITTEN, numerals, with_index, word
+from drawings.lettering.words import WRITTEN, numerals, verbatim, with_index, word
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
@@ -131,12 +131,14 @@ def _worded(of: str, name: str, language: str) -> str:
 
 
 def _plainly(name: str) -> str:
-    return name if INDEXED.fullmatch(name) else _escaped(name.replace("_", " "))
+    return name if INDEXED.fullmatch(name) else verbatim(name.replace("_", " "))
 
 
 def _said(key: str, value: Any, language: str) -> str:
     """Word a key with its value; one that holds or not by itself."""
-    joined, name, key = _inner(value, language), key, key.rpartition(".")[2]
+    name, key = key, key.rpartition(".")[2]
+    own = key == "name" and f"form_value.{value}" not in words(language)  # of a cam, whatever it looks like
+    joined = verbatim(value) if own else _inner(value, language)
     if key[:1].isupper() or key[:1].isdigit():  # the name of a point, or the number of a link
         return f"{key} {joined}" if isinstance(value, list | dict) else f"{key} = {joined}"
     return f"{_worded('form_key', name, language)} {joined}"
@@ -152,16 +154,12 @@ def _written(value: Any, language: str) -> str:
             return str(words(language)["form_value.yes" if value else "form_value.no"])
         case str():
             said = str(words(language).get(f"form_value.{value}", value))
-            return said if INDEXED.fullmatch(said) else _escaped(said)
+            return said if INDEXED.fullmatch(said) else verbatim(said)
     return f"{Decimal(repr(value)):f}"  # no power of ten: it would be read as two numbers
 
 
 def _inner(value: Any, language: str) -> str:
     return f"({_written(value, language)})" if isinstance(value, dict | list) else _written(value, language)
-
-
-def _escaped(text: str) -> str:
-    return re.sub(r"([_^{}\\])", r"\\\1", text)
 
 
 def _numbers(value: Any) -> Iterator[float]:

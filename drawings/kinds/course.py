@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
-from drawings.lettering.words import fixed
+from drawings.lettering.words import fixed, verbatim
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import LineStyle
@@ -99,4 +99,4 @@ def name(row: BarRow, drafting: Drafting) -> str:
     """Write the name of a row: that of a cam as the scene gives it."""
     if row.name in (r.STROKES, r.TOOL, r.FEED):
         return drafting.word(f"cyclogram {row.name}")
-    return drafting.word("cyclogram cam", name=row.name)
+    return verbatim(drafting.word("cyclogram cam", name=row.name))

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -120,8 +120,7 @@ class _Cells:
         """Give the lines of a stroke as chains of points; letters are inked in as boxes on the way."""
         match stroke:
             case Text():
-                rows, columns = self._covered(padded(bounds(stroke), 0j))
-                self._map[rows, columns] += LETTERED
+                self._map[self._lettered(stroke)] += LETTERED
             case Line():
                 yield [stroke.start, stroke.end]
             case Polyline() | Fill():
@@ -133,6 +132,15 @@ class _Cells:
                 yield _round(stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep)
             case Curve():
                 yield sampled(stroke.pieces, SAG)
+
+    def _lettered(self, text: Text) -> tuple[Any, Any]:
+        """Give the cells of a text's box; of one that is turned aslant not those of the corners beside it."""
+        if text.rotation % 90 == 0:
+            return self._covered(padded(bounds(text), 0j))
+        left, bottom, right, top = padded(bounds(text._replace(at=0j, rotation=0.0)), 0j)
+        x, y = np.meshgrid(np.arange(left, right, CELL / 2), np.arange(bottom, top, CELL / 2))
+        spots = text.at + (x + 1j * y).ravel() * cmath.rect(1.0, math.radians(text.rotation))
+        return self._holding(spots)
 
     def _covered(self, box: Box) -> tuple[slice, slice]:
         left, bottom, right, top = [int(side / CELL + MARGIN) if side > 0.0 else 0 for side in box]
@@ -147,9 +155,12 @@ class _Cells:
         counts[breaks] = 0  # from the end of a chain to the next one's start nothing is drawn
         which = np.repeat(np.arange(len(steps)), counts)
         share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[which] - 1)
-        along = points[which] + steps[which] * share
-        rows = np.clip((along.imag / CELL + MARGIN).astype(int), 0, self._map.shape[0] - 1)
-        columns = np.clip((along.real / CELL + MARGIN).astype(int), 0, self._map.shape[1] - 1)
+        return self._holding(points[which] + steps[which] * share)
+
+    def _holding(self, spots: Complexes) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+        """Give the cells that hold some spots."""
+        rows = np.clip((spots.imag / CELL + MARGIN).astype(int), 0, self._map.shape[0] - 1)
+        columns = np.clip((spots.real / CELL + MARGIN).astype(int), 0, self._map.shape[1] - 1)
         return rows, columns
 
 

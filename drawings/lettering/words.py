@@ -45,6 +45,15 @@ def letter(language: str, markup: str) -> str:
     return _INDEX.sub(lambda found: words.word(language, f"index.{found[0]}"), markup)
 
 
+def verbatim(text: str) -> str:
+    r"""Write a user's text so that lettering has it as it stands.
+
+    >>> print(verbatim("valve_in"))
+    valve\_in
+    """
+    return re.sub(r"([_^{}\\])", r"\\\1", text)
+
+
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 LEVEL = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−,", "-0123456789-.")
 LEAST = 1e-5  # a smaller number is written by its power of ten: of more zeros none is counted

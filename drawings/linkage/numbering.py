@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.layout.labels import Labels
+from drawings.layout.labels import Labels, Lines
+from drawings.layout.parallel_offsets import nearest
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import TOGETHER, numbered, text_width
 from drawings.lettering.words import number
@@ -84,12 +85,17 @@ def output_point(bones: Skeletons) -> str | None:
 
 def crank_places(bones: Skeletons) -> tuple[NumberedPlace, ...]:
     """List what is numbered at the primary link: every position, and each extreme of a track that falls between two."""
-    nowhere = np.full(len(bones.numbered), np.nan + 0j)
-    places = list(_places(bones, bones.study.travel, nowhere, (nowhere[0], nowhere[0]), ()))
+    places = _turns(bones)
     for track in sliders(bones):
         places += [s for s in track.places if s.column is None and s.name not in {known.name for known in places}]
     extreme = {station.name for track in sliders(bones) for station in track.places if station.extreme}
     return tuple(station._replace(extreme=station.extreme or station.name in extreme) for station in places)
+
+
+def _turns(bones: Skeletons) -> list[NumberedPlace]:
+    """List the crank places of the positions and of the output's extremes."""
+    nowhere = np.full(len(bones.numbered), np.nan + 0j)
+    return list(_places(bones, bones.study.travel, nowhere, nowhere[:1].repeat(2), ()))
 
 
 def output_track(bones: Skeletons) -> NumberedTrack | None:
@@ -104,8 +110,7 @@ def output_track(bones: Skeletons) -> NumberedTrack | None:
 
 def sliders(bones: Skeletons) -> Iterator[NumberedTrack]:
     """Give the tracks of the sliders on the frame besides the output."""
-    nowhere = np.full(len(bones.numbered), np.nan + 0j)
-    taken = list(_places(bones, bones.study.travel, nowhere, (nowhere[0], nowhere[0]), ()))
+    taken = _turns(bones)
     for slide, travel in bones.strokes.items():
         way, spots = slide.way(FRAME), bones.numbered.points[slide.point]
         aside = 1j * float(np.nanmedian(((spots - way.through) * way.direction.conjugate()).imag))
@@ -166,9 +171,34 @@ ANGLES = 12  # positions of a list whose crank angles still have room beside the
 def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number every position outside the crank circle, at the output and each slider as many as stand legibly."""
     yield from () if apart(pairs.bones) else crank_numbers(pairs, labels)
-    output = output_track(pairs.bones)
-    for track in (*([output] if output else []), *sliders(pairs.bones)):
+    for track in _tracks(pairs.bones):
         yield from _track_numbers(pairs, track, labels)
+
+
+def _tracks(bones: Skeletons) -> Iterator[NumberedTrack]:
+    output = output_track(bones)
+    yield from [output] if output else []
+    yield from sliders(bones)
+
+
+def lone(spot: complex, pairs: Pairs) -> bool:
+    """Tell whether a place on paper is so far from all crank places and tracks that its number joins no row of theirs.
+
+    Between them is room for the numbers of both, each with its gap; of a guide also between two of its places.
+    """
+    rows = [(station.crank, station.crank) for station in crank_places(pairs.bones)]
+    rows += [piece for track in _tracks(pairs.bones) for piece in _row(track)]
+    far, on = 2 * (PATH_GAP + pairs.hand.number), pairs.place.on
+    return not any(abs(spot - nearest(on(start), on(end), spot)) < far for start, end in rows)
+
+
+def _row(track: NumberedTrack) -> Lines:
+    """Give where the numbers of a track stand: all along its guide, or at its places, m."""
+    spots = [station.spot for station in track.places if not math.isnan(station.spot.real)]
+    if track.slide is None:
+        return [(spot, spot) for spot in spots]
+    guide = track.slide.way(FRAME).direction.conjugate()
+    return [(min(spots, key=lambda spot: (spot * guide).real), max(spots, key=lambda spot: (spot * guide).real))]
 
 
 def _track_numbers(pairs: Pairs, track: NumberedTrack, labels: Labels) -> Iterator[Stroke]:

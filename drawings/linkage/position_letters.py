@@ -17,13 +17,13 @@ from drawings.layout.picture import Place
 from drawings.lettering.lettering import bounds, text_reach, text_width
 from drawings.lettering.words import Phrase, fixed, slotted, telling, with_index
 from drawings.linkage.guides import PushArrow, TurningArrow, arrows
-from drawings.linkage.numbering import numbers, output_point, sliders
+from drawings.linkage.numbering import lone, numbers, output_point, sliders
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.linkage.trajectories import Traced, phases, sized, traced
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY, SEEN
 from drawings.paper.strokes import Box, Group, Kind, Line, Statement, Stroke, Text
-from drawings.paper.walk import PLACES, stating, tied
+from drawings.paper.walk import PLACES, stating, texts, tied
 from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, TurnArrow, arrowhead, tick
 from drawings.symbols.trimming import trim
 from plans.linkage.travel import frame_slide
@@ -47,12 +47,18 @@ def strokes(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink)
     """Dimension the strokes of all sliders on the frame, in millimetres of the machine, each by its point's letter."""
     found = stroke(bones, place, hand, language, ink, named=bool(bones.strokes))
     for track in sliders(bones):
-        ink.draw(found)
+        settled(found, ink)
         ends = [place.on(numbered.spot) for numbered in track.places if numbered.extreme]
         if len(ends) == 2 and abs(ends[1] - ends[0]) > SEEN and track.travel is not None:
             text = _text(track.point, track.travel.extremes.stroke, language)
             found += _letters(f"H_{track.point}", clearest(_ordered(ends), text, bones, place, hand, ink), place)
     return found
+
+
+def settled(dimensions: list[Stroke], ink: Ink) -> None:
+    """Ink dimensions in: a line of another that runs through one of their numbers costs as much as one struck."""
+    ink.draw(dimensions)
+    ink.draw(texts(dimensions), STRUCK / CROSSED)
 
 
 def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, named: bool = False) -> list[Stroke]:
@@ -163,12 +169,14 @@ def path_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
 
 
 def _numbers(pairs: Pairs, path: Traced, labels: Labels) -> Iterator[Stroke]:
-    every = max(math.ceil(len(path.numbered) / NUMBERED), 1)
-    for k in _shown(path):
-        direction = _direction(path, k, pairs.place)
-        if k % every == 0 and k != pairs.bones.shown and direction is not None:
-            spot, gap = pairs.place.on(complex(path.numbered[k])), TICK * pairs.hand.symbol + GAP
-            number = labels.close(spot, str(k), pairs.sheet.number, gap, cmath.phase(1j * direction))
+    """Number every so many ticks off all rows of numbers, two at least: one does not tell which way they count."""
+    every, place = max(math.ceil(len(path.numbered) / NUMBERED), 1), pairs.place
+    spots = [(k, place.on(complex(path.numbered[k]))) for k in _shown(path) if k % every == 0]
+    ticks = [(k, spot, way) for k, spot in spots if (way := _direction(path, k, place)) and lone(spot, pairs)]
+    for k, spot, way in ticks if len(ticks) > 1 else ():
+        if k != pairs.bones.shown:
+            gap = TICK * pairs.hand.symbol + GAP
+            number = labels.close(spot, str(k), pairs.sheet.number, gap, cmath.phase(1j * way))
             yield from () if number is None else (number,)
 
 

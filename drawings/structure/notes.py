@@ -22,8 +22,9 @@ class StructureNotes(NamedTuple):
 
     @property
     def all(self) -> tuple[str, ...]:
-        """Mobility in the plane and in space, redundant constraints and how they are removed, the class."""
-        return *self.mobility(), *self.redundant(), *self.ranks(), *self.removal()
+        """Mobility in the plane and in space, redundant constraints and their removal, the class, the letters."""
+        letters = ("structure letters", *(("structure letters freed",) if self.study.replacements else ()))
+        return *self.mobility(), *self.redundant(), *self.ranks(), *self.removal(), *map(self._said, letters)
 
     def mobility(self) -> Iterator[str]:
         """Work out the mobility by Chebyshev and by Somov and Malyshev."""

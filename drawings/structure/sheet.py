@@ -25,7 +25,6 @@ from drawings.structure.notes import LISTED, StructureNotes
 from drawings.structure.scheme import StructureScheme, formula_of
 from plans.model.mechanism import FRAME
 from plans.model.structure import ROMAN, GroupDivision
-from plans.quantity import Comparison
 from plans.structure.study import STRUCTURE, StructureStudy
 from plans.study import Study
 
@@ -67,12 +66,6 @@ def ways_table(study: StructureStudy, drafting: Drafting, most: int | None = Non
     return _table(WAYS, rows, "way", [f"pair {kind}" for kind in kinds], drafting, "")
 
 
-def results_table(comparison: Comparison, drafting: Drafting) -> RuledTable:
-    """Tell the numbers that are found."""
-    rows = {one.name: (drafting.number(float(one.construction[0])),) for one in comparison.findings}
-    return _table(RESULTS, rows, "number", ("value",), drafting)
-
-
 def _table(
     name: str, rows: Mapping[str, tuple[str, ...]], first: str, heads: Sequence[str], drafting: Drafting, key: str = KEY
 ) -> RuledTable:
@@ -85,7 +78,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's structure."""
     found, drafting = study.of(StructureStudy), drafting_of(study.scene)
     shows: tuple[Exhibit | Caption, ...] = (*_figures(found, drafting), *_captions(found, drafting))
-    tables = (pairs_table(found, drafting), results_table(study.comparison(STRUCTURE), drafting))
+    results = {k.name: (drafting.number(float(k.construction[0])),) for k in study.comparison(STRUCTURE).findings}
+    tables = (pairs_table(found, drafting), _table(RESULTS, results, "number", ("value",), drafting))
     notes = StructureNotes(found, drafting).all
     title, size = drafting.word("structure sheet title"), drafting.hand.text
     # No formula is broken

@@ -107,8 +107,7 @@ def test_an_undercut_is_drawn_through_and_named() -> None:
     contour = [one.pieces for one in curves if one.style.width == hand_of("A1").main]
     assert len(contour) > 2
     (dashed,) = (one for one in curves if one.style.width == hand_of("A1").thin)
-    assert dashed.style.dash
-    assert sum(map(len, contour)) < len(dashed.pieces) + len(contour)
+    assert dashed.style.dash and sum(map(len, contour)) < len(dashed.pieces) + len(contour)
     (profile,) = (one for one in measured.profiles if one.name == "profile")
     assert profile.gap < PAPER
 
@@ -124,13 +123,11 @@ def drawn(case: Case) -> Contour:
 
 def told(content: bytes, case: Case) -> list[str]:
     cam, sizes = case
-    found = CamFound(cam, sizes, roller_of(cam), drawn(case))
-    return [str(one) for one in faults(content, found, "profile.csv")]
+    return [str(one) for one in faults(content, CamFound(cam, sizes, roller_of(cam), drawn(case)), "profile.csv")]
 
 
 def test_lost_row_is_seen() -> None:
-    content = written(USUAL, drawn(CASE))
-    rows = content.splitlines(keepends=True)
+    rows = written(USUAL, drawn(CASE)).splitlines(keepends=True)
     assert "x_mm in row 361 of profile.csv (against the analysis)" in told(b"".join(rows[:-1]), CASE)
 
 

@@ -14,6 +14,7 @@ from shapely.geometry.base import BaseGeometry
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
+from drawings.linkage.numbering import lone
 from drawings.linkage.position_plan import layers
 from drawings.linkage.sheet import leaves, position
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
@@ -76,9 +77,9 @@ def shape(stroke: Stroke) -> BaseGeometry:
     return ink(stroke).line
 
 
-def thick(found: Figure) -> list[Stroke]:
-    bars = [s for s in found.strokes("shown-position", "pairs") if isinstance(s, Line)]
-    return [bar for bar in bars if bar.style.width == found.hand.main]
+def thick(found: Figure) -> list[Line]:
+    bars = found.strokes("shown-position", "pairs")
+    return [bar for bar in bars if isinstance(bar, Line) and bar.style.width == found.hand.main]
 
 
 @pytest.mark.parametrize(("name", "pin"), [("offset stone", "D"), ("offset block", "B")])
@@ -91,24 +92,22 @@ def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pi
     bracket = [
         bar
         for bar in thick(found)
-        if isinstance(bar, Line)
-        and min(abs(abs(end - circle.centre) - circle.radius) for end in (bar.start, bar.end)) < HAIR
+        if min(abs(abs(end - circle.centre) - circle.radius) for end in (bar.start, bar.end)) < HAIR
         and abs(((bar.end - bar.start) * line.conjugate()).real) < HAIR * abs(bar.end - bar.start)
     ]
     assert len(bracket) == 1 and shape(bracket[0]).distance(shape(block)) < HAIR
     fills = [s for s in found.strokes("shown-position") if isinstance(s, Fill)]
     assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2
     offset = found.place.length(abs(float(found.bones.study.form.mechanism.slides[0].offset)))
-    assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
+    assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)
 
 
 def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
     """The point K of the press's arm follows the rocker: what it draws forwards it draws again backwards."""
     found = drawn("toggle press")
     path = found.place.origin + (found.bones.way.points["K"] - found.place.zero) / found.place.scale.mu
-    whole = float(np.abs(np.diff(path)).sum())
     fully = [s for s in found.strokes("paths") if shape(s).distance(shapely.Point(path[0].real, path[0].imag)) < 0.2]
-    assert sum(shape(s).length for s in fully) == pytest.approx(whole / 2, rel=0.02)
+    assert sum(shape(s).length for s in fully) == pytest.approx(np.abs(np.diff(path)).sum() / 2, rel=0.02)
 
 
 def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:
@@ -122,16 +121,20 @@ def test_two_blocks_on_one_pin_are_a_block_and_a_slot_about_the_pin() -> None:
     shapes = [s for s in found.strokes("shown-position") if isinstance(s, Polyline)]
     corners = sorted(len(s.points) for s in shapes)
     assert corners[:2] == [4, 4] and corners[2] > 8  # the stone A, the frame's block, and a slot with round ends
-    pin = found.on("D")
-    assert sum(abs(complex(np.mean(s.points)) - pin) < HAIR for s in shapes) == 2
+    assert sum(abs(complex(np.mean(s.points)) - found.on("D")) < HAIR for s in shapes) == 2
 
 
 def test_a_dimension_runs_through_no_mark() -> None:
     found = drawn("high centre")
     dimension = shapely.union_all([shape(s) for s in found.strokes("stroke")])
-    assert all(
-        shape(circle).distance(dimension) > 0.5 for circle in found.strokes("pairs") if isinstance(circle, Circle)
-    )
+    marks = (shape(mark) for mark in found.strokes("pairs") if isinstance(mark, Circle))
+    assert all(mark.distance(dimension) > 0.5 for mark in marks)
+
+
+def test_a_number_on_a_trajectory_joins_no_row_of_a_guide() -> None:
+    found = drawn("shaper")
+    pin, pairs = found.on("D"), Pairs(found.bones, found.place, A1)
+    assert not lone(pin, pairs) and not lone(pin + 5j, pairs) and lone(pin + 20j, pairs)
 
 
 def test_a_leader_runs_along_no_line() -> None:
