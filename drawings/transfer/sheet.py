@@ -89,6 +89,7 @@ class _TransferSheet:
             curve = swing(GraphCurve(letter, course.unit or NUMBER, *row, shown=self.positions, states=name))
             kind = "slope" if order else "ratio" if isinstance(course.of, int) else "way"
             title = self.drafting.word(f"{kind} {'turn' if curve.closed else 'swing'}", letter=letter)
+            title += self.drafting.word("slope against") if order and sense < 0 else ""
             yield curve._replace(title=title, name=f"transfer-{order + 1}")
 
     def _tables(self) -> Iterator[RuledTable]:
@@ -114,6 +115,8 @@ class _TransferSheet:
         if told := "; ".join(f"{with_index(name)} {self.drafting.number(round(way, 2))}°" for name, way in ways):
             yield word("transfer along", ways=told)
         yield word("transfer second", crank=drive.link)
+        if self.study.linkage.sense < 0:
+            yield word("transfer clockwise")
         if any(one.equal for one in schemes):
             yield word("transfer angles")
 
