@@ -61,13 +61,8 @@ class CutLinks:
     @cached_property
     def slots(self) -> list[complex]:
         """The shown ends of slots, m: a slot reaches as far as its stone."""
-        ends = [
-            (slide.owner, slide.on_owner.through + along * slide.on_owner.direction)
-            for slide, travel in self.travels.items()
-            if slide.owner in self.links
-            for along in travel
-        ]
-        return [self.of(link, end) for link, end in ends]
+        ends = ((slide.owner, slide.on_owner, end) for slide, travel in self.travels.items() for end in travel)
+        return [self.of(link, way.through + along * way.direction) for link, way, along in ends]
 
     def name(self, mark: str, place: complex) -> str:
         """Give the letter of a place: the mark's own, or that of the point that lies there."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from drawings.forces.letters import BALANCE, PAIR, letter_of
 from drawings.kinds.outlines import is_centre
 from drawings.kinds.polygon import ShownVector
-from drawings.layout.parallel_offsets import Segment, crossing, merging
+from drawings.layout.parallel_offsets import APART, Segment, crossing, merging
 from drawings.lettering.words import letter as by_language
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Field
@@ -118,7 +118,7 @@ def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
 
 BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
 # What speaks against a place: that it, or the line to it from the pivot, runs along a line, out of the figure, across
-# an arm before it, that the symbol of its pivot would hide arrows that stand outside, and how far it is from its own.
+# an arm or heads meet, that the symbol of its pivot would hide arrows that stand outside, how far it is from its own.
 ON_LINE, OUTSIDE, ACROSS, HIDDEN, FURTHER = 4, 3, 1, 3, 0.2
 
 
@@ -139,6 +139,8 @@ def _aside(arm: Arm, around: Sequence[Segment], before: Sequence[Segment], box: 
         tight = reach != trial.ends
         across = ACROSS * sum(crossing(reach, other) for other in ((*around, *before) if tight else before))
         hidden = HIDDEN * (tight and not trial.aside)
+        heads = reach if trial.aside else reach[1:]  # those at the pivot meet
+        across += ACROSS * any(abs(head - end) < APART for head in heads for other in before for end in other)
         return over + outside + across + hidden + FURTHER * abs(trial.aside) / BESIDE
 
     steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 from string import ascii_lowercase
@@ -13,6 +13,7 @@ import numpy as np
 
 from drawings.kinds.axes import OVER, UNDER, Axes, Letter
 from drawings.kinds.graph import BESIDE, DOT, LEAST, Graph, GraphForm, standing
+from drawings.kinds.vector_plan import SAME
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Spot
 from drawings.lettering.lettering import numbered, spaced, text_width
@@ -160,26 +161,19 @@ CARD = "p", "MPa"  # letter and unit of the ordinates of an indicator card
 SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "ψ")  # letters of the way and of the whole stroke, unit of the way
 
 
-class LoadMark(NamedTuple):
-    """A corner of a load diagram: its letter, and the true place."""
-
-    letter: str
-    at: complex
-
-
 def name_of(course: LoadCourse) -> str:
     """Name the figure of a load."""
     return f"{NAME}-{course.name}"
 
 
-def marks(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[LoadMark, ...]:
-    """Letter the corners that are no zero; of many those that have room for it, as far as the alphabet goes."""
+def marks(course: LoadCourse, axes: Axes, hand: Hand) -> list[tuple[str, complex]]:
+    """Letter the corners at their true places; of many those that have room for it, as far as the alphabet goes."""
     corners = course.corners
     if len(corners) <= FEW:
-        return tuple(map(LoadMark, ascii_lowercase, corners))
+        return [*zip(ascii_lowercase, corners, strict=False)]
     places = [axes.on(corner.real, corner.imag) for corner in corners]
     kept = spaced(places, APART * hand.number, (0, len(corners) - 1, *range(len(corners))))
-    return tuple(LoadMark(*pair) for pair in zip(ascii_lowercase, (corners[k] for k in sorted(kept)), strict=False))
+    return [*zip(ascii_lowercase, (corners[k] for k in sorted(kept)), strict=False)]
 
 
 def measure(course: LoadCourse, drafting: Drafting) -> Picture:
@@ -201,13 +195,13 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
         heading(spot.box, _title(course, drafting), drafting.scale(spot.scale, axes.up), hand),
         *axes.lines((0.0, course.length), span, hand, room.name),
         *(_sized(course, size, value, spot.scale, hand) for size, value in zip(sizes, spans(course), strict=True)),
-        *(stroke for mark in shown for stroke in graph.station(mark.at.real, [mark.at.imag], mark.letter)),
+        *(stroke for letter, at in shown for stroke in graph.station(at.real, [at.imag], letter)),
         *_branches(course, axes, hand),
         *dots,
     )
     across, up = (f"{letter}, {drafting.word(of)}" for letter, of in (_way(course)[:2], axes.up[1:]))
-    corners = (_corner(mark.letter, axes.on(mark.at.real, mark.at.imag), mark.at.imag > 0, hand) for mark in shown)
-    letters = *graph.ends((course.length, across), (span[1], up)), *corners, *numbers
+    corners = (_corner(letter, axes.on(at.real, at.imag), at.imag > 0, hand) for letter, at in shown)
+    letters = *graph.ends((course.length, across), (span[1], up)), *_shared((*corners, *numbers))
     return LetteredFigure(room.name, lines, partial(_letters, room.name, sizes, letters, hand))
 
 
@@ -240,6 +234,15 @@ def _title(course: LoadCourse, drafting: Drafting) -> str:
 
 def _corner(text: str, at: complex, above: bool, hand: Hand) -> Letter:
     return Letter(at, text, hand.number, OVER if above else UNDER, DOT + BESIDE)
+
+
+def _shared(letters: Iterable[Letter]) -> Iterable[Letter]:
+    """Letter each place once: a corner where a position falls with its letter and the number."""
+    kept = dict[complex, Letter]()
+    for letter in letters:
+        spot = next((spot for spot in kept if abs(spot - letter.at) < SAME), letter.at)
+        kept[spot] = letter._replace(text=f"{kept[spot].text}, {letter.text}") if spot in kept else letter
+    return kept.values()
 
 
 def _positions(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[Iterator[Letter], Iterator[Stroke]]:

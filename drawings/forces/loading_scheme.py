@@ -119,7 +119,8 @@ class SchemeLayout:
         """The arms on their perpendiculars."""
         subject = Subject(self._plan, "h", self.shown.column)
         on, scale = self.place.on, self.place.scale
-        arms = self.shown.dimensioned
+        faint = self.shown.faint(scale.mu)
+        arms = (arm for arm in self.shown.dimensioned if arm.letter not in faint)
         return [to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject) for arm in arms]
 
     @cached_property
@@ -236,8 +237,7 @@ class SchemeLayout:
         said = Statement(Kind.POINT, self._plan, plain_name(arm.letter), self.shown.column, self.place.scale.mu)
         strokes = list(arm.draw(self.hand))
         first = 1 if arm.aside else -1  # the line from the point to an arm aside of it, or the arm
-        if isinstance(strokes[-1], Group):
-            strokes[first] = stating(said, strokes[first])
+        strokes[first] = stating(said, strokes[first])
         return tuple(strokes)
 
     def _stated(self, kind: Kind, mark: Dimension | ForceArrow | CoupleArc) -> Stroke:
@@ -283,7 +283,7 @@ def measure(shown: Scheme, drafting: Drafting) -> Picture:
     place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
     left, bottom, right, top = bounds(Group(tuple(SchemeLayout(shown, place, drafting, None).strokes())))
     wide, high = bare.wide / place.scale.mu / 2, bare.high / place.scale.mu / 2
-    around, further = LETTERS * hand.letter, _further(shown, drafting)
+    around, further = LETTERS * hand.letter, _further(shown, place.scale.mu, drafting)
     side = max(-left - wide, right - wide, 0.0) + BESIDE * hand.letter
     margins = Margins(side, max(-bottom - high, 0.0) + around, max(top - high, 0.0) + around + _head(hand, further))
     heads = [Text(0j, _title(shown, drafting), hand.title), *(Text(0j, line, hand.text) for line in further)]
@@ -294,10 +294,12 @@ def _head(hand: Hand, further: Sequence[str]) -> float:
     return 1.6 * hand.title + (2 + LINE * len(further)) * hand.text
 
 
-def _further(shown: Scheme, drafting: Drafting) -> list[str]:
-    """Say under the title which flank of the teeth bears that drive the wheel, where one does."""
+def _further(shown: Scheme, mu: float, drafting: Drafting) -> list[str]:
+    """Say under the title which flank of the driving teeth bears, and what arms a scale, m/mm, leaves too short."""
     pressed = any(force.name == DRIVING for force in shown.acting.forces)
-    return [drafting.word(shown.wheel.flank)] if shown.wheel is not None and pressed else []
+    lines = [drafting.word(shown.wheel.flank)] if shown.wheel is not None and pressed else []
+    faint = ", ".join(shown.faint(mu))
+    return [*lines, drafting.word("unlettered", names=faint)] if faint else lines
 
 
 def _title(shown: Scheme, drafting: Drafting) -> str:
@@ -307,7 +309,8 @@ def _title(shown: Scheme, drafting: Drafting) -> str:
 
 def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
-    place, hand, further = room.place(*spot), drafting.hand, _further(shown, drafting)
+    place, hand = room.place(*spot), drafting.hand
+    further = _further(shown, place.scale.mu, drafting)
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand, further))
     layout = SchemeLayout(shown, place, drafting, box)
     under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"

@@ -81,8 +81,7 @@ def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
         said = word(language, "load against", name=name, size=size, point=load.point)
     else:
         said = word(language, "load always", name=name, size=size)
-    during = list(_place(load, language)) if isinstance(load, Force) else []
-    during += list(_sides(load, language)) if isinstance(load, Force) else []
+    during = [*_place(load, language), *_sides(load, language)] if isinstance(load, Force) else []
     during += [] if load.during == ALWAYS else [word(language, load.during)]
     if load.overrun != (0.0, 0.0):
         shares = dict.fromkeys(number(share, language) for share in load.overrun)

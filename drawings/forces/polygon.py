@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
+from itertools import groupby
 from typing import NamedTuple
 
 from drawings.forces.arms import largest
@@ -51,15 +52,8 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
 
 def _runs(sides: Sequence[ShownVector], least: float) -> Iterator[list[int]]:
     """Give the runs of sides one after another that are smaller than a force, N."""
-    run: list[int] = []
-    for k, side in enumerate(sides):
-        if abs(side.value) < least:
-            run.append(k)
-        elif run:
-            yield run
-            run = []
-    if run:
-        yield run
+    runs = groupby(range(len(sides)), lambda k: abs(sides[k].value) < least)
+    yield from ([*run] for small, run in runs if small)
 
 
 def _stubs(sides: Sequence[ShownVector], run: Sequence[int]) -> Iterator[Segment]:

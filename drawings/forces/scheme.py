@@ -21,6 +21,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, stated
 from drawings.symbols.couples import ForceArrow, coupling
 from drawings.symbols.couples import spring as coil
+from drawings.symbols.figure import LEAST
 from drawings.symbols.symbols import HINGE, fixed_hinge
 from geometry.board import at
 from plans.forces.cut import INERTIA, WEIGHT, CutGroup, ForcePlan
@@ -117,6 +118,10 @@ class Scheme:
     def dimensioned(self) -> list[Leverage]:
         """The arms that are drawn: one of each letter."""
         return list({arm.letter: arm for arm in reversed(self.arms) if arm.dimensioned}.values())[::-1]
+
+    def faint(self, mu: float) -> list[str]:
+        """Give the letters of the arms that are too short to be dimensioned at a scale, m/mm."""
+        return [arm.letter for arm in self.dimensioned if arm.length < LEAST * mu]
 
     @cached_property
     def named(self) -> dict[str, complex]:

@@ -105,7 +105,7 @@ class Labels:
                 corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
                 if not (self.ink.under(padded(box, corner, WELL_CLEAR)) or _strays(box, corner, (start, end), others)):
                     return self._written(corner, content, size)
-        further = [start + share * (end - start) for share in (SHARES[3:5] if others else ())]
+        further = [start + share * (end - start) for share in (SHARES[3:] if others else ())]
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across), others, further)
 
     def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Lines = ()) -> complex:

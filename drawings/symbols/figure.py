@@ -198,8 +198,6 @@ class Arm(NamedTuple):
 
     def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw the perpendicular, the line of action as far as its foot, and the mark of the right angle."""
-        if self.length < LEAST:
-            return (self._action(hand),)
         group = Group(arrows(*self.ends, hand), "", self.data, self.letter)
         return self._action(hand), *self._extension(hand), *self._square(hand), group
 
@@ -236,7 +234,7 @@ class Arm(NamedTuple):
         start, end = self.ends
         along = [start + share * (end - start) for share in SHARES[:STATIONS]]
         first, *further = along if roomy(self.length, hand) else [(end + self.reach(hand)[1]) / 2]
-        across = 1j * (self.foot - self.about) if self.length >= LEAST else 1 + 1j
+        across = 1j * (self.foot - self.about)
         above = -across if tied(across.imag) < 0 else across  # as on any dimension line
         return labels.beside(first, self.letter, hand.letter, BESIDE, cmath.phase(above), others, further)
 

@@ -117,6 +117,8 @@ def test_a_short_arm_is_dimensioned_aside_of_its_pivot_by_arrows_from_outside() 
     heads = [stroke for stroke in flat(drawn.draw(hand_of("A1"))) if isinstance(stroke, Fill)]
     assert drawn.aside and sorted(head.points[0].real for head in heads) == pytest.approx([0.0, 6.0])
     assert all(not 0 < head.points[1].real < 6 for head in heads)
+    near = [Arm("h_2", 0j, 30 * turn, -1j * turn) for turn in (1, (399 + 40j) / 401)]  # feet 3 mm apart
+    assert [arm.aside != 0 for arm in aside(near, [], None, hand_of("A1"))] == [False, True]  # heads do not meet
 
 
 def test_a_force_that_would_run_in_a_rod_stands_beside_it() -> None:

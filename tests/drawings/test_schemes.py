@@ -55,11 +55,10 @@ def test_the_arms_of_the_worked_example_are_lettered_through_its_groups() -> Non
     """M5.7: letters h go on from group to group, the leads keep their own; the gear's arm is its base radius."""
     plan = plan_of(text_of("shaper"))
     arms = [leverages(plan, cut, 0) for cut in plan.cuts]
-    assert [[arm.letter for arm in own] for own in arms] == [
-        ["h_{1}", "h_{2}", "l_{BD}"],
-        ["h_{3}", "h_{4}", "h_{5}", "l_{CA}"],
-        ["h_{6}", "h_{7}"],
-    ]
+    letters = [["h_{1}", "h_{2}", "l_{BD}"], ["h_{3}", "h_{4}", "h_{5}", "l_{CA}"], ["h_{6}", "h_{7}"]]
+    assert [[arm.letter for arm in own] for own in arms] == letters
+    short, long = sorted(arms[0][:2], key=lambda arm: arm.length)  # half a millimetre on paper is between them
+    assert scheme(plan, plan.cuts[0], 0).faint(short.length + long.length) == [short.letter]
     (gear,) = (arm for arm in arms[-1] if arm.name == "P_bal")
     assert gear.length == pytest.approx(0.18 * math.cos(math.radians(20)), rel=1e-12)
 
