@@ -36,6 +36,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exh
 from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
 from plans.dynamics.quantities import DynamicsComparison
+from plans.dynamics.study import DynamicsStudy
 from plans.forces.loading import asks
 from plans.forces.statics import Statics
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
@@ -175,6 +176,7 @@ class MachineMotion(NamedTuple):
     loads: tuple[LoadCourse, ...] = ()
     rim: Wheel | None = None
     notes: tuple[str, ...] = ()
+    falling: bool = False  # whether the moment of its motor falls with the speed
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -185,7 +187,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     steady = (load for load in statics.machine.loads if not asks(load))  # the others have their diagrams
     notes = (*(load_given(load, statics, drafting_of(study.scene).language) for load in steady), *said.all)
     machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, notes)
-    return sheets(study.scene, machine)
+    motor = study.of(DynamicsStudy).motor
+    return sheets(study.scene, machine._replace(falling=motor is not None and motor.steepness > 0))
 
 
 def sheets(scene: Scene, machine: MachineMotion) -> tuple[Leaf, ...]:
@@ -283,7 +286,7 @@ class _DynamicsSheet:
     def _bare(self) -> Iterator[Exhibit]:
         """Show the speeds without the flywheel, where they swing too far to stand among the others."""
         machine = self.machine
-        curve = bare_speeds(machine.task, machine.drawn, self.drafting)
+        curve = bare_speeds(machine.task, machine.drawn, self.drafting, machine.falling)
         if curve is not None:
             yield exhibit(curve_graph, curve, self.drafting, LARGEST)
 
