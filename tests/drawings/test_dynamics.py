@@ -14,6 +14,7 @@ import pytest
 
 from drawings.checks.readers import frames
 from drawings.dynamics import graphs
+from drawings.dynamics.due import expected
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.dynamics.report import notes_of
@@ -21,7 +22,7 @@ from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, s
 from drawings.grading.curves.run_figures import Bare
 from drawings.page.page import drafting_of
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Line, Polyline
+from drawings.paper.strokes import Kind, Line, Polyline
 from drawings.paper.walk import groups, texts, walk
 from drawings.symbols.symbols import hatching
 from plans.model.dynamics import ANALYSIS, Rim, Speeds, Wheel
@@ -214,3 +215,26 @@ def test_loads_that_drive_are_doubted_unless_they_are_those_of_an_engine(said: s
     gas = f'on = 3; point = "B"; value = 900; direction = 180; during = "working stroke"; {said}'
     machine = Study(parse_scene(text(scene(forces=[gas]))))
     assert bool([*notes_of(machine).directed()]) == doubted
+
+
+REDUCED = text(scene(forces=['on = 3; point = "B"; value = 1200; direction = 0']), asked="reduction = true")
+
+
+@pytest.mark.parametrize(
+    ("figure", "position", "size"),
+    [
+        ("moments", 6, -120.0),  # the rod does not turn: the piston is as fast as the crank's end, 1200 N of 0.1 m
+        ("moments", 18, 120.0),
+        ("inertia", 6, 0.0148 + 12 * 0.1**2),  # the crank's about O, and rod and piston in its end
+        ("inertia", 0, 0.0148 + (0.06 + 4 * 0.25**2) / 16),  # the rod turns about B a quarter as fast
+    ],
+)
+def test_the_reduction_alone_has_its_graphs(figure: str, position: int, size: float) -> None:
+    study = Study(parse_scene(REDUCED))
+    (leaf,) = leaves(study)
+    rows = {(one.figure, one.name): one.value for one in expected(study, (leaf,)) if one.kind is Kind.VECTOR}
+    drawn = [group.data for group in groups(leaf.groups) if group.data.get("plan") == figure]
+    (found,) = [complex(*map(float, data["value"].split())) for data in drawn if data["name"] == str(position)]
+    assert found == pytest.approx(1j * size) and rows[figure, str(position)] == pytest.approx(1j * size)
+    said = " ".join(one.plain for one in texts(leaf.groups)).replace("\N{NO-BREAK SPACE}", " ")
+    assert "lOA = 100" in said and "m3 = 8" in said and "Δφ, °" in said

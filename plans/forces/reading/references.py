@@ -249,11 +249,13 @@ def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
     """
     for index, force in enumerate(form.loads.forces if form.loads else ()):
         table, jumps = force.diagram, list[tuple[Decimal, Decimal]]()
-        for end, beside in ((0, 1), (-1, -2)) if table and table.back else ():
+        if table is None or not table.back:
+            continue
+        for end, beside in (0, 1), (-1, -2):
             first, last = ((row[end], row[beside]) for row in (table.there, table.back))
             if first[0] != last[0] and not (first[0] == first[1] and last[0] == last[1]):
                 jumps.append((abs(first[0] - last[0]), table.shares[end]))
-        if table and jumps:
+        if jumps:
             jump, share = max(jumps, key=itemgetter(0))
             name, unit = ("pressure", "Pa") if table.pressure else ("force", "N")
             details = {"travel": f"{share:f}", "jump": f"{jump:f}", "name": name, "unit": unit}
