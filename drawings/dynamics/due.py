@@ -11,15 +11,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, cells, measured, phrases
+from drawings.checks.expected import NOTES, Expected, cells, course, measured, phrases
 from drawings.checks.readers import Frame, frames
-from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, AnalysedTurn, graphs, tachogram
+from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WHOLE, WORKS, AnalysedTurn, graphs, tachogram
 from drawings.forces.due_acting import diagrams
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
 from drawings.paper.walk import groups as marks
 from plans.analytic.dynamics.flywheel import flywheel_of_points, wheel
-from plans.dynamics.quantities import DynamicsComparison
+from plans.dynamics.quantities import DynamicsComparison, reducing_of
 from plans.dynamics.study import DynamicsStudy
 from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison
@@ -48,7 +48,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from diagrams(statics.machine.loads, strokes)
     if comparison.analysis.cycle is None:
         yield from phrases(NOTES, _rates(study.of(DynamicsStudy).task), DIGITS, may_lack=True)
-        yield from _reduction(comparison.analysis)
+        yield from _reduction(study, comparison.analysis)
         return
     level, strokes = statics.level(study.of(MotionComparison).road.extremes)
     yield from diagrams(level.loads, strokes)
@@ -62,11 +62,26 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from tachogram(comparison.construction.run)
 
 
-def _reduction(found: Account) -> Iterator[Expected]:
-    """Give the table of what is reduced to a crank that cannot turn fully."""
-    reduced = found.reduced
-    columns = [np.degrees(reduced.phi), reduced.moment, reduced.inertia, reduced.slope]
+def _reduction(study: Study, found: Account) -> Iterator[Expected]:
+    """Give graphs and table of what is reduced where there is no steady turn; a swing is held by its positions."""
+    made, motion, reduced = study.of(DynamicsStudy), study.of(MotionComparison), found.reduced
+    reducing, _ = reducing_of(made, motion)
+    turned = np.degrees(reducing.sense * (reduced.phi - reduced.phi[0])) % WHOLE
+    columns = [turned, reduced.moment, reduced.inertia, reduced.slope]
     yield from _columns(columns, map(str, range(len(reduced.phi))))
+    angles = np.linspace(0.0, TURN, 2 * int(WHOLE) + 1)
+    dense = reducing.ordinates(reducing.motion(angles)) if motion.road.whole is not None else None
+    for figure, letter, part in (MOMENTS, "M_{red}", "moment"), (INERTIA, "J_{red}", "inertia"):
+        values, curve = (
+            getattr(reduced, part),
+            np.full(len(angles), math.nan) if dense is None else getattr(dense, part),
+        )
+        slack, whole = KNOWN * float(np.nanmax(np.abs(values), initial=0.0)), not np.isnan(curve).any()
+        allowed, ends = (slack, (0.0, WHOLE)) if whole else (math.inf, (math.nan, math.nan))
+        yield Expected(Kind.CURVE, figure, letter, course(np.degrees(angles), curve), allowed, ends=ends)
+        for k, value in enumerate(values.tolist()):
+            if math.isfinite(value):
+                yield Expected(Kind.VECTOR, figure, str(k), 1j * value, slack, position=k, may_lack=True)
 
 
 def _columns(columns: Sequence[Floats], rows: Iterator[str], among: Sequence[Floats] = ()) -> Iterator[Expected]:

@@ -28,8 +28,11 @@ from plans.model.run import Account
 NUMBERED = 36  # positions: of more the curve alone is drawn
 
 
-def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve | None:
-    """Give the curve of the speeds without the flywheel; None where there is none, or it stands beside the others."""
+def bare_speeds(task: Task, account: Account, drafting: Drafting, level: bool = False) -> GraphCurve | None:
+    """Give the curve of the speeds without the flywheel; None where there is none, or it stands beside the others.
+
+    `level` says below its title that the moment of the drive is constant, as that of the motor is not.
+    """
     cycle, before, after = account.cycle, account.before, account.speeds
     if cycle is None or before is None:
         return None
@@ -41,7 +44,9 @@ def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve 
     omega = quantities.omega(cycle, shown, before)
     stations, ordinates = np.degrees(cycle.turned[numbered]), before.omega[numbered]
     course, title = (np.degrees(shown.turned), omega, stations, ordinates), drafting.word("speed without flywheel")
-    return GraphCurve("ω_0", "rad/s", *course, title, task.divisions, name=quantities.BEFORE, states="ω_0")
+    under = (f"{drafting.letter('M_{dr}')} = const",) if level else ()
+    curve = GraphCurve("ω_0", "rad/s", *course, title, task.divisions, name=quantities.BEFORE, states="ω_0")
+    return curve._replace(under=under)
 
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles

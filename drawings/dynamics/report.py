@@ -11,12 +11,14 @@ import numpy as np
 
 from drawings.dynamics import report_tables as tables
 from drawings.dynamics.flywheel_sketch import geared
+from drawings.dynamics.given import RPM, given
 from drawings.forces.report import counted_strokes
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
-from drawings.report.formula import DIGITS, Chapters, entry, listed, literal, plain, see
+from drawings.report.formula import DIGITS, Chapters, entry, listed, plain, see
 from drawings.report.report import Report, chapter, header, row, tiny
 from plans.dynamics.cycle import methods, rim_of
+from plans.dynamics.form import DynamicsForm
 from plans.dynamics.loop import loop
 from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy
@@ -29,7 +31,6 @@ from plans.words.words import Message, message, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-RPM = 30 / math.pi  # of a rad/s
 OTHERS = (2.0, 0.5)  # times the fluctuation that is asked for
 PER_CENT = 3  # digits of a share
 NOTES_NOISE = 1e-9  # of J0: what of it is less is rounding, whose digits differ from machine to machine
@@ -49,6 +50,8 @@ class DynamicsNotes(NamedTuple):
     rim: Wheel | None = None
     exact: float | None = None
     digits: int = 4
+    given: tuple[str, ...] = ()  # of motor, shafts and brake
+    engine: bool = False  # whether loads drive the machine as they should
 
     @property
     def all(self) -> tuple[str, ...]:
@@ -65,6 +68,7 @@ class DynamicsNotes(NamedTuple):
             yield self.drafting.phrase("dynamics asked speed", **speed)
         else:
             yield self.drafting.phrase("dynamics asked", **speed, delta=self.fluctuation(self.task.delta))
+        yield from self.given
 
     def works(self) -> Iterator[str]:
         """Say what the loads take in a turn, and by what moment the drive gives it."""
@@ -79,8 +83,8 @@ class DynamicsNotes(NamedTuple):
             yield self.drafting.phrase(key, work=self._slot("A_us(2π)", abs(cycle.net)), moment=moment)
 
     def directed(self) -> Iterator[str]:
-        """Say of loads that drive the machine that those of an engine do."""
-        if self.account.cycle is not None and self.account.cycle.net > 0:
+        """Say of loads that drive a machine which is no engine that one of them may have the wrong direction."""
+        if self.account.cycle is not None and self.account.cycle.net > 0 and not self.engine:
             yield self.drafting.word("loads drive")
 
     def stopping(self) -> Iterator[str]:
@@ -226,7 +230,10 @@ def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
     rim = rim_of(account.flywheel.inertia, dynamics.task.rim) if account.flywheel is not None else None
     true = exact.inertia if exact is not None else None
     flywheel_at = partial(_flywheel, account.cycle, dynamics.task)
-    return DynamicsNotes(dynamics.task, account, flywheel_at, drafting_of(study.scene), rim, true, digits)
+    form, drafting = study.scene.of(DynamicsForm).dynamics, drafting_of(study.scene)
+    told = tuple(given(form, dynamics.task, drafting))
+    engine = form.motor is None and not all(load.useful for load in study.of(Statics).machine.loads)
+    return DynamicsNotes(dynamics.task, account, flywheel_at, drafting, rim, true, digits, told, engine)
 
 
 def _flywheel(cycle: Cycle | None, task: Task, delta: float) -> Flywheel:
@@ -240,7 +247,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
     account: Account = study.of(DynamicsComparison).construction
     return Chapters(
-        subject=[*listed(chapter(language, "dynamics"), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
+        subject=[*listed(chapter(language, "dynamics"), notes.asked()), *_ways(study)],
         values=[
             *_reduction(account, notes),
             *_works(account, notes),
@@ -262,14 +269,6 @@ def _ways(study: Study) -> Iterator[str]:
     yield word(language, "report.crank_turns", way=message(f"way.{way}"))
     if "forces" not in study.techniques:
         yield from counted_strokes(statics, language)
-
-
-def _shafts(notes: DynamicsNotes) -> Iterator[str]:
-    """Tell each rotating mass beside the linkage, reduced to the crank."""
-    for shaft in notes.task.shafts:
-        numbers = {"inertia": shaft.inertia, "ratio": shaft.ratio, "reduced": shaft.reduced}
-        texts = {name: notes.drafting.number(value, DIGITS) for name, value in numbers.items()}
-        yield word(notes.drafting.language, "report.shaft", name=literal(shaft.name), **texts)
 
 
 def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:

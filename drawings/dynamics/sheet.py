@@ -15,18 +15,21 @@ from drawings.dynamics.due import expected
 from drawings.dynamics.graphs import DrawnStrips, strips
 from drawings.dynamics.plate import Plate, bare_speeds
 from drawings.dynamics.plate_frame import PlateFrame, working
+from drawings.dynamics.reduction import curves, turned
 from drawings.dynamics.report import notes_of
 from drawings.dynamics.report_tables import without_rounding
 from drawings.forces import load_diagram
 from drawings.forces.load_diagram import LoadCourse, courses
-from drawings.forces.notes import load_given
+from drawings.forces.notes import loads_given, masses
 from drawings.kinds import curve_graph
+from drawings.kinds.curve_graph import GraphCurve
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER
 from drawings.layout.room import room_of
 from drawings.layout.slicing import GAP
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
+from drawings.linkage.notes import lengths
 from drawings.linkage.positions import of_linkage
 from drawings.page.page import Drafting, Page, drafting_of, page_of
 from drawings.paper.strokes import Leaf
@@ -36,6 +39,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exh
 from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
 from plans.dynamics.quantities import DynamicsComparison
+from plans.dynamics.study import DynamicsStudy
 from plans.forces.loading import asks
 from plans.forces.statics import Statics
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
@@ -51,7 +55,7 @@ QUANTITIES = (
     ("Δφ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"),
     ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
 )  # fmt: skip
-REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
+REDUCED = (("Δφ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
 MOST = 36  # positions that are told
 DIGITS = 5
 NOTHING = "—"
@@ -73,13 +77,11 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
-def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
-    """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
+def reduction(reduced: Reduced, turned: Floats, drafting: Drafting) -> RuledTable:
+    """Tell the reduced moment and inertia at the positions, turned by degrees, where there is no steady turn."""
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
     rows = zip(
-        np.degrees(reduced.phi),
-        *(_even(without_rounding(row)) for row in (reduced.moment, reduced.inertia, reduced.slope)),
-        strict=True,
+        *(_even(without_rounding(row)) for row in (turned, reduced.moment, reduced.inertia, reduced.slope)), strict=True
     )
     lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
@@ -175,17 +177,26 @@ class MachineMotion(NamedTuple):
     loads: tuple[LoadCourse, ...] = ()
     rim: Wheel | None = None
     notes: tuple[str, ...] = ()
+    falling: bool = False  # whether the moment of its motor falls with the speed
+    turned: Floats = np.zeros(0)  # degrees, of the positions of the reduction alone
+    reduced: tuple[GraphCurve, ...] = ()  # its graphs
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of the motion of a scene's machine; a constant load is told in words too."""
     found, statics, said = study.of(DynamicsComparison), study.of(Statics), notes_of(study)
-    level = courses(*statics.level()) if found.construction.cycle is not None else ()
+    made, drafting = study.of(DynamicsStudy), drafting_of(study.scene)
+    alone = found.construction.cycle is None
+    level = () if alone else courses(*statics.level())
     loads = (*courses(statics.machine, statics.strokes), *level)
-    steady = (load for load in statics.machine.loads if not asks(load))  # the others have their diagrams
-    notes = (*(load_given(load, statics, drafting_of(study.scene).language) for load in steady), *said.all)
+    steady = [load for load in statics.machine.loads if not asks(load)]  # the others have their diagrams
+    links = (*lengths(made.linkage, drafting.language), *masses(statics, drafting.language)) if alone else ()
+    notes = (*links, *loads_given(steady, statics, drafting.language), *said.all)
     machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, notes)
-    return sheets(study.scene, machine)
+    if alone:
+        reduced = tuple(curves(made.reduction, drafting))
+        return sheets(study.scene, machine._replace(turned=turned(made.reduction), reduced=reduced))
+    return sheets(study.scene, machine._replace(falling=made.motor is not None and made.motor.steepness > 0))
 
 
 def sheets(scene: Scene, machine: MachineMotion) -> tuple[Leaf, ...]:
@@ -224,13 +235,22 @@ class _DynamicsSheet:
 
     def _drafted(self, most: int) -> Draft:
         title, facts = self.drafting.word("dynamics sheet title"), partial(figures_facts, positions=most)
-        return Draft("dynamics", title, tuple(self._shows(most)), (), self.machine.notes, facts, narrow=EQUATION)
+        return Draft(
+            "dynamics",
+            title,
+            tuple(self._shows(most)),
+            (),
+            self.machine.notes,
+            facts,
+            narrow=EQUATION if self.machine.drawn.cycle else 0.0,
+        )
 
     def _shows(self, most: int) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""
         plates = tuple(self._plates())
         exhibits = [self._exhibit(shown, self._least if self._in_line else None) for shown in plates]
         yield from exhibits[:1]
+        yield from (exhibit(curve_graph, curve, self.drafting) for curve in self.machine.reduced)
         yield from self._loads()
         yield from exhibits[1:]
         if self.machine.drawn.cycle is not None and not (self._in_line and self._whole.told):
@@ -283,7 +303,7 @@ class _DynamicsSheet:
     def _bare(self) -> Iterator[Exhibit]:
         """Show the speeds without the flywheel, where they swing too far to stand among the others."""
         machine = self.machine
-        curve = bare_speeds(machine.task, machine.drawn, self.drafting)
+        curve = bare_speeds(machine.task, machine.drawn, self.drafting, machine.falling)
         if curve is not None:
             yield exhibit(curve_graph, curve, self.drafting, LARGEST)
 
@@ -297,7 +317,7 @@ class _DynamicsSheet:
         """Tell the values at the edges of the strips, or of the reduction alone at the positions."""
         account = self.machine.drawn
         if account.cycle is None:
-            return reduction(account.reduced, self.drafting)
+            return reduction(account.reduced, self.machine.turned, self.drafting)
         return positions(self.machine.task, account, self.drafting, most)
 
     def _results(self) -> RuledTable:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -26,7 +26,7 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
     """Write what the sheet says in words: what is given, what the lever carries, what friction takes."""
     rates = Rates(*statics.study.rates.at(position))
     given = [driving(statics.study, rates, language), *lengths(statics.study, language)]
-    given += [*_masses(statics, language), *_loads(statics, language)]
+    given += [*masses(statics, language), *_loads(statics, language)]
     return [
         *given,
         word(language, "known lines"),
@@ -56,19 +56,22 @@ def _plan(name: str, language: str) -> str:
 
 def _loads(statics: Statics, language: str) -> Iterator[str]:
     """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
-    machine = statics.machine
-    lines = [load_given(load, statics, language) for load in machine.loads]
-    for spring in machine.springs:
-        stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
-        free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
-        name = force_letter(spring.name, language)
-        lines.append(word(language, "spring given", name=name, stiffness=stiffness, free=free))
-    how = machine.transmission
+    yield from loads_given(statics.machine.loads, statics, language)
+    how = statics.machine.transmission
     if how.kind == GEAR:
         radius = f"{number(1000 * how.radius, language)}{NBSP}{word(language, 'mm')}"
         at, pressure = (number(float(np.degrees(angle)), language) for angle in (how.at, how.pressure))
-        lines.append(word(language, "gear given", radius=radius, at=at, pressure=pressure))
-    yield from lines
+        yield word(language, "gear given", radius=radius, at=at, pressure=pressure)
+
+
+def loads_given(loads: Iterable[Force | Moment], statics: Statics, language: str) -> Iterator[str]:
+    """Tell loads by their laws, and the springs."""
+    yield from (load_given(load, statics, language) for load in loads)
+    for spring in statics.machine.springs:
+        stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
+        free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
+        name = force_letter(spring.name, language)
+        yield word(language, "spring given", name=name, stiffness=stiffness, free=free)
 
 
 def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
@@ -117,14 +120,15 @@ def _balanced(statics: Statics, position: int, language: str) -> Iterator[str]:
         yield word(language, "balanced lever")
 
 
-def _masses(statics: Statics, language: str) -> Iterator[str]:
-    masses = []
+def masses(statics: Statics, language: str) -> Iterator[str]:
+    """Tell the masses and moments of inertia of the links."""
+    told = []
     for link, body in sorted(statics.machine.bodies.items()):
         if body.mass:
-            masses.append(f"m_{{{link}}} = {number(body.mass, language)}{NBSP}{word(language, 'kg')}")
+            told.append(f"m_{{{link}}} = {number(body.mass, language)}{NBSP}{word(language, 'kg')}")
         if body.inertia:
-            masses.append(f"J_{{S{link}}} = {number(body.inertia, language)}{NBSP}{word(language, 'kg*m2')}")
-    yield ",  ".join(masses) or word(language, "no masses")
+            told.append(f"J_{{S{link}}} = {number(body.inertia, language)}{NBSP}{word(language, 'kg*m2')}")
+    yield ",  ".join(told) or word(language, "no masses")
 
 
 def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:

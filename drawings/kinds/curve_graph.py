@@ -58,6 +58,7 @@ class GraphCurve(NamedTuple):
     name: str = ""  # of the graph
     under: tuple[str, ...] = ()  # lines below its scales: what its abscissas are
     states: str = ""  # the name of the curve, by which its graph states it; the thin one is this, "before"
+    form: GraphForm = FORM
 
     @property
     def span(self) -> tuple[float, float]:
@@ -108,7 +109,7 @@ def bounded(dense: Any, nodes: Any) -> Any:
 
 def measure(curve: GraphCurve, drafting: Drafting) -> Picture:
     """Measure the room of a graph."""
-    room = FORM.room(curve.name, curve.length, curve.axis, curve.title, drafting.hand)
+    room = curve.form.room(curve.name, curve.length, curve.axis, curve.title, drafting.hand)
     return explained(room, curve.under, drafting.hand)
 
 

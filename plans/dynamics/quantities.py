@@ -252,7 +252,7 @@ def comparison_of(study: Study) -> DynamicsComparison:
 
 def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> DynamicsComparison:
     """Compare the motion of a machine whose positions are compared."""
-    road, strokes = _road(study, motion)
+    road, strokes = reducing_of(study, motion)
     theirs = Account("analysis", reduced(road, study.linkage.turn.phi))
     both = Reductions(study, motion, theirs)
     ours = study.account
@@ -267,7 +267,8 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     return DynamicsComparison(ours, sampled, found, true, turn, after, before, others, motion=motion)
 
 
-def _road(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, OutputStroke]]:
+def reducing_of(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, OutputStroke]]:
+    """Give the reduction of a machine by analysis, and the strokes that its loads count."""
     strokes = study.statics.over(motion.road.extremes)
     machine, start = study.statics.machine, float(study.linkage.turn.phi[0])
     return Reducing(motion.road, machine, lambda found: loading(machine, found, strokes), start), strokes

@@ -14,13 +14,15 @@ import pytest
 
 from drawings.checks.readers import frames
 from drawings.dynamics import graphs
+from drawings.dynamics.due import expected
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
+from drawings.dynamics.report import notes_of
 from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, sheets
 from drawings.grading.curves.run_figures import Bare
 from drawings.page.page import drafting_of
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Line, Polyline
+from drawings.paper.strokes import Kind, Line, Polyline
 from drawings.paper.walk import groups, texts, walk
 from drawings.symbols.symbols import hatching
 from plans.model.dynamics import ANALYSIS, Rim, Speeds, Wheel
@@ -186,3 +188,53 @@ def test_a_constant_load_has_its_diagram_as_one_that_changes_and_is_told_too(law
     said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
     assert ("3200 N against the motion of B" in said.replace("\N{NO-BREAK SPACE}", " ")) == told
     assert "load_diagram-F_us" in {group.name for leaf in laid for group in groups(leaf.groups)}
+
+
+@pytest.mark.parametrize(
+    ("motor", "told", "falls"),
+    [
+        ('starting = "2 kN*m", synchronous = "123 rpm"', "2000 N·m at rest, in a straight line to 0 at 123 rpm", True),
+        ('breakdown = 900, slip = 0.2, synchronous = "123 rpm"', "at most 900 N·m at the slip 0.2, 0 at 123 rpm", True),
+        ('speeds = [0, "60 rpm", "123 rpm"], moments = [900, 800, 0]', "900; 800; 0 N·m at 0; 60; 123 rpm", True),
+        ("moment = 60", "60 N·m at every speed", False),
+    ],
+)
+def test_a_motor_is_given_with_its_rotor_and_the_brake_and_the_drive_that_is_even_is_told(
+    motor: str, told: str, falls: bool
+) -> None:
+    asked = f'motor = {{ rotor = 0.4, {motor} }}\nrun = {{ brake = "0.15 kN*m", turns = 1 }}\n'
+    laid = leaves(machine := Study(parse_scene(text(asked=asked + "shafts = [{ inertia = 2 }]"))))
+    said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
+    for words in (f"Motor: {told}".replace("Motor: at most", "Motor by Kloss: at most"), "0.4 kg", "Brake: 150 N·m"):
+        assert words in said and words in " ".join(notes_of(machine).asked())
+    assert ("Mdr = const" in said) == falls
+
+
+@pytest.mark.parametrize(("said", "doubted"), [("", True), ("useful = false", False)])
+def test_loads_that_drive_are_doubted_unless_they_are_those_of_an_engine(said: str, doubted: bool) -> None:
+    gas = f'on = 3; point = "B"; value = 900; direction = 180; during = "working stroke"; {said}'
+    machine = Study(parse_scene(text(scene(forces=[gas]))))
+    assert bool([*notes_of(machine).directed()]) == doubted
+
+
+REDUCED = text(scene(forces=['on = 3; point = "B"; value = 1200; direction = 0']), asked="reduction = true")
+
+
+@pytest.mark.parametrize(
+    ("figure", "position", "size"),
+    [
+        ("moments", 6, -120.0),  # the rod does not turn: the piston is as fast as the crank's end, 1200 N of 0.1 m
+        ("moments", 18, 120.0),
+        ("inertia", 6, 0.0148 + 12 * 0.1**2),  # the crank's about O, and rod and piston in its end
+        ("inertia", 0, 0.0148 + (0.06 + 4 * 0.25**2) / 16),  # the rod turns about B a quarter as fast
+    ],
+)
+def test_the_reduction_alone_has_its_graphs(figure: str, position: int, size: float) -> None:
+    study = Study(parse_scene(REDUCED))
+    (leaf,) = leaves(study)
+    rows = {(one.figure, one.name): one.value for one in expected(study, (leaf,)) if one.kind is Kind.VECTOR}
+    drawn = [group.data for group in groups(leaf.groups) if group.data.get("plan") == figure]
+    (found,) = [complex(*map(float, data["value"].split())) for data in drawn if data["name"] == str(position)]
+    assert found == pytest.approx(1j * size) and rows[figure, str(position)] == pytest.approx(1j * size)
+    said = " ".join(one.plain for one in texts(leaf.groups)).replace("\N{NO-BREAK SPACE}", " ")
+    assert "lOA = 100" in said and "m3 = 8" in said and "Δφ, °" in said

@@ -331,9 +331,22 @@ def test_weights_left_out_are_noted_where_forces_are_wanted_and_zero_says_that_i
     assert noted(SHAPER + LOADED) == []
 
 
-def test_both_ends_of_an_indicator_diagram_are_noted_where_they_jump() -> None:
-    card = "diagram = { travel = [0, 1], force = [5, 7], back = [6, 9] }\ndirection = 0\n"
-    assert noted(SHAPER + ON_D + card) == [("open_diagram", "loads.forces[0].diagram.back")] * 2
+@pytest.mark.parametrize(
+    ("there", "back", "share"),
+    [
+        ("5, 5, 7", "6, 6, 9", "1"),  # both ends jump, the last one by more
+        ("5, 6, 7", "5, 6, 9", "1"),
+        ("5, 5, 5", "2, 2, 2", ""),  # a pump without clearance
+        ("9, 9, 5", "2, 3, 5", "0"),
+        ("9, 9, 5", "2, 2, 5", ""),
+    ],
+)
+def test_an_indicator_diagram_that_does_not_close_is_noted_once_and_not_where_its_strokes_are_level(
+    there: str, back: str, share: str
+) -> None:
+    card = f"diagram = {{ travel = [0, 0.5, 1], force = [{there}], back = [{back}] }}\ndirection = 0\n"
+    found = notes_of(parse_scene(SHAPER + ON_D + card))
+    assert [fault.details["travel"] for fault in found] == [share] * bool(share)
 
 
 def test_a_load_of_a_scene_with_other_faults_is_examined_too() -> None:

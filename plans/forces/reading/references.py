@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from decimal import Decimal
 from itertools import combinations
+from operator import itemgetter
 
 from geometry.errors import DraftError
 from plans.forces.reading.fields import Ends, EndTable, holders, point_of
@@ -238,15 +239,23 @@ def _gravity(scene: Scene, form: ForceForm) -> Iterator[Fault]:
 
 
 def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
-    """Find indicator diagrams whose two strokes do not meet at their ends."""
+    """Find indicator diagrams whose strokes do not meet at an end: told once, of the larger jump.
+
+    Where both strokes are level beside an end, as in a pump, the load changes there at once and is meant to.
+    """
     for index, force in enumerate(form.loads.forces if form.loads else ()):
-        table, path = force.diagram, ("loads", "forces", index, "diagram", "back")
-        ends = ((table.shares[k], table.there[k], table.back[k]) for k in (0, -1)) if table and table.back else ()
-        for share, there, back in ends:
-            if there != back:
-                name, unit = ("pressure", "Pa") if table and table.pressure else ("force", "N")
-                details = {"travel": f"{share:f}", "jump": f"{abs(there - back):f}", "name": name, "unit": unit}
-                yield scene.fault(path, "open_diagram", **details)
+        table, jumps = force.diagram, list[tuple[Decimal, Decimal]]()
+        if table is None or not table.back:
+            continue
+        for end, beside in (0, 1), (-1, -2):
+            first, last = ((row[end], row[beside]) for row in (table.there, table.back))
+            if first[0] != last[0] and not (first[0] == first[1] and last[0] == last[1]):
+                jumps.append((abs(first[0] - last[0]), table.shares[end]))
+        if jumps:
+            jump, share = max(jumps, key=itemgetter(0))
+            name, unit = ("pressure", "Pa") if table.pressure else ("force", "N")
+            details = {"travel": f"{share:f}", "jump": f"{jump:f}", "name": name, "unit": unit}
+            yield scene.fault(("loads", "forces", index, "diagram", "back"), "open_diagram", **details)
 
 
 def _pistons(scene: Scene, form: ForceForm) -> Iterator[Fault]:
