@@ -216,7 +216,9 @@ class _ExpectedCam:
     def _dimensions(self) -> Iterator[Expected]:
         cam, numbers = self.values.cam, self.numbers
         sizes = {name: numbers.size(name) for name in ("R_0", "e", "S_0", "L")}
-        sizes["l"] = (MM * (cam.follower.length or 0.0), 0.0)
+        sizes |= {
+            name: (MM * (size or 0.0), 0.0) for name, size in (("l", cam.follower.length), ("h", cam.follower.face))
+        }
         if self.values.found.sharpest is not None:
             sizes["ρ_{min}"] = numbers.radius("ρ_min", self.values.found.sharpest)
         for name, (number, slack) in sizes.items():

@@ -117,7 +117,8 @@ class CamNumbers:
     def _numbers(self) -> Iterator[tuple[str, tuple[float, float]]]:
         cam, found = self.cam, self.found
         yield from ((name, self.size(name)) for name in ("R_0", "e", "S_0", "L", "ψ_0", "r_rol"))
-        yield from (("lift", (self.way * cam.lift, 0.0)), ("reach", (MM * (cam.follower.reach or 0.0), 0.0)))
+        yield "lift", (self.way * cam.lift, 0.0)
+        yield from ((letter, (size, 0.0)) for letter, (size, _) in cam.told.items())
         speed = cam.speed or 0.0
         yield from (("n", (RPM * speed, 0.0)), ("ω", (speed, 0.0)), ("setting", (DEGREES * cam.setting, 0.0)))
         for side, far in zip(("back", "front"), found.face, strict=True):

@@ -144,7 +144,7 @@ def _joined(x: Floats, y: Floats, sides: tuple[Floats, Floats]) -> Plot:
 
 NAME = "law"
 # Four coarser scales differ by ten times.
-PROPORTIONS = Proportions(high=0.6, left=8.6, right=1.8, pole=(2.0, 6.2), coarser=4, rises=True)
+PROPORTIONS = Proportions(high=0.6, left=7.2, right=1.8, pole=(1.55, 4.8), coarser=4, rises=True)
 PER_CENT = 2  # digits of an error
 ROUNDED = 1e-9  # of the largest value: chords that are exact but for the roundings of their steps
 LEVEL = 4.4  # sizes of a number from the lowest row to the dimensions of the phases

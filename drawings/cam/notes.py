@@ -49,6 +49,7 @@ def table_units(cam: Cam) -> tuple[TableUnit, ...]:
 
 
 DIGITS = 5
+EXPLAINED = ("b", "h", "F_0", "M_0", "c")  # letters of the follower that the sheet says in words
 REST = "rest"
 
 
@@ -98,13 +99,18 @@ class CamNotes(NamedTuple):
         cam, word, phrase = self.cam, self.drafting.word, self.drafting.phrase
         kind = word(f"cam {cam.follower.motion} {cam.follower.end}")
         parts = {"lift": self.way("lift", cam.lift), "letter": "Ψ" if cam.rocks else "H"}
-        key = "cam asked" if cam.follower.reach is None else "cam asked reach"
-        yield phrase(key, follower=kind, closure=word(f"cam closed by {cam.closure}"), **parts, **self._reach())
+        told = joined(", ", ("", *(self._told(letter, *size) for letter, size in cam.told.items())))
+        yield phrase("cam asked", follower=kind, closure=word(f"cam closed by {cam.closure}"), told=told, **parts)
         if cam.speed is not None:
             sense = word("counter-clockwise" if cam.sense > 0 else "clockwise")
             key = "cam speed of travel" if cam.translates else "cam speed"
             numbers = {"n": self._slot("n", cam.speed * RPM), "omega": self._slot("ω", cam.speed)}
             yield phrase(key, sense=sense, **numbers)
+
+    def _told(self, letter: str, size: float, unit: str) -> Phrase:
+        """Write what is given, what only words explain with those."""
+        said = self.drafting.word(f"cam given {letter}") if letter in EXPLAINED else ""
+        return joined("", (said, self.drafting.letter(letter), " = ", self._of(letter, size, unit)))
 
     def phases(self) -> Iterator[str]:
         """Tell the phases in their order, with their laws."""
@@ -141,16 +147,11 @@ class CamNotes(NamedTuple):
         yield from self.face()
 
     def face(self) -> Iterator[str]:
-        """Say how far contact goes on a flat face, and how far that reaches if the scene says it."""
+        """Say how far contact goes on a flat face."""
         if self.cam.flat and not self.cam.translates:
             ends = zip(("back", "front"), self.found.face, strict=True)
             sides = {side: self._mm(side, far if self.cam.rocks else abs(far)) for side, far in ends}
-            key = ("cam face rocking" if self.cam.rocks else "cam face") + (" reach" if self._reach() else "")
-            yield self.drafting.phrase(key, **sides, **self._reach())
-
-    def _reach(self) -> dict[str, str]:
-        reach = self.cam.follower.reach
-        return {} if reach is None else {"reach": self._mm("reach", reach)}
+            yield self.drafting.phrase("cam face rocking" if self.cam.rocks else "cam face", **sides)
 
     def setting(self) -> Iterator[str]:
         """Say how the cam stands on the main shaft."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -19,7 +20,8 @@ from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
-from drawings.symbols.figure import heading
+from drawings.paper.walk import tied
+from drawings.symbols.figure import arrows, heading
 from drawings.symbols.symbols import TICK, fit
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import RETURN, RISE, Cam, Limits
@@ -140,11 +142,13 @@ def _bottom(view: PressureView, axes: Axes, hand: Hand) -> float:
 
 
 def _phases(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Part the phases by thin lines down to their row."""
+    """Part the phases by thin lines down to their row, where they are dimensioned."""
     level = _bottom(view, axes, hand)
-    for turned in (*(phase.start for phase in view.cam.phases), view.cam.turn):
-        at = axes.on(turned).real
-        yield Line(complex(at, axes.on(0.0, view.span[1]).imag), complex(at, level - TICK), hand.drafted)
+    feet = [complex(axes.on(turned).real, level) for turned in (*(p.start for p in view.cam.phases), view.cam.turn)]
+    for foot in feet:
+        yield Line(complex(foot.real, axes.on(0.0, view.span[1]).imag), foot - TICK * 1j, hand.drafted)
+    for start, end in pairwise(feet):
+        yield from arrows(start, end, hand) if tied(abs(end - start)) else ()
 
 
 def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
@@ -194,7 +198,7 @@ def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Lette
     for k, phase in enumerate(view.cam.phases):
         middle = axes.on(phase.start + phase.angle / 2).real
         text = phase_letter(view.cam, k, drafting)
-        yield Letter(complex(middle, level), text, drafting.hand.number, -math.pi / 2, 0.0)
+        yield Letter(complex(middle, level), text, drafting.hand.number, math.pi / 2, law_diagrams.ABOVE)
 
 
 def _roomy(view: PressureView, graph: Graph) -> tuple[int, ...]:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from drawings.cam import inversion, profile_view, size_marks
 from drawings.cam.inversion import BODY_GUIDE, CLEAR, GUIDE, POINT, ProfileRings, around, beyond, face, highest
 from drawings.cam.profile_view import NAME, QUANTITY, SYMBOL, UNIT, ProfileView
+from drawings.kinds.axes import placed
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
@@ -218,6 +219,7 @@ def _letters(view: ProfileView, rings: ProfileRings, drafting: Drafting, labels:
         yield telling(NAME, labels.along(*travel.lines[0], travel.letter, hand.number, BESIDE, math.pi / 2))
     for size in size_marks.size_marks(view, place, drafting):
         yield telling(NAME, labels.along(size.start, size.end, size.letter, hand.number, BESIDE, math.pi / 2))
+    yield from placed(NAME, size_marks.centre_letters(view, place, hand), labels)
     yield from _numbers(view, rings, labels)
     for division in divisions(view, place, hand):
         yield labels.beside(division.spot, str(division.position), hand.number, BESIDE, division.towards)

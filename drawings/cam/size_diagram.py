@@ -174,10 +174,14 @@ def _reaches(view: SizeView, drafting: Drafting) -> Iterator[tuple[str, complex,
 
 
 def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimension]:
-    """Dimension e below O and S0 beside the axis of S; under a flat face R0 and the least radius of curvature."""
-    if view.cam.rocks:
-        return
+    """Dimension e below O and S0 beside the axis of S; under a flat face R0, the least radius, h of a rocker."""
     centre, zero, off = place.on(view.centre), place.on(0j), OFF * drafting.hand.letter
+    if view.cam.rocks:
+        if view.faced and view.cam.follower.face:
+            root, end, _ = (place.on(spot) for spot in view.face)
+            back = (root - end) / abs(root - end) * off
+            yield _dimension("h", view.cam.follower.face, (zero, root), back, place, drafting)
+        return
     foot = complex(zero.real, centre.imag)
     left = -view.cam.sense
     if view.bent:

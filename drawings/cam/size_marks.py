@@ -257,6 +257,14 @@ def _visible(view: ProfileView, extreme: Extreme, place: Place, hand: Hand) -> b
     return not still and 0 < place.length(extreme.value) < place.length(view.reach) + LARGE * hand.letter
 
 
+def centre_letters(view: ProfileView, place: Place, hand: Hand) -> Iterator[Letter]:
+    """Letter the centre of the circle of the least radius."""
+    sharpest = view.found.sharpest
+    if sharpest is not None and _visible(view, sharpest, place, hand):
+        spot, normal = view.at(sharpest.turned)
+        yield Letter(place.on(spot - sharpest.value * normal), "C", hand.letter, cmath.phase(-normal), BESIDE)
+
+
 def _mark(name: str, start: complex, end: complex, size: float, place: Place, drafting: Drafting) -> SizeMark:
     text = joined(" = ", (name.replace("_min", "_{min}"), drafting.slot(Slot(name, MM * size, DIGITS))))
     return SizeMark(name, text, place.on(start), place.on(end), end - start)

@@ -17,7 +17,7 @@ from drawings.symbols.symbols import arrowhead, pole
 from plans.model.motion import Floats
 
 LEFT, RIGHT, OVER, UNDER = math.pi, 0.0, math.pi / 2, -math.pi / 2
-CLOSE = 2.0  # gaps from a spot to its letter: what is nearer may be taken for the spot
+CLOSE = 2.0  # gaps from a spot to its letter: what is no farther than these and the letter may be taken for the spot
 BETWEEN = 3.0  # mm from a part's title to its scales
 STACKED = 1.6  # sizes of a text from a title to the scales under it
 
@@ -49,7 +49,11 @@ def placed(name: str, letters: Iterable[Letter], labels: Labels) -> Iterator[Str
     every = sorted(letters, key=lambda letter: -letter.size)
     for letter in every:
         apart = [(other.at, tied(abs(other.at - letter.at))) for other in every if other.size == letter.size]
-        others = [(spot, spot) for spot, far in apart if 0 < far < CLOSE * letter.gap and not letter.text[0].isdigit()]
+        others = [
+            (spot, spot)
+            for spot, far in apart
+            if 0 < far < CLOSE * letter.gap + letter.size and not letter.text[0].isdigit()
+        ]
         yield telling(name, labels.beside(letter.at, letter.text, letter.size, letter.gap, letter.side, others))
 
 

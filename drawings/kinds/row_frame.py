@@ -20,6 +20,7 @@ TALLEST = 0.42  # share of the height of all rows that one row takes at most
 LONG = 24.0  # sizes of a letter that the axis has at least: its positions are numbered
 UNDER = 1.6  # sizes of a text from a row's caption to the line under it
 POLE_APART = 0.7  # sizes of a letter between the ends of two rays that are drawn
+READ = 16.0  # mm: so high a row is read as well as a higher one
 OFF = 1.2  # sizes of a letter from the highest ray to the dimension of the pole distance
 LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
 
@@ -252,12 +253,17 @@ class RowFrame(ABC, Generic[Shown]):
 
     @cached_property
     def scales(self) -> dict[str, Scale]:
-        """The scales of the rows: the largest ones together at which all poles stand in the paper beside them."""
+        """The largest scales together at which poles stand in the paper beside the rows and no row is too low."""
         steps = [list(self._steps(row)) for row in self.plate.rows]
         every = sorted(product(*steps), key=lambda scales: scales[0].mu * scales[1].mu * scales[2].mu)
-        fitting = [scales for scales in every if sum(self._taken(scales)) <= self._high] or every
-        best = next((scales for scales in fitting if not self._astray(scales)), None) or min(fitting, key=self._astray)
+        within = [scales for scales in every if sum(self._taken(scales)) <= self._high] or every
+        best = min(within, key=lambda scales: (self._astray(scales), -self._lowest(scales)))
         return {row.key: scale for row, scale in zip(self.plate.rows, best, strict=True)}
+
+    def _lowest(self, scales: Sequence[Scale]) -> float:
+        """Give the height of the lowest row that has a course, mm, or what is high enough for any."""
+        rows = zip(self.plate.rows, self._taken(scales), strict=True)
+        return min(READ, *(high for row, high in rows if not row.flat))
 
     def _astray(self, scales: tuple[Scale, ...]) -> int:
         """Count the poles that would stand badly."""

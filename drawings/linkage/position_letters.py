@@ -14,7 +14,7 @@ from drawings.kinds.scheme import frame_number, link_numbers
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.lettering.lettering import bounds, text_reach, text_width
+from drawings.lettering.lettering import bounds, spaced, text_reach, text_width
 from drawings.lettering.words import Phrase, fixed, slotted, telling, with_index
 from drawings.linkage.guides import PushArrow, TurningArrow, arrows
 from drawings.linkage.numbering import lone, numbers, output_point, sliders
@@ -146,13 +146,14 @@ def _beyond(strokes: list[Stroke], room: Box) -> float:
 
 NUMBERED = 4  # about so many positions bear a number along a path
 GAP = 1.0  # mm from a tick's end to its number
+TICKED = 2.0  # mm from tick to tick: nearer ones are no scale
 LONG = 40.0  # mm: a shorter path has no room for numbers
 
 
 def path_ticks(pairs: Pairs) -> Iterator[Line]:
     """Tick each trajectory at the positions, across it; a tick that a symbol would cut is left out."""
     for path in traced(pairs.bones):
-        for k in _shown(path):
+        for k in _shown(path, pairs.place):
             direction = _direction(path, k, pairs.place)
             if direction is not None:
                 line = tick(pairs.place.on(complex(path.numbered[k])), direction, pairs.hand)
@@ -171,7 +172,7 @@ def path_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
 def _numbers(pairs: Pairs, path: Traced, labels: Labels) -> Iterator[Stroke]:
     """Number every so many ticks off all rows of numbers, two at least: one does not tell which way they count."""
     every, place = max(math.ceil(len(path.numbered) / NUMBERED), 1), pairs.place
-    spots = [(k, place.on(complex(path.numbered[k]))) for k in _shown(path) if k % every == 0]
+    spots = [(k, place.on(complex(path.numbered[k]))) for k in _shown(path, place) if k % every == 0]
     ticks = [(k, spot, way) for k, spot in spots if (way := _direction(path, k, place)) and lone(spot, pairs)]
     for k, spot, way in ticks if len(ticks) > 1 else ():
         if k != pairs.bones.shown:
@@ -180,10 +181,13 @@ def _numbers(pairs: Pairs, path: Traced, labels: Labels) -> Iterator[Stroke]:
             yield from () if number is None else (number,)
 
 
-def _shown(path: Traced) -> list[int]:
-    """List the positions that are ticked: of very many about as many as are drawn with all links."""
+def _shown(path: Traced, place: Place) -> list[int]:
+    """List the positions that are ticked: of very many about as many as are drawn with all links, others with room."""
+    known = np.flatnonzero(~np.isnan(path.numbered)).tolist()
     every = max(math.ceil(len(path.numbered) / MANY), 1)
-    return [k for k in range(0, len(path.numbered), every) if not math.isnan(path.numbered[k].real)]
+    drawn = [k for k, position in enumerate(known) if position % every == 0]
+    spots = [place.on(complex(path.numbered[k])) for k in known]
+    return [known[k] for k in sorted(spaced(spots, TICKED, first=drawn))]
 
 
 def _direction(path: Traced, k: int, place: Place) -> complex | None:

@@ -106,7 +106,19 @@ def traced(bones: Skeletons) -> Iterator[Traced]:
         yield Traced(name, bones.way.points[name], bones.numbered.points[name])
     for name, mass in sorted(bones.masses.items()):
         if mass[0] not in guided:
-            yield Traced(name, bones.way.of(*mass), bones.numbered.of(*mass))
+            way, numbered = bones.way.of(*mass), bones.numbered.of(*mass)
+            yield Traced(name, _swept(bones, way, numbered) if mass[0] == mechanism.drive.link else way, numbered)
+
+
+def _swept(bones: Skeletons, way: Complexes, numbered: Complexes) -> Complexes:
+    """Give of the circle of a crank's mass centre no more than is drawn of that of its end."""
+    drive = bones.mechanism.drive
+    if drive.pushed:
+        return way
+    pivot = bones.mechanism.links[FRAME].points[drive.pivot]
+    shown = bones.shown
+    turns = np.angle((way - pivot) / (numbered[shown] - pivot) * (bones.drive_end(shown) - pivot))
+    return np.asarray(np.where([bones.sweeps(float(turn)) for turn in turns], way, np.nan))
 
 
 def _swing(bones: Skeletons, name: str, place: Place, hand: Hand) -> Arc | None:

@@ -53,7 +53,15 @@ class StructureNotes(NamedTuple):
             yield self._said("structure passive", within=Slot("q_w", freedom.within), links=passive)
         spatial = self.drafting.number(structure.spatial)
         parts = {"w": Slot("W", freedom.mobility), "spatial": f"({spatial})" if structure.spatial < 0 else spatial}
-        yield self._said("structure redundant", **parts, q=Slot("q", freedom.redundant))
+        across = freedom.mobility - structure.planar - freedom.within
+        added = {"q_{w}": freedom.within, f"{across}": across}  # what the formula of W leaves out
+        letters = " + ".join(("W", *(letter for letter, size in added.items() if size)))
+        if letters != "W":
+            numbers = " + ".join(f"{size}" for size in (structure.planar, *added.values()) if size)
+            letters = f"({letters}) − W_{{s}} = ({numbers}) − {parts['spatial']} = "
+        else:
+            letters = "W − W_{s} = "
+        yield self._said("structure redundant", **parts, letters=letters, q=Slot("q", freedom.redundant))
 
     def ranks(self) -> Iterator[str]:
         """Say which primary link gives the lowest class."""

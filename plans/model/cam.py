@@ -205,6 +205,17 @@ class Cam:
         return self.follower.motion == ROCKING
 
     @property
+    def told(self) -> dict[str, tuple[float, str]]:
+        """What else the scene gives of the follower, by its letter, with its unit: sizes mm, the load SI."""
+        end, load = self.follower, self.load or FollowerLoad()
+        lengths = {"l": end.length, "b": end.reach, "h": end.face, "[ρ_{min}]": self.limits.curvature}
+        names = ("J", "M", "M_0", "c") if self.rocks else ("m", "F", "F_0", "c")
+        units = ("kg*m2", "N*m", "N*m", "N*m/rad") if self.rocks else ("kg", "N", "N", "N/m")
+        every = {letter: (MM * (size or 0.0), "mm") for letter, size in lengths.items()}
+        every |= {letter: (size, unit) for letter, size, unit in zip(names, load, units, strict=True)}
+        return {letter: size for letter, size in every.items() if size[0]}
+
+    @property
     def flat(self) -> bool:
         """Whether a flat face touches the cam."""
         return self.follower.end == FLAT

@@ -225,6 +225,12 @@ def sketched(scene: Scene, mechanism: Mechanism) -> SchemePose:
         crank = mechanism.links[drive.link].points
         size = abs(crank[drive.end] - crank[drive.pivot])
         points[drive.end] = points[drive.pivot] + cmath.rect(size, math.radians(first))
+    for link in mechanism.links.values():
+        first, second, *_ = (*(name for name in link.points if name in points), "", "")
+        if second and (far := link.points[second] - link.points[first]):  # the others follow by its shape
+            turn = cmath.rect(1.0, cmath.phase((points[second] - points[first]) / far))
+            shaped = {name: points[first] + turn * (at - link.points[first]) for name, at in link.points.items()}
+            points = shaped | points
     wanted = {name for link in mechanism.links.values() for name in link.points}
     if lacking := sorted(wanted - points.keys()):
         line, column = scene.place(("mechanism", "sketch") if mechanism.sketch else ("mechanism",))
