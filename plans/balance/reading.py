@@ -12,7 +12,8 @@ from plans.balance.form import COUNTERWEIGHT, BalanceForm, BalanceTable, Counter
 from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, SHARE, BalanceTask, Site
-from plans.model.dyad import Assur, Dyad, decompose
+from plans.model.decomposition import decompose
+from plans.model.dyad import Assur, Dyad
 from plans.model.mechanism import FRAME, Mechanism, StructureError
 from plans.scene.faults import Fault, Path
 from plans.scene.notes import HUNDREDS, odd_lengths

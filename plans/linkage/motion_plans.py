@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Mark
-from geometry.meet import Sizes
+from geometry.branch import Side
 from geometry.tracing import Tracing
 from plans.linkage.dyads import KINDS
 from plans.linkage.leads import key
@@ -178,7 +178,7 @@ def under(point: str, link: int) -> str:
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def positions(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Sizes], turn: CrankPositions) -> Plan:
+def positions(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Side], turn: CrankPositions) -> Plan:
     """Draw the plan of positions; `sides` gives each group's side of its meeting, NaN where it must stay undrawn."""
     plan = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn)
     for group, side in zip(groups, sides, strict=True):

@@ -33,6 +33,7 @@ class PlanLetters:
         # A point that is named by a small letter keeps it, and one with a prime its own: P' is p', so P is p''.
         for point in sorted(named, key=lambda name: (name != name.lower(), -len(name))):
             self._small[point] = apart(point.lower(), {*POLES.values(), *self._small.values()})
+        self.points = frozenset(named)
         self._taken = {*POLES.values(), *self._small.values()}
         self.pins: dict[SlidingPair, tuple[str, int]] = {}  # that slide along a guide of a host, by their pairs
 

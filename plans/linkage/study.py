@@ -20,7 +20,8 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sweep import FAN, NODES, Sweep, at_angles
 from plans.linkage.travel import ExtremePositions, extremes, output
-from plans.model.dyad import Assur, decompose
+from plans.model.decomposition import decompose
+from plans.model.dyad import Assur
 from plans.model.mechanism import Mechanism, NoWorkingStroke, Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,

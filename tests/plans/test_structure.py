@@ -21,7 +21,8 @@ from plans.linkage.plan import Plan, PlanLetters, Vector
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import interval
-from plans.model.dyad import Dyad, Pair, decompose, formula, mechanism_class, pairs
+from plans.model.decomposition import decompose
+from plans.model.dyad import Dyad, Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Link, Output, Slide, StructureError
 from plans.model.motion import Floats
 from plans.scene.scene import parse_scene, read_scene
