@@ -34,6 +34,7 @@ class AssemblyBranch:
     keys: Floats  # that rise: angles rad or ways m from home
     poses: BodyPose  # at the keys
     out: int  # the lead that the special point leaves out: the lines of the others cross most sharply
+    sign: float = 1.0  # of the determinant, all along it
 
     @cached_property
     def _middles(self) -> Floats:
@@ -85,8 +86,8 @@ class _Reached(NamedTuple):
 
 def follow(
     body: HeldBody, start: BodyPose, look: Callable[[Floats], Known], sides: tuple[Floats, Floats]
-) -> tuple[Floats, BodyPose, int]:
-    """Follow an assembly both ways from key 0: the keys reached, the poses there, the lead best left out.
+) -> tuple[Floats, BodyPose, tuple[int, float]]:
+    """Follow an assembly both ways from key 0: the keys reached, the poses there, the lead best left out and the sign.
 
     `look` tells where the leads begin at some keys; `sides` are the keys to go to on either side, the nearest first.
     """
@@ -94,8 +95,9 @@ def follow(
     stations = [*reversed(back), _Reached(0.0, start), *on]
     keys = np.array([station.key for station in stations])
     poses = BodyPose(*(np.array([getattr(s.pose, part) for s in stations]) for part in ("reach", "turn")))
-    crosses = np.abs(np.array(np.broadcast_arrays(*body.held(look(keys), poses).crosses)))
-    return keys, poses, int(np.argmax(crosses.min(axis=1)))
+    held = body.held(look(keys), poses)
+    crosses = np.abs(np.array(np.broadcast_arrays(*held.crosses)))
+    return keys, poses, (int(np.argmax(crosses.min(axis=1))), float(np.sign(held.determinant[len(back)])))
 
 
 def _march(

@@ -170,7 +170,7 @@ def _settled(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: int)
     place, turn = (at(value, position) for value in (mark.point, mark.meeting.second))
 
     def misses(x: Any, y: Any, angle: Any) -> list[Any]:
-        found, axis = [], mp.expj(angle)
+        found, axis = [], mp.mpc(mp.cos(angle), mp.sin(angle))
         for lead, begin, way in zip(body.leads, *known, strict=True):
             arm = mp.mpc(x, y) + axis * (lead.at - body.leads[0].at) - begin
             along = way if lead.kind == GUIDE else -axis * lead.slot
@@ -180,7 +180,7 @@ def _settled(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: int)
     if cmath.isnan(place):
         return mp.nan, mp.nan
     x, y, angle = mp.findroot(misses, (place.real, place.imag, cmath.phase(turn)))
-    return mp.mpc(x, y), mp.expj(angle)
+    return mp.mpc(x, y), mp.mpc(mp.cos(angle), mp.sin(angle))
 
 
 def _of_moments(mp: mpmath.MPContext, op: str, inputs: list[Any], size: Any) -> Any:

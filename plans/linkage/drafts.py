@@ -12,6 +12,7 @@ import numpy.typing as npt
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
 from plans.linkage.assembly import Assembly, Barrier, BarrierEdge, bounding, crossing, margins, met_at, undefined
+from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
@@ -27,6 +28,7 @@ from plans.model.motion import (
     PARALLEL_GUIDES,
     POSITIONS,
     VELOCITIES,
+    Flags,
     Floats,
     Gap,
     Motion,
@@ -44,8 +46,6 @@ AT_CHANGE = 2.0**-23
 ROUNDING = 8.0 * EPS  # rad: an edge is reached, whichever turn its angle is counted in
 
 BARS = CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES
-
-Flags = npt.NDArray[np.bool_]
 
 
 def lost(sweep: Sweep, plan: Plan, turn: CrankPositions, home: float, barriers: Sequence[Barrier]) -> Flags:
@@ -132,12 +132,13 @@ def gaps_of(
     nowhere = undefined(plan, sweep.groups)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
     near = np.ones(len(turn), dtype=bool) if home is None else reached(turn.phi, home, barriers)
+    elsewhere = np.any([np.broadcast_to(KINDS[g.kind].elsewhere(plan, g), len(turn)) for g in sweep.groups], axis=0)
     found = []
     for k, position in enumerate(positions):
         phi, missed = float(turn.phi[k]), [float(miss[k]) for miss in misses]
         edge = None if home is None else bounding(phi, home, barriers)
         # Beyond a change point or parallel guides it does not matter whether the links would meet.
-        met = edge is None or edge.kind == OUT_OF_REACH or near[k]
+        met = edge is None or (edge.kind == OUT_OF_REACH and not elsewhere[k]) or near[k]
         unplaced = _unplaced(field[:, k], nowhere[:, k], marks, missed, k, position, phi) if met else None
         if home is None and unplaced is None:  # the links meet, but not as the sketch shows them
             unplaced = Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))

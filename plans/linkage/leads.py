@@ -14,7 +14,7 @@ from geometry.branch import Side
 from plans.linkage.plan import Image, Plan, Sliding, Turning, Vector
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME, Slide
-from plans.model.motion import Floats
+from plans.model.motion import Flags, Floats
 from plans.words.words import because
 
 Of = TypeVar("Of")  # what groups of the kind are, such as dyads
@@ -45,6 +45,10 @@ class GroupKind(ABC, Generic[Of]):
     @abstractmethod
     def accelerations(self, plan: Plan, group: Of) -> None:
         """Draw its part of the acceleration plan."""
+
+    def elsewhere(self, plan: Plan, group: Of) -> Flags:
+        """Tell where it has no place, yet could be assembled, as no way from home leads to."""
+        return np.zeros(1, dtype=bool)
 
     @abstractmethod
     def meeting(self, plan: Plan, group: Of) -> Mark:

@@ -27,6 +27,7 @@ from plans.model.motion import (
     CHANGE_POINT,
     OUT_OF_REACH,
     PLANS,
+    Flags,
     Floats,
     Motion,
     Pace,
@@ -67,8 +68,6 @@ def no_extreme(sweep: Sweep, link: int, assembled: bool) -> Message:
     why = obstruction(sweep) if sweep.barred else message("extreme.turns")
     return message("extreme.none", link=link, why=why)
 
-
-Flags = npt.NDArray[np.bool_]
 
 BLOCK = 8000  # positions constructed together: enough to hide the calls, few enough for the processor's cache
 

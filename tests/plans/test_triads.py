@@ -167,7 +167,7 @@ def _in_own_frames(seen: dict[int, dict[str, complex]], slides: list[Slide]) -> 
 
 
 DIGITS = 40
-SMALL = mpmath.mpf(10) ** -10  # rad, of a crank: differences of three positions in 40 digits leave twenty
+SMALL = mpmath.mpf(2) ** -33  # rad, of a crank: differences of three positions in 40 digits leave twenty
 
 
 def closed(mechanism: Mechanism, phi: Any, near: list[Any]) -> Any:
@@ -176,7 +176,7 @@ def closed(mechanism: Mechanism, phi: Any, near: list[Any]) -> Any:
 
     def at(link: int, local: complex, poses: Any) -> Any:
         x, y, turn = (0, 0, 0) if link == FRAME else poses[3 * numbers.index(link) :][:3]
-        return mpmath.mpc(x, y) + mpmath.expj(turn) * local
+        return mpmath.mpc(x, y) + mpmath.mpc(mpmath.cos(turn), mpmath.sin(turn)) * local
 
     def misses(*poses: Any) -> list[Any]:
         found = [poses[2 + 3 * numbers.index(1)] - phi]
@@ -191,17 +191,16 @@ def closed(mechanism: Mechanism, phi: Any, near: list[Any]) -> Any:
             found += [(mpmath.conj(other - over) * (through - over)).imag]
         return found
 
-    with mpmath.workdps(DIGITS):
-        return list(mpmath.findroot(misses, near))
+    return list(mpmath.findroot(misses, near))
 
 
 @pytest.mark.parametrize("kinds", KINDS_OF_LEADS)
-@pytest.mark.parametrize("seed", range(1))
+@pytest.mark.parametrize("seed", [1])
 def test_triads_by_chance(kinds: str, seed: int) -> None:
     """Moving hosts, dyads before and behind: both roads against joints closed in 40 digits and their differences."""
     mechanism = by_chance(kinds, seed)
     assert [group.kind for group in decompose(mechanism)] == ["RRR", "triad", "RRR"]
-    ours = study_of(mechanism, positions=[0, 5]).motion()
+    ours = study_of(mechanism, positions=[0, 1]).motion()
     theirs = solve(mechanism, ours.phi)
     assert not ours.gaps and not theirs.gaps
     numbers = sorted(set(mechanism.links) - {FRAME})
@@ -211,11 +210,15 @@ def test_triads_by_chance(kinds: str, seed: int) -> None:
         turn = float(ours.links[number].angle[1])
         origin = complex(ours.points[point].r[1]) - local * cmath.exp(1j * turn)
         near += [origin.real, origin.imag, turn]
-    phi = mpmath.mpf(float(ours.phi[1]))
-    before, here, after = (closed(mechanism, phi + k * SMALL, near) for k in (-1, 0, 1))
+    mpmath.mp.dps = DIGITS
+    before, here, after = (closed(mechanism, float(ours.phi[1]) + k * SMALL, near) for k in (-1, 0, 1))
     first = [(b - a) / (2 * SMALL) for a, b in zip(before, after, strict=True)]
     second = [(b - 2 * m + a) / SMALL**2 for a, m, b in zip(before, here, after, strict=True)]
-    rates = [here[2::3], [2 * one for one in first[2::3]], [4 * o + 3 * t for o, t in zip(second[2::3], first[2::3])]]
+    rates = [
+        here[2::3],
+        [2 * one for one in first[2::3]],
+        [4 * o + 3 * t for o, t in zip(second[2::3], first[2::3], strict=True)],
+    ]
     for road in (ours, theirs):
         for order, row in enumerate(rates):
             found = [road.links[number][order][1] for number in numbers]
