@@ -7,6 +7,7 @@ in one point, which no step passes, for the determinant must keep its sign.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,6 +21,8 @@ from geometry.three_leads import GUIDE, ROUNDS, THERE, BodyPose, HeldBody, Known
 
 Floats = npt.NDArray[np.float64]
 FAN = 33  # steps in the place of one that is too long
+TURN = 2 * np.pi
+BAR = 1e-9  # rad, left between an end and a way round to it, which comes there in another pose: nothing may pass it
 LOOKS = 10  # 32**10 of a step is below the rounding of an angle
 SQRT_EPS = EPS**0.5  # of a correction, where rounding lets it shrink no more
 LAW = 0.2  # share of a correction that the next may have: Newton's law holds for a pose so near
@@ -50,7 +53,8 @@ class AssemblyBranch:
     def _key(self, free: npt.NDArray[np.complex128]) -> Floats:
         if self.along:
             return np.asarray(((free - self.home) * self.along.conjugate()).real)
-        return np.asarray(np.angle(free * self.home.conjugate()))
+        ahead = np.angle(free * self.home.conjugate()) - self.keys[0]
+        return np.asarray(self.keys[0] + np.mod(ahead, TURN))
 
 
 Side: TypeAlias = Sizes | BodyPose | AssemblyBranch  # of a meeting; of a triad an assembly, or a branch of them
@@ -85,19 +89,31 @@ class _Reached(NamedTuple):
 
 
 def follow(
-    body: HeldBody, start: BodyPose, look: Callable[[Floats], Known], sides: tuple[Floats, Floats]
+    body: HeldBody, start: BodyPose, look: Callable[[Floats], Known], ends: tuple[float, float], steps: int
 ) -> tuple[Floats, BodyPose, tuple[int, float]]:
     """Follow an assembly both ways from key 0: the keys reached, the poses there, the lead best left out and the sign.
 
-    `look` tells where the leads begin at some keys; `sides` are the keys to go to on either side, the nearest first.
+    `look` tells where the leads begin at some keys; `ends` are the keys to go to, each by so many steps. Where one of
+    them is not reached but the other, half a turn off, is, the way goes on from there round to where the first ended.
     """
-    back, on = (_march(body, look, np.append(0.0, keys), start, LOOKS)[0] for keys in sides)
-    stations = [*reversed(back), _Reached(0.0, start), *on]
+    first = _Reached(0.0, start)
+    ways = [_way(body, look, first, end, steps) for end in ends]
+    for k, (way, other) in enumerate(zip(ways, ways[::-1], strict=True)):
+        last = way[-1].key
+        if abs(last) == TURN / 2 and other[-1].key != ends[1 - k]:
+            end = other[-1].key + math.copysign(TURN - BAR, last)
+            ways[k] = way + _way(body, look, way[-1], end, steps)[1:]
+    stations = [*reversed(ways[0][1:]), *ways[1]]
     keys = np.array([station.key for station in stations])
     poses = BodyPose(*(np.array([getattr(s.pose, part) for s in stations]) for part in ("reach", "turn")))
     held = body.held(look(keys), poses)
     crosses = np.abs(np.array(np.broadcast_arrays(*held.crosses)))
-    return keys, poses, (int(np.argmax(crosses.min(axis=1))), float(np.sign(held.determinant[len(back)])))
+    return keys, poses, (int(np.argmax(crosses.min(axis=1))), float(np.sign(held.determinant[len(ways[0]) - 1])))
+
+
+def _way(body: HeldBody, look: Callable[[Floats], Known], start: _Reached, end: float, steps: int) -> list[_Reached]:
+    """Go from a station towards a key, as far as it goes."""
+    return [start, *_march(body, look, np.linspace(start.key, end, steps + 1), start.pose, LOOKS)[0]]
 
 
 def _march(

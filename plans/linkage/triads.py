@@ -42,10 +42,13 @@ class Triads(GroupKind[Triad]):
         assert isinstance(side, BodyPose)  # it is an assembly of the sketch
         plan = look(np.array([home]))
         drive, within = plan.mechanism.drive, home - 2 * np.pi * np.round(home / (2 * np.pi))
-        ends = [SEAM * np.pi - within, SEAM * np.pi + within] if drive.pushed else [np.pi, np.pi]
-        up, down = (drive.unit * np.linspace(0.0, end, NODES + 1)[1:] for end in ends)
+        ends = (-SEAM * np.pi - within, SEAM * np.pi - within) if drive.pushed else (-np.pi, np.pi)
         keys, poses, told = follow(
-            _body(plan, triad), side, lambda keys: _known(look(home + keys / drive.unit), triad), (-down, up)
+            _body(plan, triad),
+            side,
+            lambda keys: _known(look(home + keys / drive.unit), triad),
+            (drive.unit * ends[0], drive.unit * ends[1]),
+            NODES,
         )
         along = pushed(plan.mechanism).way(FRAME).direction if drive.pushed else 0j
         free = complex(np.ravel(plan.board[PRIMARIES[drive.kind].free].point)[0])
