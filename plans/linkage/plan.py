@@ -14,6 +14,7 @@ from geometry.board import Board, Mark, Reading
 from geometry.meet import Vectors
 from plans.model.mechanism import FRAME, Link, Mechanism
 from plans.model.motion import Complexes, Floats
+from plans.model.triad import Triad
 from plans.scene.scene import Scene
 from plans.words.words import because
 
@@ -35,6 +36,7 @@ class PlanLetters:
             self._small[point] = apart(point.lower(), {*POLES.values(), *self._small.values()})
         self.points = frozenset(named)
         self._taken = {*POLES.values(), *self._small.values()}
+        self.specials: dict[int, SpecialLetters] = {}  # special points, by their basis links
         self.pins: dict[SlidingPair, tuple[str, int]] = {}  # that slide along a guide of a host, by their pairs
 
     def small(self, point: str) -> str:
@@ -137,7 +139,20 @@ class Sliding(NamedTuple):
     held: bool = False
 
 
-Vector: TypeAlias = Turning | Slotted | Sliding
+class SpecialPoint(NamedTuple):
+    """The special point of a triad, where the lines of two leads meet, as a point of the basis link."""
+
+    triad: Triad
+
+
+class SpecialLetters(NamedTuple):
+    """How a special point is lettered, and which lead of its triad it leaves out."""
+
+    name: str
+    out: int
+
+
+Vector: TypeAlias = Turning | Slotted | Sliding | SpecialPoint
 
 Key = TypeVar("Key")
 

@@ -16,7 +16,7 @@ from geometry.branch import AssemblyBranch, Settling, Side, follow
 from geometry.three_leads import GUIDE, ROD, SLOT, BodyPose, HeldBody, Known, Lead
 from plans.linkage import leads
 from plans.linkage.leads import GroupKind
-from plans.linkage.plan import Image, Plan, Sliding, Turning, Vector, apart
+from plans.linkage.plan import Image, Plan, Sliding, SpecialLetters, SpecialPoint, Turning, Vector, apart
 from plans.linkage.primary import PRIMARIES, pushed
 from plans.model.mechanism import FRAME
 from plans.model.motion import Flags, Floats
@@ -107,7 +107,8 @@ class Triads(GroupKind[Triad]):
         return plan.images[triad.basis].origin
 
     def vectors(self, triad: Triad) -> Iterator[Vector]:
-        """Tell the vectors of its plans: rods turn about their outer hinges; what slides has a slip."""
+        """Tell the vectors of its plans: of its special point, of rods about their outer hinges, of what slides."""
+        yield SpecialPoint(triad)
         for lead in triad.leads:
             if lead.kind == ROD:
                 yield Turning(lead.link, lead.hinge, lead.pin)
@@ -139,6 +140,7 @@ class Special(NamedTuple):
         out = _out(base, triad)
         first, second = (lead for lead in triad.leads if lead is not triad.leads[out])
         name = apart(f"S{first.link}{second.link}", base.written.points)
+        base.written.specials[triad.basis] = SpecialLetters(name, out)
         if name not in base.board:
             one, other = (_line_of_force(base, triad, lead) for lead in (first, second))
             base.board.meet(name, one, other, why=because("special", first=first.link, second=second.link))
