@@ -11,7 +11,8 @@ from typing import NamedTuple
 from plans.analytic.points import acceleration, placed
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING, DRIVING
-from plans.forces.dyads import GROUP_FORCES, Split
+from plans.forces.dyads import GROUP_FORCES
+from plans.forces.polygon import Split
 from plans.model.dyad import Assur, Pair, pair
 from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
 from plans.model.machine import GEAR, Machine

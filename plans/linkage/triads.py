@@ -142,7 +142,7 @@ class Special(NamedTuple):
         name = apart(f"S{first.link}{second.link}", base.written.points)
         base.written.specials[triad.basis] = SpecialLetters(name, out)
         if name not in base.board:
-            one, other = (_line_of_force(base, triad, lead) for lead in (first, second))
+            one, other = (line_of_force(base, lead) for lead in (first, second))
             base.board.meet(name, one, other, why=because("special", first=first.link, second=second.link))
         return cls(name, base.board[name], (first, second), triad.leads[out])
 
@@ -153,7 +153,7 @@ def _out(base: Plan, triad: Triad) -> int:
     return settling.out
 
 
-def _line_of_force(base: Plan, triad: Triad, lead: TriadLead) -> Mark:
+def line_of_force(base: Plan, lead: TriadLead) -> Mark:
     """Draw the line of the only force that a lead without load can transmit."""
     why = because("force_line", link=lead.link)
     if lead.kind == ROD:
