@@ -14,7 +14,7 @@ from geometry.board import Board, Mark, Reading
 from geometry.meet import Vectors
 from plans.model.mechanism import FRAME, Link, Mechanism
 from plans.model.motion import Complexes, Floats
-from plans.model.triad import Triad
+from plans.model.triad import Triad, TriadLead
 from plans.scene.scene import Scene
 from plans.words.words import because
 
@@ -150,6 +150,12 @@ class SpecialLetters(NamedTuple):
 
     name: str
     out: int
+
+
+def special_name(pair: Iterable[TriadLead], points: Iterable[str]) -> str:
+    """Letter the special point of two leads by their links: S23, with a prime where a point has that letter."""
+    first, second = pair
+    return apart(f"S{first.link}{second.link}", points)
 
 
 Vector: TypeAlias = Turning | Slotted | Sliding | SpecialPoint

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 
 from geometry.three_leads import GUIDE, ROD, SLOT
 from plans.linkage.leads import key
-from plans.linkage.plan import POLES, PlanLetters, SpecialPoint
+from plans.linkage.plan import POLES, PlanLetters, SpecialPoint, special_name
+from plans.model.dyad import Assur
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, VELOCITIES, Complexes, Motion, Order
 from plans.model.triad import Triad, TriadLead
@@ -55,20 +57,11 @@ class AnalysedSpecial(NamedTuple):
     @property
     def place(self) -> Complexes:
         """Its place: on the lines of both leads."""
-        (start, way), (other, along) = map(self._line, self.pair)
-        return np.asarray(start + way * ((other - start).conj() * along).imag / (way.conj() * along).imag)
+        return crossing(self.motion, self.triad, self.pair)
 
     def contact(self, lead: TriadLead) -> Complexes:
         """Give the place of a lead's hinge on its line of force."""
         return self.motion.points[lead.pin].r
-
-    def _line(self, lead: TriadLead) -> tuple[Complexes, Complexes]:
-        pin = self.contact(lead)
-        if lead.kind == ROD:
-            return pin, pin - self.motion.points[lead.hinge].r
-        host = lead.host if lead.kind == GUIDE else self.triad.basis
-        turned = 0.0 if host == FRAME else self.motion.links[host].angle
-        return pin, np.asarray(1j * lead.slide.way(host).direction * np.exp(1j * turned) * np.ones(len(pin)))
 
     def of_link(self, link: int, place: Complexes, order: int) -> Complexes:
         """Give the place, velocity or acceleration of a link's point that lies at a place."""
@@ -133,6 +126,28 @@ class AnalysedSpecial(NamedTuple):
 
     def _point(self, name: str, order: int) -> Complexes:
         return self.motion.points[name][order]
+
+
+def crossing(motion: Motion, triad: Triad, pair: Sequence[TriadLead]) -> Complexes:
+    """Give the places, (N,) m, where the lines of force of two leads meet."""
+    (start, way), (other, along) = (_line(motion, triad, lead) for lead in pair)
+    return np.asarray(start + way * ((other - start).conj() * along).imag / (way.conj() * along).imag)
+
+
+def _line(motion: Motion, triad: Triad, lead: TriadLead) -> tuple[Complexes, Complexes]:
+    pin = motion.points[lead.pin].r
+    if lead.kind == ROD:
+        return pin, pin - motion.points[lead.hinge].r
+    host = lead.host if lead.kind == GUIDE else triad.basis
+    turned = 0.0 if host == FRAME else motion.links[host].angle
+    return pin, np.asarray(1j * lead.slide.way(host).direction * np.exp(1j * turned) * np.ones(len(pin)))
+
+
+def special_places(motion: Motion, groups: Iterable[Assur]) -> dict[str, Complexes]:
+    """Give the places of all special points that triads may have, (N,) m, by their letters."""
+    triads = (group for group in groups if isinstance(group, Triad))
+    pairs = ((triad, pair) for triad in triads for pair in combinations(triad.leads, 2))
+    return {special_name(pair, motion.points): crossing(motion, triad, pair) for triad, pair in pairs}
 
 
 def special_rows(mechanism: Mechanism, motion: Motion, letters: PlanLetters, vector: SpecialPoint) -> list[SpecialRow]:

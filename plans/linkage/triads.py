@@ -16,7 +16,7 @@ from geometry.branch import AssemblyBranch, Settling, Side, follow
 from geometry.three_leads import GUIDE, ROD, SLOT, BodyPose, HeldBody, Known, Lead
 from plans.linkage import leads
 from plans.linkage.leads import GroupKind
-from plans.linkage.plan import Image, Plan, Sliding, SpecialLetters, SpecialPoint, Turning, Vector, apart
+from plans.linkage.plan import Image, Plan, Sliding, SpecialLetters, SpecialPoint, Turning, Vector, special_name
 from plans.linkage.primary import PRIMARIES, pushed
 from plans.model.mechanism import FRAME
 from plans.model.motion import Flags, Floats
@@ -139,7 +139,7 @@ class Special(NamedTuple):
         """Meet the lines of two leads, once: of those that cross most sharply where they cross least (особая точка)."""
         out = _out(base, triad)
         first, second = (lead for lead in triad.leads if lead is not triad.leads[out])
-        name = apart(f"S{first.link}{second.link}", base.written.points)
+        name = special_name((first, second), base.written.points)
         base.written.specials[triad.basis] = SpecialLetters(name, out)
         if name not in base.board:
             one, other = (line_of_force(base, lead) for lead in (first, second))
