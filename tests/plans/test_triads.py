@@ -20,6 +20,8 @@ from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, Way
 from plans.model.triad import Triad, TriadLead
 from tests.plans import linkages
 from tests.plans.digits import printed
+from tests.plans.force_cases import ROADS, compared, of_road
+from tests.plans.scenes import scene
 from tests.plans.studies import shown, study_of, value
 from tests.plans.test_dyads import GUIDES, direction, guided
 
@@ -223,3 +225,35 @@ def test_triads_by_chance(kinds: str, seed: int) -> None:
         for order, row in enumerate(rates):
             found = [road.links[number][order][1] for number in numbers]
             assert found == pytest.approx([float(one) for one in row], rel=1e-11, abs=1e-11)
+
+
+def loaded() -> str:
+    """Write the geometry of the rods with the loads of M5.9, at rest: the crank's end is A1."""
+    size = {k: abs(b - PLACES[f"A{k}"]) for k, b in enumerate((B1, B2, B3), 1)}
+    own = {name: (spot - B1) / (B2 - B1) * abs(B2 - B1) for name, spot in {"B3": B3, "G": (B1 + B2 + B3) / 3}.items()}
+    middles = "; ".join(f"M{k} = {{ on = {link}, at = [{size[k] / 2!r}, 0] }}" for k, link in ((1, 2), (2, 4), (3, 5)))
+    spots = "; ".join(f"{name} = {{ on = 3, at = [{at.real!r}, {at.imag!r}] }}" for name, at in own.items())
+    forces = [(3, "G", 40, -70), (2, "M1", 5, -8), (4, "M2", -3, -6), (5, "M3", 4, -7)]
+    return scene(
+        'title = "Loaded triad"; sheets = ["forces"]',
+        frame="O = [-0.1, 0]; A2 = [0.5, 0]; A3 = [0.55, 0.5]",
+        links="OA1 A1B1 B1B2 A2B2 A3B3",
+        lengths="; ".join(
+            ["OA1 = 0.1", f"B1B2 = {abs(B2 - B1)!r}", *(f"A{k}B{k} = {length!r}" for k, length in size.items())]
+        ),
+        points=f"{spots}; {middles}",
+        sketch="B1 = [0.08, 0.22]; B2 = [0.42, 0.18]; B3 = [0.30, 0.40]",
+        drive="link = 1; speed = 1; positions = [0]",
+        forces=[f'on = {link}; point = "{point}"; value = [{x}, {y}]' for link, point, x, y in forces],
+        moments=["on = 3; value = 2"],
+    )
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_forces_by_moments_about_the_special_point(road: str) -> None:
+    found = of_road(compared(loaded()), road).reactions
+    along = [(b - PLACES[f"A{k}"]) / abs(b - PLACES[f"A{k}"]) for k, b in enumerate((B1, B2, B3), 1)]
+    outer = [complex(found[key].force[0]) for key in ("1-2", "0-4", "0-5")]
+    assert printed(*((way.conjugate() * force).real for way, force in zip(along, outer, strict=True))) == (
+        78.65637908, 36.38414578, 59.76864184,
+    )  # fmt: skip
