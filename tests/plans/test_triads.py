@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from fractions import Fraction
 from math import radians
 from typing import Any
 
@@ -21,6 +22,7 @@ from plans.model.triad import Triad, TriadLead
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.force_cases import ROADS, compared, of_road
+from tests.plans.replays import Replay
 from tests.plans.scenes import scene
 from tests.plans.studies import shown, study_of, value
 from tests.plans.test_dyads import GUIDES, direction, guided
@@ -257,3 +259,11 @@ def test_forces_by_moments_about_the_special_point(road: str) -> None:
     assert printed(*((way.conjugate() * force).real for way, force in zip(along, outer, strict=True))) == (
         78.65637908, 36.38414578, 59.76864184,
     )  # fmt: skip
+
+
+@pytest.mark.parametrize("kinds", ["RR RR RR", "RR PR RP"])
+def test_no_mark_is_farther_out_than_its_bound(kinds: str) -> None:
+    replay = Replay(study_of(by_chance(kinds, 1), 0, 90))
+    for position in (0, 1, 89):
+        for mark, error, bound in replay.errors(position, Fraction(4 * position)):
+            assert error <= bound or not bound > 0, mark.name
