@@ -111,10 +111,15 @@ class VectorPlans:
 
     def _specials(self, basis: int) -> Iterator[AnalysedSpecial]:
         """Give the special point of a triad's basis link."""
-        written = self.study.drafts().velocities.written
         for group in self.study.groups:
-            if isinstance(group, Triad) and group.basis == basis:
-                yield AnalysedSpecial(self.study.mechanism, self.comparison.analysis, written, group)
+            if isinstance(group, Triad) and group.basis == basis and (special := self.special(group)):
+                yield special
+
+    def special(self, triad: Triad) -> AnalysedSpecial | None:
+        """Give the special point of a triad, where its plans of velocities are drawn."""
+        written = self.study.drafts().positions.written
+        known = triad.basis in written.specials
+        return AnalysedSpecial(self.study.mechanism, self.comparison.analysis, written, triad) if known else None
 
     @property
     def _pins(self) -> set[str]:

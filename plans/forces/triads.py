@@ -17,7 +17,7 @@ from plans.model.triad import Triad, TriadLead
 from plans.words.words import because
 
 
-class _Known(NamedTuple):
+class _LeadKnown(NamedTuple):
     """What is known of a lead before its force is: a part of its outer reaction, the moment of its guide."""
 
     equation: MomentEquation | None
@@ -81,22 +81,22 @@ def splits(group: Triad) -> Iterator[Split]:
             yield Split(outer, inner, "un")
 
 
-def _known(plan: ForcePlan, lead: TriadLead) -> _Known:
+def _known(plan: ForcePlan, lead: TriadLead) -> _LeadKnown:
     if lead.kind == ROD:
         equation = polygon.tangential_part(plan, (lead.host, lead.link), (lead.hinge, lead.pin))
-        return _Known(equation, equation and equation.found, None)
+        return _LeadKnown(equation, equation and equation.found, None)
     if lead.kind != GUIDE:
-        return _Known(None, polygon.slot_part(plan, (lead.host, lead.link), lead.slide), None)
+        return _LeadKnown(None, polygon.slot_part(plan, (lead.host, lead.link), lead.slide), None)
     about, (loads, couples) = plan.positions.point(lead.pin), plan.acting(lead.link)
     terms = polygon.moments(plan, about, loads, couples)
     if not terms:
-        return _Known(None, None, None)
+        return _LeadKnown(None, None, None)
     name = f"M_{indices(lead.host, lead.link)}"
     why = because("moments", point=about.name, link=lead.link)
-    return _Known(None, None, Couple(name, lead.link, plan.board.close(name, *terms, why=why), REACTION))
+    return _LeadKnown(None, None, Couple(name, lead.link, plan.board.close(name, *terms, why=why), REACTION))
 
 
-def _about(plan: ForcePlan, group: Triad, special: Special, known: dict[TriadLead, _Known]) -> MomentEquation:
+def _about(plan: ForcePlan, group: Triad, special: Special, known: dict[TriadLead, _LeadKnown]) -> MomentEquation:
     """Take moments of the whole group about S, which the forces of two leads pass: they give that of the third."""
     loads, couples = plan.acting(*group.links)
     parts = [
@@ -113,7 +113,7 @@ def _about(plan: ForcePlan, group: Triad, special: Special, known: dict[TriadLea
     return MomentEquation(special.mark, tuple(acting), tuple(turning), line, found)
 
 
-def _parts(known: _Known) -> list[tuple[str, Mark, str]]:
+def _parts(known: _LeadKnown) -> list[tuple[str, Mark, str]]:
     return [] if known.part is None else [(known.part.name, known.part, PART)]
 
 
@@ -135,7 +135,7 @@ def _name(lead: TriadLead) -> str:
     return f"R_{indices(lead.host, lead.link)}"
 
 
-def _force_name(lead: TriadLead, known: _Known) -> str:
+def _force_name(lead: TriadLead, known: _LeadKnown) -> str:
     return _name(lead) if known.part is None else _name(lead).replace("R", "R^n", 1)
 
 
