@@ -141,7 +141,7 @@ class VectorEquations:
         """Say along what the normal part towards a special point goes."""
         if not leg.more[0]:
             return ""
-        return rf", ${self.formula.letter(f'a^n_{{{leg.more[0]}}}')} \parallel {self.formula.line(leg.more[0])}$"
+        return rf", ${self.formula.vector(f'a^n_{{{leg.more[0]}}}')} \parallel {self.formula.line(leg.more[0])}$"
 
     def _turning(self, leg: VectorSum) -> Iterator[str]:
         formula, link = self.formula, leg.link

@@ -139,6 +139,8 @@ class VectorSums(NamedTuple):
         """Name the points that similarity gives of a group's links."""
         inner = group.inner_pairs if isinstance(group, Dyad) else ()
         known = {pair.joint for pair in (*group.outer_pairs, *inner)}
+        if isinstance(group, Triad):
+            known.add(AnalysedSpecial(self.mechanism, self.motion, self.letters, group).out.pin)
         for link in group.links:
             yield from (name for name in self.mechanism.links[link].points if name not in known)
 
