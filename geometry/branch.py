@@ -37,7 +37,6 @@ class AssemblyBranch:
     keys: Floats  # that rise: angles rad or ways m from home
     poses: BodyPose  # at the keys
     out: int  # the lead that the special point leaves out: the lines of the others cross most sharply
-    sign: float = 1.0  # of the determinant, all along it
 
     @cached_property
     def _middles(self) -> Floats:
@@ -90,8 +89,8 @@ class _Reached(NamedTuple):
 
 def follow(
     body: HeldBody, start: BodyPose, look: Callable[[Floats], Known], ends: tuple[float, float], steps: int
-) -> tuple[Floats, BodyPose, tuple[int, float]]:
-    """Follow an assembly both ways from key 0: the keys reached, the poses there, the lead best left out and the sign.
+) -> tuple[Floats, BodyPose, int]:
+    """Follow an assembly both ways from key 0: the keys reached, the poses there, the lead best left out.
 
     `look` tells where the leads begin at some keys; `ends` are the keys to go to, each by so many steps. Where one of
     them is not reached but the other, half a turn off, is, the way goes on from there round to where the first ended.
@@ -106,9 +105,8 @@ def follow(
     stations = [*reversed(ways[0][1:]), *ways[1]]
     keys = np.array([station.key for station in stations])
     poses = BodyPose(*(np.array([getattr(s.pose, part) for s in stations]) for part in ("reach", "turn")))
-    held = body.held(look(keys), poses)
-    crosses = np.abs(np.array(np.broadcast_arrays(*held.crosses)))
-    return keys, poses, (int(np.argmax(crosses.min(axis=1))), float(np.sign(held.determinant[len(ways[0]) - 1])))
+    crosses = np.abs(np.array(np.broadcast_arrays(*body.held(look(keys), poses).crosses)))
+    return keys, poses, int(np.argmax(crosses.min(axis=1)))
 
 
 def _way(body: HeldBody, look: Callable[[Floats], Known], start: _Reached, end: float, steps: int) -> list[_Reached]:

@@ -132,17 +132,17 @@ def gaps_of(
     nowhere = undefined(plan, sweep.groups)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
     near = np.ones(len(turn), dtype=bool) if home is None else reached(turn.phi, home, barriers)
-    elsewhere = np.any([np.broadcast_to(KINDS[g.kind].elsewhere(plan, g), len(turn)) for g in sweep.groups], axis=0)
+    branched = any(KINDS[group.kind].branched for group in sweep.groups)
     found = []
     for k, position in enumerate(positions):
         phi, missed = float(turn.phi[k]), [float(miss[k]) for miss in misses]
         edge = None if home is None else bounding(phi, home, barriers)
         # Beyond a change point or parallel guides it does not matter whether the links would meet.
-        met = edge is None or (edge.kind == OUT_OF_REACH and not elsewhere[k]) or near[k]
+        met = edge is None or edge.kind == OUT_OF_REACH or near[k]
         unplaced = _unplaced(field[:, k], nowhere[:, k], marks, missed, k, position, phi) if met else None
         if home is None and unplaced is None:  # the links meet, but not as the sketch shows them
             unplaced = Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))
-        found.append(unplaced or _beyond(position, phi, edge))
+        found.append(unplaced or _beyond(position, phi, edge, branched))
     return found
 
 
@@ -159,9 +159,11 @@ def _unplaced(
     return None
 
 
-def _beyond(position: int, phi: float, edge: BarrierEdge | None) -> Gap:
-    """Name a position that could be assembled, but not without passing a barrier."""
+def _beyond(position: int, phi: float, edge: BarrierEdge | None, branched: bool) -> Gap:
+    """Name a position that could be assembled, but not without passing a barrier; of a branch nobody can say so."""
     reason, advice = NOT_REACHABLE, message("gap.barred")
+    if edge is not None and edge.kind == OUT_OF_REACH and branched:
+        return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, edge.where, 0.0, advice)
     if edge is not None and edge.kind == CHANGE_POINT:
         reason, advice = BEYOND_CHANGE_POINT, message("gap.change_point")
     elif edge is not None and edge.kind == PARALLEL_GUIDES and _near(np.array([phi]), [edge.phi], UNBORNE).any():

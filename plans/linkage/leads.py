@@ -14,7 +14,7 @@ from geometry.branch import Side
 from plans.linkage.plan import Image, Plan, Sliding, Turning, Vector
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME, Slide
-from plans.model.motion import Flags, Floats
+from plans.model.motion import Floats
 from plans.words.words import because
 
 Of = TypeVar("Of")  # what groups of the kind are, such as dyads
@@ -24,6 +24,7 @@ class GroupKind(ABC, Generic[Of]):
     """What is special to one kind of group."""
 
     assemblies = 2  # that its position has at most (сборки)
+    branched = False  # whether an assembly is followed along a branch, beyond whose end no side tells of another
     pivoted = False  # whether its meeting is the direction of a slot from a pivot, any where the pin comes to it
 
     def sides(self, plan: Plan, group: Of) -> list[Side]:
@@ -45,10 +46,6 @@ class GroupKind(ABC, Generic[Of]):
     @abstractmethod
     def accelerations(self, plan: Plan, group: Of) -> None:
         """Draw its part of the acceleration plan."""
-
-    def elsewhere(self, plan: Plan, group: Of) -> Flags:
-        """Tell where it has no place, yet could be assembled, as no way from home leads to."""
-        return np.zeros(1, dtype=bool)
 
     @abstractmethod
     def meeting(self, plan: Plan, group: Of) -> Mark:

@@ -19,7 +19,7 @@ from plans.linkage.leads import GroupKind
 from plans.linkage.plan import Image, Plan, Sliding, SpecialLetters, SpecialPoint, Turning, Vector, special_name
 from plans.linkage.primary import PRIMARIES, pushed
 from plans.model.mechanism import FRAME
-from plans.model.motion import Flags, Floats
+from plans.model.motion import Floats
 from plans.model.triad import Triad, TriadLead
 from plans.words.words import because
 
@@ -31,6 +31,7 @@ class Triads(GroupKind[Triad]):
     """The triad (трёхповодковая группа)."""
 
     assemblies = 6
+    branched = True
 
     def sides(self, plan: Plan, triad: Triad) -> list[Side]:
         """Give all assemblies, where they are."""
@@ -43,7 +44,7 @@ class Triads(GroupKind[Triad]):
         plan = look(np.array([home]))
         drive, within = plan.mechanism.drive, home - 2 * np.pi * np.round(home / (2 * np.pi))
         ends = (-SEAM * np.pi - within, SEAM * np.pi - within) if drive.pushed else (-np.pi, np.pi)
-        keys, poses, told = follow(
+        keys, poses, out = follow(
             _body(plan, triad),
             side,
             lambda keys: _known(look(home + keys / drive.unit), triad),
@@ -52,7 +53,7 @@ class Triads(GroupKind[Triad]):
         )
         along = pushed(plan.mechanism).way(FRAME).direction if drive.pushed else 0j
         free = complex(np.ravel(plan.board[PRIMARIES[drive.kind].free].point)[0])
-        return AssemblyBranch(free, along, keys, poses, *told)
+        return AssemblyBranch(free, along, keys, poses, out)
 
     def positions(self, plan: Plan, triad: Triad, side: Side) -> None:
         """Settle the basis link on its leads by false positions, along its branch (метод ложных положений, M3.10)."""
@@ -90,17 +91,6 @@ class Triads(GroupKind[Triad]):
         for lead, start in _drawn(plan, triad, normals).items():
             if lead.kind == ROD:
                 leads.keep_turning(plan, lead.link, plan.point(lead.hinge), start, plan.point(lead.pin))
-
-    def elsewhere(self, plan: Plan, triad: Triad) -> Flags:
-        """Tell where another assembly has its determinant's sign: the branch ends on this side of it."""
-        settling = self.meeting(plan, triad).step.settling
-        assert settling is not None  # it was settled
-        if not isinstance(settling.start, AssemblyBranch):
-            return np.zeros(1, dtype=bool)
-        known, body = _known(plan, triad), settling.body
-        with np.errstate(invalid="ignore", divide="ignore"):
-            found = [np.asarray(body.held(known, pose).determinant) for pose in body.assemblies(known)]
-        return np.asarray((np.array(found) * settling.start.sign > 0).any(axis=0))
 
     def meeting(self, plan: Plan, triad: Triad) -> Mark:
         """Give the point of the basis link that settles it: where that has no place, the group has none."""
