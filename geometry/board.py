@@ -1,12 +1,12 @@
 """The drafting board: an append-only record of drafting acts, for one position and for a million at once.
 
 A point or a vector is a complex number x + iy, or an array of them, one for each position. The vocabulary is closed:
-given, lay_off, join, parallel, square, arc, meet, tangent, turn, transfer, similar, divide, close; and of forces, whose
-arms are measured on the drawing, moment, couple, balance. A moment is a real number. Readers of the record (replay,
-precision, explain, the sheets) know the verbs; no construction knows its readers.
+given, lay_off, join, parallel, square, arc, meet, tangent, settle, direct, turn, transfer, similar, divide, close; and
+of forces, whose arms are measured on the drawing, moment, couple, balance. A moment is a real number. Readers of the
+record (replay, precision, explain, the sheets) know the verbs; no construction knows its readers.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import reduce
 from operator import add
 from typing import NamedTuple, TypeAlias, cast
@@ -14,7 +14,9 @@ from typing import NamedTuple, TypeAlias, cast
 import numpy as np
 
 from geometry import meet as loci
+from geometry.branch import Settling
 from geometry.meet import Meeting, Sizes, Vectors
+from geometry.three_leads import GUIDE, SLOT, BodyPose
 
 GIVEN, CONSTRUCTION, RESULT = "given", "construction", "result"
 
@@ -44,6 +46,7 @@ class Step(NamedTuple):
     size: Vectors
     side: Sizes
     why: object  # a text, or what can be said in a language
+    settling: Settling | None = None  # of a body on three leads
 
 
 class Mark(NamedTuple):
@@ -140,8 +143,9 @@ class Board:
         side: Sizes = 0.0,
         rays: tuple[tuple[Mark, Vectors], ...] = (),
         meeting: Meeting | None = None,
+        settling: Settling | None = None,
     ) -> Mark:
-        step = Step(op, inputs, size, side, why)
+        step = Step(op, inputs, size, side, why, settling)
         return self.keep(Mark(self.subject, len(self.marks), name, value, step, rays, meeting))
 
     def keep(self, mark: Mark) -> Mark:
@@ -197,6 +201,22 @@ class Board:
         """
         found = loci.tangent_direction(between(pivot, pin), offset, side)
         return self._draw(name, found.first, "tangent", (pivot, pin), why, offset, side, (), found)
+
+    def settle(self, name: str, settling: Settling, begins: Sequence[Mark], free: Mark, why: object = "") -> Mark:
+        """Settle a body on three leads by trial, along its branch: the mark is its point at the first (M3.10).
+
+        `begins` are points of the leads, then directions of guides; `free` is what drives the mechanism.
+        """
+        found = settling.met([mark.point for mark in begins], free.point)
+        rays = ((begins[0], found.first),)
+        inputs = (*begins, free)
+        return self._draw(name, _end(begins[0], found.first), "settle", inputs, why, 0j, 0.0, rays, found, settling)
+
+    def direct(self, name: str, settled: Mark, why: object = "") -> Mark:
+        """Give the direction of a body that was settled on its leads: a unit vector."""
+        if settled.meeting is None:
+            raise TypeError(f"{settled.name} is not of a body on leads")
+        return self._draw(name, settled.meeting.second, "direct", (settled, *settled.step.inputs), why)
 
     def turn(self, name: str, vector: Mark, by: Vectors, why: object = "") -> Mark:
         """Turn and stretch a vector by a known complex number: 1j is a quarter turn counter-clockwise."""
@@ -281,6 +301,34 @@ def at(value: Vectors | Sizes, position: int) -> complex:
     """Give the value at one position, whether or not it changes with the position."""
     array = np.asarray(value)
     return complex(array[position] if array.ndim else array)
+
+
+class HeldLead(NamedTuple):
+    """A lead of a settled body: where it begins among the inputs, the arm from there, its force's direction, its moves.
+
+    `way` is the place of its guide's direction among the inputs, if it has one; a length of it moves the body's point
+    by `shift` and turns it by `spin`; `sense` is -1 of a slot, where a larger offset is a shorter arm.
+    """
+
+    begin: int
+    way: int | None
+    arm: Vectors
+    along: Vectors
+    shift: Vectors
+    spin: Sizes
+    sense: float
+
+
+def held_leads(mark: Mark) -> Iterator[HeldLead]:
+    """Tell how each lead holds a body where it was settled."""
+    assert mark.step.settling is not None and mark.meeting is not None  # asked of such marks alone
+    body, begins, way = mark.step.settling.body, [one.point for one in mark.step.inputs[:-1]], 3
+    pose = BodyPose(mark.meeting.first, mark.meeting.second)
+    held = body.held(mark.step.settling.known(begins), pose)
+    for k, lead in enumerate(body.leads):
+        arm = pose.reach + held.contacts[k] - (begins[k] - begins[0])
+        guided, way = (way, way + 1) if lead.kind == GUIDE else (None, way)
+        yield HeldLead(k, guided, arm, held.along[k], *held.moves[k], -1.0 if lead.kind == SLOT else 1.0)
 
 
 class Span(NamedTuple):

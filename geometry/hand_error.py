@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Arc, Line, Mark, behind, between
+from geometry.board import Arc, Line, Mark, behind, between, held_leads
 from geometry.meet import cross, dot
 
 Slopes = npt.NDArray[np.complex128]  # (sources, N): by the standard deviation of each slip
@@ -79,9 +79,10 @@ NOTHING = 1e-6
 # Which inputs of a verb are places on the paper, where a given point must have been pricked.
 PLACES: Mapping[str, tuple[int, ...]] = {
     "lay_off": (0,), "join": (0, 1), "parallel": (0,), "square": (0,), "arc": (0,), "tangent": (0, 1),
-    "moment": (0, 1), "balance": (0,),
+    "moment": (0, 1), "balance": (0,), "settle": (0, 1, 2),
 }  # fmt: skip
-RECKONED = {"join", "turn", "similar", "close", "couple"}  # verbs that touch no paper
+RECKONED = {"join", "turn", "similar", "close", "couple", "direct"}  # verbs that touch no paper
+SLIPS = {"settle": 3, **dict.fromkeys(RECKONED, 0)}  # of verbs that do not slip once
 
 
 class SlippingHand(NamedTuple):
@@ -115,7 +116,7 @@ def slopes(hand: SlippingHand, *marks: Mark) -> dict[Mark, Slopes]:
     0.666666666667
     """
     record = behind(*marks)
-    drawing = _HandRecord(hand, sum(mark.step.op not in RECKONED for mark in record))
+    drawing = _HandRecord(hand, sum(SLIPS.get(mark.step.op, 1) for mark in record))
     places = pricked_givens(record)
     with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN inside, a dead centre infinite
         for mark in record:
@@ -224,6 +225,18 @@ def _tangent(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     return _Moved(1j * unit * cross(unit, moved) / reach)
 
 
+def _settled(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
+    """Carry what moves the beginnings of the leads, and a slip of each length, by what a length moves the body."""
+    place, turn = drawing.still(), drawing.still().real
+    for lead in held_leads(mark):
+        out = dot(lead.along, inputs[lead.begin].place) + lead.sense * drawing.slip(mark.subject, both=False).real
+        if lead.way is not None:
+            out = out - dot(1j * inputs[lead.way].place, lead.arm)
+        place, turn = place + lead.shift * out, turn + lead.spin * out
+    firm = drawing.firm(np.asarray(mark.sharpness), np.asarray(turn, dtype=np.complex128))
+    return _Moved(np.where(np.isnan(firm), np.nan, place), turn)
+
+
 def _transferred(drawing: _HandRecord, mark: Mark, inputs: list[_Moved]) -> _Moved:
     plan = mark.step.inputs[0].subject
     mu = np.asarray(drawing.hand.scales.get(plan, np.inf))
@@ -278,6 +291,8 @@ _RULES: dict[str, Callable[[_HandRecord, Mark, list[_Moved]], _Moved]] = {
     "arc": _struck,
     "meet": _met,
     "tangent": _tangent,
+    "settle": _settled,
+    "direct": lambda _, mark, inputs: _Moved(1j * np.asarray(mark.point) * inputs[0].turn),
     "turn": lambda _, mark, inputs: _Moved(np.asarray(mark.step.size) * inputs[0].place),
     "transfer": _transferred,
     "similar": _similar,

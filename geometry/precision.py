@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Arc, Line, Mark, behind, between
+from geometry.board import Arc, Line, Mark, behind, between, held_leads
 from geometry.meet import EPS
 
 Bound = npt.NDArray[np.float64]
@@ -108,6 +108,22 @@ def _tangent(mark: Mark, inputs: list[Error]) -> Error:
     return Error(condition(mark) * (moved + OWN * EPS), np.zeros(1))
 
 
+def _settle(mark: Mark, inputs: list[Error]) -> Error:
+    """Bound a body's place and turn by what each lead's length is out, and by what a length moves it."""
+    place, turn, leads = np.zeros(1), np.zeros(1), list(held_leads(mark))
+    longest = np.maximum.reduce(np.broadcast_arrays(*(np.abs(np.asarray(lead.arm)) for lead in leads), _size(mark)))
+    for lead in leads:
+        out = inputs[lead.begin].place + OWN * EPS * longest
+        if lead.way is not None:
+            out = out + inputs[lead.way].place * np.abs(lead.arm)
+        place, turn = place + np.abs(lead.shift) * out, turn + np.abs(lead.spin) * out
+    return Error(np.asarray(place + EPS * _size(mark)), np.asarray(turn + EPS))
+
+
+def _direct(mark: Mark, inputs: list[Error]) -> Error:
+    return Error(inputs[0].turn, np.zeros(1))
+
+
 def _moment(mark: Mark, inputs: list[Error]) -> Error:
     about, at, force = mark.step.inputs
     arm, size = np.abs(np.asarray(between(about, at))), _size(force)
@@ -148,6 +164,8 @@ _RULES: dict[str, Callable[[Mark, list[Error]], Error]] = {
     "divide": _divide,
     "meet": _meet,
     "tangent": _tangent,
+    "settle": _settle,
+    "direct": _direct,
     "moment": _moment,
     "couple": _couple,
     "balance": _balance,

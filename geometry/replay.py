@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from geometry.board import Arc, Board, Line, Mark, Value, at, behind
+from geometry.three_leads import GUIDE, ROD
 
 if TYPE_CHECKING:
     import mpmath
@@ -44,6 +46,11 @@ def _again(board: Board, mark: Mark, inputs: tuple[Mark, ...], givens: Mapping[M
             return board.meet(mark.name, inputs[0], inputs[1], step.side, step.why)
         case "tangent":
             return board.tangent(mark.name, inputs[0], inputs[1], float(step.size.real), step.side, step.why)
+        case "settle":
+            assert step.settling is not None  # of this verb alone
+            return board.settle(mark.name, step.settling, inputs[:-1], inputs[-1], step.why)
+        case "direct":
+            return board.direct(mark.name, inputs[0], step.why)
         case "turn":
             return board.turn(mark.name, inputs[0], step.size, step.why)
         case "couple":
@@ -122,6 +129,10 @@ def _in_digits(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: in
             return -mp.fsum(inputs)
         case "tangent":
             return _tangent(mp, inputs[1] - inputs[0], size.real, at(step.side, position).real)
+        case "settle":
+            return _settled(mp, mark, inputs, position)[0]
+        case "direct":
+            return _settled(mp, mark.step.inputs[0], inputs[1:], position)[1]
         case "moment" | "couple" | "balance":
             return _of_moments(mp, step.op, inputs, size.real)
     return _meet(mp, mark, inputs, at(step.side, position).real)
@@ -150,6 +161,26 @@ def _meet(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], side: float) -> A
         return foot + side * unit * _root(mp, second.measure**2 - abs(second.point - foot) ** 2)
     across = (mp.conj(first.measure) * second.measure).imag
     return first.point + first.measure * (mp.conj(base) * second.measure).imag / across
+
+
+def _settled(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: int) -> tuple[Any, Any]:
+    """Settle a body on its leads by Newton's method, from where it was found in floating point."""
+    assert mark.step.settling is not None and mark.meeting is not None  # of this verb alone
+    body, known = mark.step.settling.body, mark.step.settling.known(inputs[:-1])
+    place, turn = (at(value, position) for value in (mark.point, mark.meeting.second))
+
+    def misses(x: Any, y: Any, angle: Any) -> list[Any]:
+        found, axis = [], mp.mpc(mp.cos(angle), mp.sin(angle))
+        for lead, begin, way in zip(body.leads, *known, strict=True):
+            arm = mp.mpc(x, y) + axis * (lead.at - body.leads[0].at) - begin
+            along = way if lead.kind == GUIDE else -axis * lead.slot
+            found.append((abs(arm) if lead.kind == ROD else (mp.conj(along) * arm).imag) - lead.size)
+        return found
+
+    if cmath.isnan(place):
+        return mp.nan, mp.nan
+    x, y, angle = mp.findroot(misses, (place.real, place.imag, cmath.phase(turn)))
+    return mp.mpc(x, y), mp.mpc(mp.cos(angle), mp.sin(angle))
 
 
 def _of_moments(mp: mpmath.MPContext, op: str, inputs: list[Any], size: Any) -> Any:

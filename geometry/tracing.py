@@ -88,6 +88,12 @@ class Tracing:
         (value,) = self._traces[mark].value
         return value
 
+    def meeting(self, mark: Mark) -> Place:
+        """Tell where it is how the loci of a mark met."""
+        met = self._traces[mark].meeting
+        assert met is not None  # asked of such marks alone
+        return met
+
     def follows(self, vector: Mark, span: complex) -> bool:
         """Whether a vector that is `span` beside a free one of 1 has the very direction of the free one."""
         by = self.acts.known_ratio(self.place(vector), self.acts.free)
@@ -212,6 +218,23 @@ def _tangent(tracing: Tracing, mark: Mark) -> Trace:
     return Trace((tracing.ray(met, 0),), (), met)
 
 
+def _settled(tracing: Tracing, mark: Mark) -> Trace:
+    *begins, free = map(tracing.place, mark.step.inputs)
+    known = reduce(partial(tracing.acts.do, _added), begins, tracing.acts.fix(()))
+    met = tracing.acts.do(mark.step.settling.met, known, free) if mark.step.settling else known
+    ray = tracing.ray(met, 0)
+    return Trace((tracing.end(mark.step.inputs[0], ray),), (ray,), met)
+
+
+def _added(row: tuple[Any, ...], number: Any) -> tuple[Any, ...]:
+    return (*row, number)
+
+
+def _directed(tracing: Tracing, mark: Mark) -> Trace:
+    met = tracing.meeting(mark.step.inputs[0])
+    return Trace((tracing.ray(met, 1),))
+
+
 def _turned(tracing: Tracing, mark: Mark) -> Trace:
     (vector,) = mark.step.inputs
     return Trace((tracing.acts.turn(tracing.place(vector), tracing.size(mark)),))
@@ -278,6 +301,8 @@ _RULES: dict[str, Callable[[Tracing, Mark], Trace]] = {
     "arc": _arc,
     "meet": _met,
     "tangent": _tangent,
+    "settle": _settled,
+    "direct": _directed,
     "turn": _turned,
     "transfer": _transferred,
     "similar": _similar,

@@ -18,6 +18,7 @@ from geometry import meet as loci
 from geometry.board import Arc, Line, Mark, behind
 from geometry.hand_error import EDGE, EVEN, Sizes, SlippingHand, Slopes, is_nothing, pricked_givens
 from geometry.meet import cross
+from geometry.three_leads import ROUNDS, BodyPose, HeldBody
 
 Complexes = npt.NDArray[np.complex128]
 
@@ -153,6 +154,29 @@ def _tangent(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     return loci.tangent_direction(base, mark.step.size.real, mark.step.side).first
 
 
+class _Settled(np.ndarray[Any, np.dtype[np.complex128]]):
+    """Where a body was settled, with its direction."""
+
+    turn: Complexes
+
+
+def _settled(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> _Settled:
+    """Settle a body on leads whose lengths are a little out."""
+    settling, met = mark.step.settling, mark.meeting
+    assert settling is not None and met is not None  # it was settled
+    leads = [lead._replace(size=lead.size + hand.pricked(mark.subject).real) for lead in settling.body.leads]
+    body, known = HeldBody((leads[0], leads[1], leads[2])), settling.known(inputs[:-1])
+    pose = BodyPose(met.first, met.second)
+    for _ in range(ROUNDS):
+        held = body.held(known, pose)
+        moves = [(miss * shift, miss * turn) for miss, (shift, turn) in zip(held.misses, held.moves, strict=True)]
+        shift, turn = (sum(row) for row in zip(*moves, strict=True))
+        pose = BodyPose(pose.reach - shift, pose.turn * np.exp(-1j * turn))
+    found = np.asarray(inputs[0] + pose.reach).view(_Settled)
+    found.turn = pose.turn
+    return found
+
+
 def _transferred(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     return inputs[0] + hand.carried(mark.step.inputs[0].subject, inputs[0])
 
@@ -182,6 +206,8 @@ _RULES: dict[str, Callable[[Draughtsman, Mark, Sequence[Any]], Any]] = {
     "arc": _struck,
     "meet": _met,
     "tangent": _tangent,
+    "settle": _settled,
+    "direct": lambda hand, mark, inputs: inputs[0].turn,
     "turn": lambda hand, mark, inputs: inputs[0] * mark.step.size,
     "transfer": _transferred,
     "similar": lambda hand, mark, inputs: inputs[2] * inputs[0] / inputs[1] * mark.step.size,

@@ -145,7 +145,7 @@ class _DrawnLever:
         for name, moment in position.couples(link):
             head = f"{self.acting.name(name)}/"
             lines = {stated.removeprefix(head) for stated in self.stated if stated.startswith(head)}
-            for start, end in (ends for ends in permutations(position.motion.points, 2) if "".join(ends) in lines):
+            for start, end in (ends for ends in permutations(position.named, 2) if "".join(ends) in lines):
                 run = position.place(end) - position.place(start)
                 if run:
                     bearer = self._bearer(link, start, end)

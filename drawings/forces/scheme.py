@@ -27,6 +27,7 @@ from geometry.board import at
 from plans.forces.cut import INERTIA, WEIGHT, CutGroup, ForcePlan
 from plans.model.machine import COUPLING, Spring
 from plans.model.mechanism import FRAME
+from plans.model.triad import Triad
 
 FAR = 2.5  # sizes of a cut's links: of a longer spring only so much is drawn, else it would hide the links
 
@@ -128,6 +129,8 @@ class Scheme:
         """The points that bear letters: those of the links, and those at which other forces act."""
         others = {force.spot: force.at for force in self.acting.forces if force.spot}
         others |= {spring.letter: spring.end for spring in self.springs if spring.letter}
+        if isinstance(self.cut.group, Triad):  # moments are taken about its special point too
+            others |= {one.about.name: at(one.about.point, self.column) for one in self.cut.equations}
         return self.links.points | {name: place for name, place in others.items() if name not in self.links.points}
 
     @cached_property

@@ -27,6 +27,7 @@ from plans.linkage.sweep import interval
 from plans.linkage.travel import frame_slide, other_sliders
 from plans.model.mechanism import FRAME, Output
 from plans.model.motion import ORDERS, POSITIONS, Extremes
+from plans.model.triad import Triad
 from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import word
@@ -87,6 +88,12 @@ class _ExpectedMotion:
         places |= {name: (place, 0.0) for name, place in fixed.items()}
         for name, (link, local) in self.masses.items():
             places[name] = complex(placed(self.study.mechanism, moved, link, local)[k]), most
+        for triad in (group for group in self.study.groups if isinstance(group, Triad)):
+            special = self._vectors.special(triad)
+            if special is not None:
+                yield Expected(
+                    Kind.POINT, POSITIONS.plan, special.name, complex(special.place[k]), most, k, may_lack=True
+                )
         for name, (place, allowed) in places.items():
             if not math.isnan(place.real):
                 lost = name in fixed  # the one that all places are measured from is no point

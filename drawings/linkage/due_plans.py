@@ -14,11 +14,13 @@ from drawings.lettering.words import with_index
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Key, Kind, Text
 from plans.linkage.parts import AnalysedVectors, findings, spans, vectors_of
-from plans.linkage.plan import POLES, Plan, Sliding, Slotted, Turning, Vector
+from plans.linkage.plan import POLES, Plan, Sliding, Slotted, SpecialPoint, Turning, Vector
 from plans.linkage.quantities import MotionComparison
+from plans.linkage.special_points import AnalysedSpecial, special_rows
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ACCELERATIONS, PLANS, VELOCITIES
+from plans.model.triad import Triad
 from plans.quantity import Quantity
 
 Masses = Mapping[str, tuple[int, complex]]
@@ -100,10 +102,24 @@ class VectorPlans:
                 name, first = next(iter(link.points.items()))
                 turned = np.exp(-1j * self.comparison.analysis.links[number].angle[k])
                 spots |= {written.under(p, number): first + (true.r(p) - true.r(name)) * turned for p in self._pins}
+                for special in self._specials(number):
+                    spots[written.small(special.name)] = first + (special.place[k] - true.r(name)) * turned
                 spots[written.of_link("n", number)] = self.study.drafts().positions.images[number].at
             still = number == FRAME
             found.append({image: 0j if still else true.centre(number, at, order) for image, at in spots.items()})
         return found
+
+    def _specials(self, basis: int) -> Iterator[AnalysedSpecial]:
+        """Give the special point of a triad's basis link."""
+        for group in self.study.groups:
+            if isinstance(group, Triad) and group.basis == basis and (special := self.special(group)):
+                yield special
+
+    def special(self, triad: Triad) -> AnalysedSpecial | None:
+        """Give the special point of a triad, where its plans of velocities are drawn."""
+        written = self.study.drafts().positions.written
+        known = triad.basis in written.specials
+        return AnalysedSpecial(self.study.mechanism, self.comparison.analysis, written, triad) if known else None
 
     @property
     def _pins(self) -> set[str]:
@@ -167,6 +183,9 @@ class VectorPlans:
         plan = self._made(name)
         written = plan.written
         match vector:
+            case SpecialPoint():
+                for row in special_rows(self.study.mechanism, self.comparison.analysis, written, vector):
+                    yield from [(row.start, row.end, row.letter)] if row.order.plan == name else []
             case Turning(_, start, tip):
                 about = "" if self._still(start) else start
                 ends = plan.point(start).name, written.normal(tip, about), plan.point(tip).name

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -14,13 +14,14 @@ from drawings.page.page import Scale, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.report import chapter
-from plans.linkage.motion_plans import VectorSum, VectorSums
 from plans.linkage.plan import POLES, Turning
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import largest_of
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import Dyad
+from plans.linkage.vector_sums import VectorSum, VectorSums
+from plans.model.dyad import Assur, Dyad
 from plans.model.motion import ACCELERATIONS, NOTHING, PLANS, POSITIONS, VELOCITIES, Motion
+from plans.model.triad import Triad
 from plans.words.words import word
 
 if TYPE_CHECKING:
@@ -86,38 +87,61 @@ class VectorEquations:
         yield from self._whole(V, v, point, image)
         yield from self._whole(A, a, point, image)
 
-    def numbers(self, dyad: Dyad) -> Iterator[str]:
-        """Give what the plans tell of a group: relative parts, angular rates, its point, and points by similarity."""
-        legs = self.sums.of(dyad)
+    def numbers(self, group: Assur) -> Iterator[str]:
+        """Give what the plans tell of a group: relative parts, angular rates, its points, and points by similarity."""
+        for legs in self.sums.of(group):
+            yield from self._special(legs[0]) if legs[0].more[0] else self._of_legs(legs)
+        if isinstance(group, Triad):
+            yield from chain(*map(self._of_lead, self.sums.pair(group)))
+        for point in dict.fromkeys(self.sums.others(group)):
+            if point in self.sums.motion.points:
+                yield from self.of_point(point)
+
+    def _special(self, leg: VectorSum) -> Iterator[str]:
+        """Give the velocity and the acceleration of a special point, as the plans have them."""
+        yield from self._whole(V, sum(leg.velocity), leg.point, leg.images[2])
+        yield from self._whole(A, sum(leg.acceleration) + leg.more[1], leg.point, leg.images[2])
+
+    def _of_lead(self, leg: VectorSum) -> Iterator[str]:
+        yield from self._turning(leg) if leg.turns else self._sliding(leg)
+
+    def _of_legs(self, legs: tuple[VectorSum, ...]) -> Iterator[str]:
         for leg in sorted(legs, key=lambda leg: not leg.turns):  # a Coriolis part needs the rate of its link
-            yield from self._turning(leg) if leg.turns else self._sliding(leg)
+            yield from self._of_lead(leg)
         first = legs[0]
         if not any(leg.turns and leg.fixed for leg in legs):
             yield from self._whole(V, sum(first.velocity), first.point, first.images[2])
         yield from self._whole(A, sum(first.acceleration), first.point, first.images[2])
-        for point in dict.fromkeys(self.sums.others(dyad)):
-            if point in self.sums.motion.points:
-                yield from self.of_point(point)
 
     def _terms(self, leg: VectorSum, plan: str, known: int) -> list[str]:
         vector = self.formula.vector
         terms = [vector(self._letter(plan, leg.point), known), vector(self._letter(plan, leg.base), FULL)]
         if plan == V:
             return [*terms, vector(f"v_{{{leg.relative}}}", DIRECTION)]
-        parts = zip(("n", "t") if leg.turns else ("k", "r"), (FULL, DIRECTION), strict=True)
-        return [*terms, *(vector(f"a^{part}_{{{leg.relative}}}", known) for part, known in parts)]
+        own, rest = ("n", "t") if leg.turns else ("k", "r")
+        terms.append(vector(f"a^{own}_{{{leg.own or leg.relative}}}", FULL))
+        if leg.more[0]:
+            terms.append(vector(f"a^n_{{{leg.more[0]}}}", FULL))
+        return [*terms, vector(f"a^{rest}_{{{leg.relative}}}", DIRECTION)]
 
     def _direction(self, leg: VectorSum) -> str:
         letter = self.formula.vector
         if leg.turns:
             square = rf"{letter(f'v_{{{leg.relative}}}')} \perp {self.formula.line(leg.arm)}"
-            return rf"${square}$, ${letter(f'a^n_{{{leg.relative}}}')} \parallel {self.formula.line(leg.arm)}$"
+            normal = rf"{letter(f'a^n_{{{leg.own or leg.relative}}}')} \parallel {self.formula.line(leg.arm)}"
+            return rf"${square}$, ${normal}${self._more(leg)}"
         moving = f"v_{{{leg.point}}}" if leg.guided else f"v_{{{leg.relative}}}"
         if leg.guided:
             return word(self.language, "report.along", vector=f"${letter(moving)}$")
         if not leg.slot:  # a line that its link has by an angle
             return word(self.language, "report.along_link", vector=f"${letter(moving)}$", link=leg.link)
-        return rf"${letter(moving)} \parallel {self.formula.line(leg.slot)}$"
+        return rf"${letter(moving)} \parallel {self.formula.line(leg.slot)}${self._more(leg)}"
+
+    def _more(self, leg: VectorSum) -> str:
+        """Say along what the normal part towards a special point goes."""
+        if not leg.more[0]:
+            return ""
+        return rf", ${self.formula.vector(f'a^n_{{{leg.more[0]}}}')} \parallel {self.formula.line(leg.more[0])}$"
 
     def _turning(self, leg: VectorSum) -> Iterator[str]:
         formula, link = self.formula, leg.link
@@ -254,7 +278,7 @@ def equations(study: LinkageStudy, motion: Motion, scales: Scales, positions: It
     yield word(language, "report.underlines")
     first = _written(study, motion, have[0], {}, formula)
     for group in study.groups:
-        yield from _lettered(first, cast(Dyad, group))
+        yield from _lettered(first, group)
     for k in have:
         yield in_position(study, k)
         drawn = scales.get(k, {})
@@ -270,9 +294,9 @@ def equations_of(study: Study, mark: Mark, position: int) -> Iterator[str]:
     named = mark.step.inputs[-1].name if mark.step.op == "join" else mark.name
     written = _written(linkage, linkage.motion(ACCELERATIONS.number), position, {}, Formula(drafting_of(study.scene)))
     for group in linkage.groups:
-        legs = written.sums.of(cast(Dyad, group))
-        if any(named in leg.images[1:] for leg in legs):
-            yield from written.lettered(legs, (mark.subject,))
+        for legs in written.sums.of(group):
+            if any(named in leg.images[1:] for leg in legs):
+                yield from written.lettered(legs, (mark.subject,))
 
 
 def in_position(study: LinkageStudy, k: int) -> str:
@@ -301,12 +325,13 @@ def largest(motion: Motion) -> dict[str, float]:
     }
 
 
-def _lettered(written: VectorEquations, group: Dyad) -> Iterator[str]:
-    legs, language = written.sums.of(group), written.language
-    yield word(language, "report.of_group", group=group.label, joints=group.kind)
-    for line in written.lettered(legs):
-        yield from display(line)
-    yield written.directions(legs)
+def _lettered(written: VectorEquations, group: Assur) -> Iterator[str]:
+    language, kind = written.language, "of_group" if isinstance(group, Dyad) else "of_triad"
+    yield word(language, f"report.{kind}", group=group.label, joints=group.kind)
+    for legs in written.sums.of(group):
+        for line in written.lettered(legs):
+            yield from display(line)
+        yield written.directions(legs)
 
 
 def _scales(study: LinkageStudy, scales: Mapping[str, Scale]) -> Iterator[str]:
@@ -331,4 +356,4 @@ def _numbers(study: LinkageStudy, written: VectorEquations) -> Iterator[str]:
     yield from map("- {}".format, lines)
     for group in study.groups:
         yield word(written.language, "report.numbers_of_group", group=group.label)
-        yield from map("- {}".format, written.numbers(cast(Dyad, group)))
+        yield from map("- {}".format, written.numbers(group))

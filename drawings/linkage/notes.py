@@ -19,6 +19,7 @@ from plans.model.diagrams import STILL
 from plans.model.dyad import Assur, formula, mechanism_class
 from plans.model.mechanism import Mechanism, Output, Ram, ways
 from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates
+from plans.model.triad import Triad
 from plans.study import Study
 from plans.words import words
 from plans.words.words import Message, message
@@ -185,6 +186,8 @@ def _sentence(study: LinkageStudy) -> str:
 
 
 def _group(group: Assur) -> str:
+    if isinstance(group, Triad):
+        return f"links {', '.join(map(str, sorted(group.links)))}, three leads on link {group.basis}"
     pairs = ", ".join(PAIRS[letter] for letter in group.kind)
     return f"links {' and '.join(map(str, group.links))}, {group.kind} ({pairs})"
 

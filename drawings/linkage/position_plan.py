@@ -18,6 +18,7 @@ from drawings.linkage.guides import arrows, axes, grounds
 from drawings.linkage.numbering import apart, crank_numbers, crank_places, same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
+from drawings.linkage.special_points import special_letters, special_lines, special_spots
 from drawings.linkage.trajectories import phases, trajectories
 from drawings.page.page import Drafting
 from drawings.paper.hand import Field, Hand
@@ -55,6 +56,7 @@ class PositionFigure(NamedTuple):
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its points lettered and its positions numbered."""
         figure = *self.lines, letters(self.pairs, labels)
+        figure += special_letters(self.pairs, labels)
         if not apart(self.pairs.bones):
             return figure
         circle = _around(self.pairs)
@@ -134,19 +136,27 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     paths, positions = trajectories(bones, place, hand), [*_path(bones, place, hand), *_positions(pairs)]
     senses = arrows(pairs)
     extremes, lines, notches = list(_extremes(pairs)), axes(bones, place, hand), list(_notches(bones, place, hand))
+    special = special_lines(bones, place, hand)
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
     grounded = grounds(pairs, ink)
     ink.draw((Circle(place.on(at), pairs.radius(name) + RIM) for name, at in pairs.named.items()), MARK)
     ink.draw(grounded)
-    ink.draw([*paths, *positions, *extremes, *lines, *notches], SHARE)
+    ink.draw([*paths, *positions, *extremes, *lines, *notches, *special], SHARE)
     under: list[tuple[str, Iterable[Stroke]]] = [("paths", paths), (OTHERS, positions), ("extremes", extremes)]
-    under += [("guides", lines), ("notches", notches), (TIES, ties(pairs)), (TICKS, path_ticks(pairs))]
+    under += [
+        ("guides", lines),
+        ("notches", notches),
+        (TIES, ties(pairs)),
+        (TICKS, path_ticks(pairs)),
+        ("special-lines", special),
+    ]
     groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
     groups += [
         Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks(subject, reference(bones.mechanism))), "pairs"),
+        Group(tuple(special_spots(bones, subject, place, hand)), "special-points"),
         Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
         Group((_around(pairs),) if apart(bones) else (), "detail"),
         Group(tuple(stating(Statement(Kind.DIRECTION, NAME, a.letter), *a.strokes(pairs)) for a in senses), ROTATION),

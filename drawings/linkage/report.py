@@ -27,6 +27,7 @@ from plans.linkage.travel import ExtremePositions
 from plans.model.dyad import Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import PLANS, POSITIONS, VELOCITIES, Complexes, Floats
+from plans.model.triad import Triad
 from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import Message, message, term, word
@@ -71,6 +72,10 @@ def structure(study: LinkageStudy) -> Iterator[str]:
     numbers = rf"3 \cdot {mechanism.moving_links} - 2 \cdot {mechanism.lower_pairs}"
     yield from display(f"W = 3n - 2p_{{1}} - p_{{2}} = {numbers} - 0 = {mechanism.mobility}")
     for group, side in zip(study.groups, study.sweep.sides, strict=True):
+        if isinstance(group, Triad):
+            leads = "; ".join(f"{lead.link} {lead.kind}" for lead in group.leads)
+            yield say("report.triad", group=group.label, basis=group.basis, leads=leads)
+            continue
         sign = f"{side:+.0f}".replace("-", "−")
         yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=sign)
     whole = formula(mechanism, study.groups).replace("->", "→")

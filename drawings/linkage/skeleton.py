@@ -4,12 +4,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from drawings.kinds.outlines import Poses
 from drawings.kinds.scheme import Joints
 from drawings.layout.picture import Place
+from geometry.board import at
 from plans.linkage.plan import Plan, angle, unnamed
 from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.linkage.study import EXTREMES, LinkageStudy
@@ -17,8 +19,17 @@ from plans.linkage.sweep import NODES
 from plans.linkage.travel import ExtremePositions, other_strokes
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Motion
+from plans.model.triad import Triad
 
 MORE = 0.2  # rad of the crank's circle drawn past the outermost of some listed angles
+
+
+class SpecialMark(NamedTuple):
+    """A special point in the position in full lines, m, and the leads' points on the lines that meet in it."""
+
+    name: str
+    value: complex
+    contacts: tuple[complex, ...]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -106,9 +117,28 @@ class Skeletons:
         """Give the strokes of the sliders on the frame besides the output, where extremes are asked for."""
         return other_strokes(self.study.sweep, self.study.output) if EXTREMES in self.study.plans else {}
 
-    @cached_property
+    @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
+        return [*self._places, *(mark.value for mark in self.specials)]
+
+    @cached_property
+    def specials(self) -> list[SpecialMark]:
+        """The special points of triads near the figure: one of leads all but parallel is far away."""
+        plan, found = self.study.drafts().positions, list[SpecialMark]()
+        for triad in (group for group in self.study.groups if isinstance(group, Triad)):
+            letters = plan.written.specials.get(triad.basis)
+            if letters is not None and letters.name in plan.board:
+                value = at(plan.board[letters.name].point, self.shown)
+                pair = (lead.pin for k, lead in enumerate(triad.leads) if k != letters.out)
+                contacts = tuple(self.spot(pin, self.shown) for pin in pair)
+                found.append(SpecialMark(letters.name, value, contacts))
+        near = _near(np.array([mark.value for mark in found], dtype=np.complex128), np.array(self._places))
+        return [mark for mark, place in zip(found, near, strict=True) if not math.isnan(place.real)]
+
+    @cached_property
+    def _places(self) -> list[complex]:
+        """All true points of the links."""
         arrays = [places for poses in (*self.poses, self.way) for places in poses.points.values()]
         for slide, travel in self.travels.items():  # a slot reaches as far as its stone
             ends = [slide.on_owner.through + along * slide.on_owner.direction for along in travel]

@@ -113,7 +113,7 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
     lettered = set(plan.letters.values())
     unnamed = dict.fromkeys(m for m in centres.values() if m not in lettered)  # in order: a set of marks has none
-    turning = (reading.turning for reading in plan.readings.values())
+    turning = [*(reading.turning for reading in plan.readings.values()), *plan.slips.values()]
     needed = [mark for mark in behind(*plan.letters.values(), *unnamed, *turning) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
     arrows: dict[tuple[Mark, Mark], PlanArrow] = {}
@@ -124,6 +124,9 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     for mark in images:
         if mark.step.op == "meet" or mark in plan.letters.values() or mark in unnamed:
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
+    for start, end in (mark.step.inputs for mark in turning if mark.step.op == "join"):
+        if end.step.op == "lay_off" and start is not plan.pole:  # a point that similarity gives
+            arrows.setdefault((start, end), _arrow(plan, start, end, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
     rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
     sides = tuple(s for name, mass in masses.items() for s in _sides(plan, mass[0], centres[name], arrows, column))

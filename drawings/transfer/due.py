@@ -16,8 +16,10 @@ from drawings.lettering.transfer_letters import named
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Key, Kind, Leaf
 from plans.linkage.plan import PlanLetters
+from plans.linkage.special_points import AnalysedSpecial
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
+from plans.model.triad import Triad
 from plans.study import Study
 from plans.transfer.quantities import TransferComparison, by_scales, listed
 from plans.transfer.study import TransferStudy, output_functions
@@ -77,6 +79,7 @@ class _ExpectedTransfer:
         letters, pole = PlanLetters(mechanism), mechanism.drive.pivot
         written = {name: mark.name for name, mark in self.study.turned.images.items()}
         images = {f"{name}'": -1j * value for name, value in self._under(letters, k)}
+        images |= {f"{letters.small(name)}'": -1j * v for name, v in self._specials(k)}
         images |= {written[name]: -1j * complex(moved.v[k]) for name, moved in self.motion.points.items()} | {pole: 0j}
         moving = {written[name] for name in self.motion.points if name not in mechanism.links[FRAME].points}
         due = {f"{pole} {name}" for name in moving if abs(images[name]) > short + slack}
@@ -86,6 +89,14 @@ class _ExpectedTransfer:
             if start in images and end in images:
                 value = images[end] - images[start]
                 yield Expected(Kind.VECTOR, TRANSFER, name, value, slack, k, may_lack=name not in due)
+
+    def _specials(self, k: int) -> Iterator[tuple[str, complex]]:
+        """Give the velocities of the special points of triads."""
+        linkage = self.study.linkage
+        written = linkage.drafts().velocities.written
+        for triad in (group for group in linkage.groups if isinstance(group, Triad)):
+            special = AnalysedSpecial(linkage.mechanism, self.motion, written, triad)
+            yield special.name, complex(special.moved(1)[k])
 
     def _under(self, letters: PlanLetters, k: int) -> Iterator[tuple[str, complex]]:
         """Give the velocities of each link's places under pins, and of the point by which it is placed."""

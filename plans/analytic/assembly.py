@@ -185,50 +185,52 @@ def _nearer(shape: Closure, block: Block, found: Floats, rough: Floats) -> Float
 def _both(shape: Closure, block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a block at N crank angles: assemblies of determinants above and below zero, (2, N, links, 3)."""
     if block.linear:
-        return _straight(block, poses, phi)
+        return _straight(shape, block, poses, phi)
     found = np.full((len(BOTH), *poses.shape), np.nan)
     step = coarse = max(1, len(phi) // COARSE)
     done = np.arange(0, len(phi), step)
-    _at_coarse(block, found, done, poses, phi)
+    _at_coarse(shape, block, found, done, poses, phi)
     while step > 1:
         step = max(1, step // 4)
         here = np.flatnonzero(np.isin(np.arange(0, len(phi), step), done, invert=True)) * step
-        _from_next(block, found, here, done, poses, phi)
+        _from_next(shape, block, found, here, done, poses, phi)
         done = np.sort(np.concatenate((done, here)))
     lost = np.asarray(np.isnan(found[:, :, 0, 0]).all(axis=0))
     lost[::coarse] = False
-    _probe(block, found, np.flatnonzero(lost), poses, phi)
+    _probe(shape, block, found, np.flatnonzero(lost), poses, phi)
     return found
 
 
-def _at_coarse(block: Block, found: Floats, done: Indices, poses: Floats, phi: Floats) -> None:
+def _at_coarse(shape: Closure, block: Block, found: Floats, done: Indices, poses: Floats, phi: Floats) -> None:
     """Solve a block at coarse angles from rough poses; a dyad, which has but two assemblies, goes on from both."""
     rough = done[::ROUGH] if len(block.links) == DYAD else done
-    found[:, rough] = _from_rough(block, poses[rough], phi[rough])
+    found[:, rough] = _from_rough(shape, block, poses[rough], phi[rough])
     others = np.setdiff1d(done, rough, assume_unique=True)
     if others.size:
-        _from_next(block, found, others, rough, poses, phi)
+        _from_next(shape, block, found, others, rough, poses, phi)
         lacking = others[np.isnan(found[:, others, 0, 0]).any(axis=0)]
         if lacking.size:
-            found[:, lacking] = _from_rough(block, poses[lacking], phi[lacking])
+            found[:, lacking] = _from_rough(shape, block, poses[lacking], phi[lacking])
 
 
-def _probe(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
+def _probe(shape: Closure, block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
     """Try crank angles without an assembly beside them from rough poses: an arc of the crank may begin there."""
     every = -(-lost.size // PROBES) or 1
     probes = lost[::every]
     if probes.size:
-        found[:, probes] = _from_rough(block, poses[probes], phi[probes])
-        _from_next(block, found, lost[np.arange(lost.size) % every > 0], probes, poses, phi)
+        found[:, probes] = _from_rough(shape, block, poses[probes], phi[probes])
+        _from_next(shape, block, found, lost[np.arange(lost.size) % every > 0], probes, poses, phi)
 
 
-def _from_next(block: Block, found: Floats, here: Indices, done: Indices, poses: Floats, phi: Floats) -> None:
+def _from_next(
+    shape: Closure, block: Block, found: Floats, here: Indices, done: Indices, poses: Floats, phi: Floats
+) -> None:
     """Solve a block at some crank angles from its assemblies at the next ones that are done."""
     near = done[np.minimum(np.searchsorted(done, here), len(done) - 1)]
-    found[:, here] = _from_others(block, found[:, near], poses[here], phi[here])
+    found[:, here] = _from_others(shape, block, found[:, near], poses[here], phi[here])
 
 
-def _straight(block: Block, poses: Floats, phi: Floats) -> Floats:
+def _straight(shape: Closure, block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a linear block from rough poses: the first step finds the turns, the next the places."""
     there = _brought(block, poses)
     for _ in range(2):
@@ -236,20 +238,20 @@ def _straight(block: Block, poses: Floats, phi: Floats) -> Floats:
         step = solutions(block.equations.jacobian(at), block.equations.residual(at, phi))
         there = block.equations.moved(there, -step)
     there, reached = close(block.equations, there, phi)
-    return _by_sign(block, there[None], reached[None])
+    return _by_sign(shape, block, there[None], reached[None])
 
 
-def _from_rough(block: Block, poses: Floats, phi: Floats) -> Floats:
+def _from_rough(shape: Closure, block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a block from rough poses, with each of its links turned in all quarters."""
     turns = np.array(list(product(QUARTERS, repeat=len(block.links))))
     starts = np.repeat(_brought(block, poses)[None], len(turns), axis=0)
     starts[:, :, block.links, TURN] += turns[:, None, :]
-    shape = starts.shape
+    size = starts.shape
     angles = np.tile(phi, len(turns))
-    there, reached = settle(block.equations, starts.reshape(-1, *shape[2:]), angles)
+    there, reached = settle(block.equations, starts.reshape(-1, *size[2:]), angles)
     # At a singular position Newton's method is slow, but the joints are closed all the same.
     reached |= closed(block.equations, there, angles)
-    return _by_sign(block, there.reshape(shape), reached.reshape(shape[:2]))
+    return _by_sign(shape, block, there.reshape(size), reached.reshape(size[:2]))
 
 
 def _brought(block: Block, poses: Floats) -> Floats:
@@ -265,7 +267,7 @@ def _brought(block: Block, poses: Floats) -> Floats:
     return there
 
 
-def _from_others(block: Block, near: Floats, poses: Floats, phi: Floats) -> Floats:
+def _from_others(shape: Closure, block: Block, near: Floats, poses: Floats, phi: Floats) -> Floats:
     """Solve a block from its assemblies at crank angles close by, (2, N, links, 3)."""
     starts = np.repeat(poses[None], len(near), axis=0)
     starts[:, :, block.links] = near[:, :, block.links]
@@ -273,16 +275,21 @@ def _from_others(block: Block, near: Floats, poses: Floats, phi: Floats) -> Floa
     reached = np.zeros(known.shape, dtype=bool)
     angles = np.broadcast_to(phi, known.shape)
     starts[known], reached[known] = close(block.equations, starts[known], angles[known])
-    return _by_sign(block, starts, reached)
+    return _by_sign(shape, block, starts, reached)
 
 
-def _by_sign(block: Block, tried: Floats, reached: Flags) -> Floats:
-    """Sort what was tried at N angles, (tries, N, links, 3), by the sign of the determinant; the sharpest of each."""
+def _by_sign(shape: Closure, block: Block, tried: Floats, reached: Flags) -> Floats:
+    """Sort what was tried at N angles, (tries, N, links, 3), by the sign of the determinant.
+
+    Of a dyad there is one assembly of each sign; of larger groups the one nearest to the sketch is taken.
+    """
     flat = tried.reshape(-1, *tried.shape[2:])
     jacobian = block.equations.jacobian(block.equations.place(flat[reached.ravel()]))
     det, sharp = np.zeros(reached.shape), np.full(reached.shape, -1.0)
     det[reached] = np.linalg.det(jacobian)
     sharp[reached] = reciprocal_condition(jacobian, inverses(jacobian))
+    if len(block.links) > DYAD:
+        sharp[reached] /= ALIKE + shape.misfits(flat[reached.ravel()], block.links.tolist())
     found = np.full((len(BOTH), *tried.shape[1:]), np.nan)
     each: Indices = np.arange(tried.shape[1])
     for row, sign in zip(found, BOTH, strict=True):

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from plans.analytic.assembly import INFINITE, ClosedPosition, Closure, assemblies, gap, signs_of
+from plans.analytic.assembly import DYAD, INFINITE, ClosedPosition, Closure, assemblies, gap, signs_of
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed, far
 from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, DOUBTFUL, SHORTEST, Halt, Station, least
@@ -229,7 +229,9 @@ def _tell_lost(found: Positions, shape: Closure, turn: Marched) -> None:
     # Beyond a change point or parallel guides it does not matter whether the links would meet.
     open_ = np.array([end is None or end.reason in (DEAD_CENTRE, NOT_REACHABLE) for end in ends])
     exists = np.ones(len(lost), dtype=bool)
-    if open_.any():
+    if any(len(block.links) > DYAD and not block.linear for block in shape.blocks):
+        exists[open_] = False  # of several assemblies of either sign none is that which the march follows
+    elif open_.any():
         exists[open_] = _assembles(shape, turn, found.phi[lost[open_]])
     for k, end, other in zip(lost.tolist(), ends, exists.tolist(), strict=True):
         folded = end is not None and end.reason == DEAD_CENTRE and abs(float(_apart(found.phi[k], end))) < BESIDE

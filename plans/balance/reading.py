@@ -12,7 +12,8 @@ from plans.balance.form import COUNTERWEIGHT, BalanceForm, BalanceTable, Counter
 from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, SHARE, BalanceTask, Site
-from plans.model.dyad import Assur, Dyad, decompose
+from plans.model.decomposition import decompose
+from plans.model.dyad import Assur, Dyad
 from plans.model.mechanism import FRAME, Mechanism, StructureError
 from plans.scene.faults import Fault, Path
 from plans.scene.notes import HUNDREDS, odd_lengths
@@ -165,7 +166,11 @@ def _check_carrier(survey: LinkageSurvey, path: Path, entry: CounterweightTable)
 def _check_aim(survey: LinkageSurvey, form: BalanceTable) -> None:
     """See that something may be put on for an aim, and that a share is of masses that the crank can balance."""
     links, crank = [weight.on for weight in form.counterweights], survey.form.drive.link
-    if form.aim == SHARE and survey.mechanism is not None and not reciprocating(survey.mechanism):
+    if form.aim != NONE and any(
+        not isinstance(g, Dyad) for g in (survey.mechanism and _groups(survey.mechanism)) or ()
+    ):
+        survey.report(AIM, "not_substituted")
+    elif form.aim == SHARE and survey.mechanism is not None and not reciprocating(survey.mechanism):
         survey.report(AIM, "no_reciprocating")
     elif not links:
         if not survey.doubtful(("balance", "counterweights")):

@@ -11,7 +11,9 @@ from typing import NamedTuple
 from plans.analytic.points import acceleration, placed
 from plans.forces.cut import indices
 from plans.forces.drive import BALANCING, DRIVING
-from plans.forces.dyads import GROUP_FORCES, Split
+from plans.forces.dyads import GROUP_FORCES
+from plans.forces.polygon import Split
+from plans.linkage.special_points import special_places
 from plans.model.dyad import Assur, Pair, pair
 from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
 from plans.model.machine import GEAR, Machine
@@ -32,8 +34,15 @@ class LoadedPosition:
     k: int
 
     def place(self, point: str) -> complex:
-        """Place a named point, m."""
-        return complex(self.motion.points[point].r[self.k])
+        """Place a named point, or the special point of a triad, m."""
+        if point in self.motion.points:
+            return complex(self.motion.points[point].r[self.k])
+        return complex(special_places(self.motion, self.groups)[point][self.k])
+
+    @property
+    def named(self) -> list[str]:
+        """The letters of all points, and of special points."""
+        return [*self.motion.points, *special_places(self.motion, self.groups)]
 
     def on(self, link: int, spot: complex) -> complex:
         """Place a spot of a link, m."""

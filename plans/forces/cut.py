@@ -189,14 +189,14 @@ class CutGroup(NamedTuple):
     loads: tuple[Load, ...]
     couples: tuple[Couple, ...]
     supports: tuple[Support, ...]  # outer reactions on the group's links
-    inner: Support | None
+    inner: tuple[Support, ...]  # of its links on each other
     equations: tuple[MomentEquation, ...]
     sides: tuple[PolygonSide, ...]
 
     @property
     def reactions(self) -> tuple[Support, ...]:
-        """All reactions that the cut gives: the outer ones and the inner one."""
-        return self.supports if self.inner is None else (*self.supports, self.inner)
+        """All reactions that the cut gives: the outer ones and the inner ones."""
+        return *self.supports, *self.inner
 
     def holds(self, equation: MomentEquation) -> bool:
         """Tell whether an equation gives the moment of a sliding pair, so that reactions of the group stand in it."""

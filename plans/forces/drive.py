@@ -68,7 +68,7 @@ def _pushed(plan: ForcePlan, slide: Slide) -> CutGroup:
     force = board.join(name, chain.end, closed.corner, because("closing"))
     pushing = Load(DRIVING, drive.link, plan.driven, plan.drive, PART)
     support = statics.support(plan, (FRAME, drive.link), slide, force, (), [*loads, pushing], couples)
-    return CutGroup(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (), closed.polygon)
+    return CutGroup(None, (drive.link,), tuple(loads), tuple(couples), (support,), (), (), closed.polygon)
 
 
 def _foot(plan: ForcePlan, slide: Slide, along: Mark) -> Mark:
@@ -111,7 +111,7 @@ def _turned(plan: ForcePlan) -> CutGroup:
     force = board.join(name, chain.end, chain.start, because("closing"))
     support = statics.support(plan, (FRAME, drive.link), drive.pivot, force)
     sides = (*chain.sides, PolygonSide(name, chain.end, chain.start, CLOSING))
-    return CutGroup(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (equation,), sides)
+    return CutGroup(None, (drive.link,), tuple(loads), tuple(couples), (support,), (), (equation,), sides)
 
 
 def _line(plan: ForcePlan, terms: Sequence[Mark]) -> Mark | None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, NamedTuple, TypeVar
 
-from plans.forces import polygon
+from plans.forces import polygon, triads
 from plans.forces.cut import CLOSING, CutGroup, ForcePlan, PolygonSide
-from plans.model.dyad import Dyad, Pair
+from plans.forces.polygon import Split
+from plans.model.dyad import Dyad
 from plans.words.words import because
 
 Of = TypeVar("Of")  # what groups of the kind are, such as dyads
@@ -89,17 +90,6 @@ def rpp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     return polygon.cut(plan, dyad, supports, slotted, [], closed.polygon)
 
 
-class Split(NamedTuple):
-    """An outer reaction that a polygon may show in two parts: along a line and square to it, with their letters.
-
-    The line is that through two points, or that of a sliding pair.
-    """
-
-    pair: Pair
-    along: tuple[str, str] | Pair
-    letters: str
-
-
 def leads(dyad: Dyad) -> Iterator[Split]:
     """Split the reactions of outer hinges along the leads: normal and tangential parts."""
     for outer in dyad.outer_pairs:
@@ -126,4 +116,5 @@ GROUP_FORCES: Mapping[str, ForceKind[Any]] = {
     "RPR": ForceKind(rpr, stone),
     "PRP": ForceKind(prp, leads),
     "RPP": ForceKind(rpp, stone),
+    "triad": ForceKind(triads.triad, triads.splits),
 }

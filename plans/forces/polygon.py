@@ -21,9 +21,20 @@ from plans.forces.cut import (
     indices,
 )
 from plans.linkage import leads
-from plans.model.dyad import Dyad
+from plans.model.dyad import Dyad, Pair
 from plans.model.mechanism import Slide
 from plans.words.words import because
+
+
+class Split(NamedTuple):
+    """An outer reaction that a polygon may show in two parts: along a line and square to it, with their letters.
+
+    The line is that through two points, or that of a sliding pair.
+    """
+
+    pair: Pair
+    along: tuple[str, str] | Pair
+    letters: str
 
 
 class ForceChain(NamedTuple):
@@ -66,13 +77,18 @@ def moments(plan: ForcePlan, about: Mark, loads: Sequence[Load], couples: Sequen
 
 
 def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> MomentEquation | None:
+    """Find the part of an outer hinge's reaction square to a dyad's lead."""
+    return tangential_part(plan, (dyad.hosts[end], dyad.links[end]), (dyad.hinge(end), dyad.pin))
+
+
+def tangential_part(plan: ForcePlan, pair: tuple[int, int], hinges: tuple[str, str]) -> MomentEquation | None:
     """Find the part of an outer hinge's reaction square to its lead, by moments about the inner hinge (M5.2).
 
     None where nothing on the lead has a moment: its reaction runs along it.
     """
-    link, index = dyad.links[end], indices(dyad.hosts[end], dyad.links[end])
+    link, index = pair[1], indices(*pair)
     base, (loads, couples) = plan.positions, plan.acting(link)
-    about, at, arm = base.point(dyad.pin), base.point(dyad.hinge(end)), base.arm(link)
+    at, about, arm = *map(base.point, hinges), base.arm(link)
     terms = moments(plan, about, loads, couples)
     if not terms:
         return None
@@ -82,19 +98,24 @@ def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> MomentEquation | None:
 
 
 def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
-    """Find the part of the stone's outer reaction along the slot: the opposite of what its forces have there (M5.4).
+    """Find the part of the outer reaction of a dyad's stone along its slot."""
+    return slot_part(plan, (dyad.hosts[0], dyad.links[0]), dyad.slide())
+
+
+def slot_part(plan: ForcePlan, pair: tuple[int, int], slide: Slide) -> Mark | None:
+    """Find the part of a stone's outer reaction along the slot: the opposite of what its forces have there (M5.4).
 
     None where no force acts on the stone.
     """
-    loads, _ = plan.acting(dyad.links[0])
+    loads, _ = plan.acting(pair[1])
     if not loads:
         return None
-    board, slot = plan.board, slot_of(plan, dyad)
-    stone = chain(plan, f"stone {dyad.links[0]}", *known_sides(loads))
+    board, slot = plan.board, direction_on(plan, leads.direction(plan.positions, slide, slide.owner))
+    stone = chain(plan, f"stone {pair[1]}", *known_sides(loads))
     through = board.parallel(f"∥{slot.name}", stone.end, slot, because("slot_cannot"))
     across = board.square(f"⊥{slot.name}", stone.start, slot, because("slot_square"))
-    corner = board.meet(f"stone {dyad.links[0]}", through, across, why=because("the_slot_presses"))
-    return board.join(f"R^u_{indices(dyad.hosts[0], dyad.links[0])}", stone.end, corner, because("slot_part"))
+    corner = board.meet(f"stone {pair[1]}", through, across, why=because("the_slot_presses"))
+    return board.join(f"R^u_{indices(*pair)}", stone.end, corner, because("slot_part"))
 
 
 def slot_of(plan: ForcePlan, dyad: Dyad) -> Mark:
@@ -226,7 +247,7 @@ def cut(
     loads, couples = plan.acting(*dyad.links)
     holding = (reaction.holding for reaction in (*supports, inner))
     kept = tuple(equation for equation in (*equations, *holding) if equation is not None)
-    return CutGroup(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), inner, kept, tuple(sides))
+    return CutGroup(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), (inner,), kept, tuple(sides))
 
 
 def support(

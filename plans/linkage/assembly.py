@@ -1,14 +1,17 @@
 """Assembly: the side of every group's meeting, chosen by the sketch, and its margin to a dead centre (сборка)."""
 
 from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Arc, Line, Mark, between
+from geometry.branch import Side
 from geometry.errors import DraftError
 from geometry.meet import UNBORNE, cross
+from geometry.three_leads import BodyPose, chosen
 from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import positions
 from plans.linkage.plan import Plan
@@ -88,7 +91,7 @@ def met_at(mark: Mark) -> str:
     return mark.step.inputs[-1].name if mark.step.op == "tangent" else mark.name
 
 
-def margins(plan: Plan, groups: Sequence[Assur], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
+def margins(plan: Plan, groups: Sequence[Assur], sides: Sequence[Side]) -> tuple[Floats, list[Mark]]:
     """Give every group's margin over the positions, (groups, positions): above 0 assembled, 0 dead, below 0 missing.
 
     A miss counts as -1: only its sign is meant. Two guides cross with the sine of their angle, signed as the group's
@@ -101,7 +104,8 @@ def margins(plan: Plan, groups: Sequence[Assur], sides: Sequence[float]) -> tupl
         miss = np.broadcast_to(np.asarray(mark.miss, dtype=float), count)
         sharpness = np.broadcast_to(np.asarray(mark.sharpness, dtype=float), count)
         turned = crossing(mark)
-        rows.append(np.where(miss > 0, -1.0, sharpness**2) if turned is None else np.broadcast_to(side * turned, count))
+        assembled = np.where(miss > 0, -1.0, sharpness**2) if turned is None else np.asarray(side) * turned
+        rows.append(np.broadcast_to(assembled, count))
     return np.array(rows).reshape(len(marks), count), marks
 
 
@@ -159,14 +163,14 @@ class SketchError(DraftError, ValueError):
 class Assembly(NamedTuple):
     """The sides chosen, and the crank angle, rad, at which the sketch shows the mechanism; None: it has no position."""
 
-    sides: tuple[float, ...]
+    sides: tuple[Side, ...]
     phi: float | None
 
 
 class SideChoice(NamedTuple):
     """For one group, over some crank angles: the side nearer to the sketch, how clearly, and the misfit in m2."""
 
-    side: Floats
+    side: Floats | BodyPose
     clarity: Floats
     misfit: Floats
 
@@ -187,8 +191,9 @@ def assembly(
         misfit = sum((choice.misfit for choice in choices), np.zeros(len(turn)))
         if np.isfinite(misfit).any():
             best = int(np.argmax(misfit <= np.nanmin(misfit) * (1.0 + ALIKE)))
-            sides = [_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True)]
-            return Assembly(_crossed(mechanism, groups, sides, turn.part([best])), float(turn.phi[best]))
+            decided = [_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True)]
+            sides, phi = _crossed(mechanism, groups, decided, turn.part([best])), float(turn.phi[best])
+            return Assembly(_followed(mechanism, groups, sides, phi), phi)
         if turn is first:
             _out_of_reach(mechanism, groups, choices, turn)
     # No angle can be assembled: every position is a gap, whose advice tells of the sides that the sketch shows.
@@ -196,16 +201,29 @@ def assembly(
     return Assembly(_crossed(mechanism, groups, _shown_sides(_choices(mechanism, groups, shown)), shown), None)
 
 
-def _shown_sides(choices: Sequence[SideChoice]) -> list[float]:
+def _followed(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Side], home: float) -> tuple[Side, ...]:
+    """Follow from home the assembly of each group that no side tells, group after group."""
+    found: list[Side] = []
+    for group, side in zip(groups, sides, strict=True):
+        before = groups[: len(found)], tuple(found)
+        found.append(KINDS[group.kind].followed(partial(_before, mechanism, before), group, side, home))
+    return tuple(found)
+
+
+def _before(mechanism: Mechanism, before: tuple[Sequence[Assur], Sequence[Side]], phi: Floats) -> Plan:
+    return positions(mechanism, *before, CrankPositions(phi, np.exp(1j * phi)))
+
+
+def _shown_sides(choices: Sequence[SideChoice]) -> list[Side]:
     """Give the sides of the sketch where most groups can be joined to those before them; 1 of what cannot."""
     joined = np.isfinite([choice.misfit for choice in choices])
     best = int(np.argmax(joined.sum(axis=0)))
-    return [float(choice.side[best]) if met[best] else 1.0 for choice, met in zip(choices, joined, strict=True)]
+    return [choice.side[best] if met[best] else 1.0 for choice, met in zip(choices, joined, strict=True)]
 
 
 def _crossed(
-    mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[float], turn: CrankPositions
-) -> tuple[float, ...]:
+    mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Side], turn: CrankPositions
+) -> tuple[Side, ...]:
     """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
     plan = positions(mechanism, groups, sides, turn)
     turned = [crossing(mark) for mark in margins(plan, groups, sides)[1]]
@@ -231,16 +249,18 @@ def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions
     for group in groups:
         points = {point for link in group.links for point in mechanism.links[link].points}
         kind, shown = KINDS[group.kind], sorted(points & set(mechanism.sketch))
-        if (side := untold(mechanism, group)) is not None:
-            kind.positions(plan, group, side)
+        if (known := untold(mechanism, group)) is not None:
+            kind.positions(plan, group, known)
             places, ones = _places(plan, [], len(turn))[0], np.ones(len(turn))
             # A side that is given is clear, and fits any sketch
-            choices.append(SideChoice(side * ones, ones, np.where(np.isfinite(places), 0.0, np.nan)))
+            choices.append(SideChoice(known * ones, ones, np.where(np.isfinite(places), 0.0, np.nan)))
             continue
-        trials = [plan.trial(), plan.trial()]
-        for trial, side in zip(trials, (1.0, -1.0), strict=True):
+        sides, places = kind.sides(plan, group), list[Complexes]()
+        for side in sides:
+            trial = plan.trial()
             kind.positions(trial, group, side)
-        choice = _choose(mechanism, shown, [_places(trial, shown, len(turn)) for trial in trials], len(turn))
+            places.append(_places(trial, shown, len(turn)))
+        choice = _choose(mechanism, shown, places, sides)
         kind.positions(plan, group, choice.side)
         choices.append(choice._replace(misfit=np.where(_parallel(meeting(plan, group)), np.nan, choice.misfit)))
     return choices
@@ -273,20 +293,26 @@ def _places(plan: Plan, shown: list[str], count: int) -> Complexes:
     return np.array([np.broadcast_to(np.asarray(plan.point(point).point), count) for point in shown])
 
 
-def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], count: int) -> SideChoice:
+def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], sides: Sequence[Side]) -> SideChoice:
+    """Choose at each position the side whose places, (points, positions), lie nearest to the sketch."""
+    rough = np.array([[mechanism.sketch[point]] for point in shown] or [[np.nan]])
+    misfits = np.array([np.sum(np.abs(place - rough) ** 2, axis=0) for place in places])
     if not shown:
-        return SideChoice(np.ones(count), np.zeros(count), np.where(np.isfinite(places[0][0]), 0.0, np.nan))
-    rough = np.array([[mechanism.sketch[point]] for point in shown])
-    misfits = [np.sum(np.abs(place - rough) ** 2, axis=0) for place in places]
-    apart = np.sum(np.abs(places[0] - places[1]) ** 2, axis=0)
+        misfits = np.where(np.isfinite(places)[:, 0], 0.0, np.nan)
+    which = np.argmin(np.where(np.isnan(misfits), np.inf, misfits), axis=0)
+    each = np.arange(len(which))
     with np.errstate(invalid="ignore", divide="ignore"):
-        clarity = np.where(apart > 0, np.abs(misfits[0] - misfits[1]) / apart, 0.0)
-    return SideChoice(np.where(misfits[1] < misfits[0], -1.0, 1.0), clarity, np.minimum(*misfits))
+        apart = np.sum(np.abs(np.array(places) - np.array(places)[which, :, each].T) ** 2, axis=1)
+        clear = np.where(apart == 0, 0.0, (misfits - misfits[which, each]) / apart)
+    clear[which, each] = np.inf
+    poses = [side for side in sides if isinstance(side, BodyPose)]
+    side = chosen(poses, which) if poses else np.choose(which, [np.asarray(side) for side in sides])
+    return SideChoice(side, np.fmin.reduce(clear), misfits[which, each])
 
 
-def _decided(mechanism: Mechanism, group: Assur, choice: SideChoice, position: int) -> float:
+def _decided(mechanism: Mechanism, group: Assur, choice: SideChoice, position: int) -> Side:
     if KINDS[group.kind].assemblies > 1 and not choice.clarity[position] >= CLARITY:
         points = sorted({point for link in group.links for point in mechanism.links[link].points})
         free = tuple(p for p in points if p not in mechanism.links[0].points and p != mechanism.drive.end)
         raise SketchError(message("sketch.undecided", group=group.label, points=free or tuple(points)), free)
-    return float(choice.side[position])
+    return choice.side[position]

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
 from plans.linkage.assembly import Assembly, Barrier, BarrierEdge, bounding, crossing, margins, met_at, undefined
+from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
@@ -27,6 +28,7 @@ from plans.model.motion import (
     PARALLEL_GUIDES,
     POSITIONS,
     VELOCITIES,
+    Flags,
     Floats,
     Gap,
     Motion,
@@ -44,8 +46,6 @@ AT_CHANGE = 2.0**-23
 ROUNDING = 8.0 * EPS  # rad: an edge is reached, whichever turn its angle is counted in
 
 BARS = CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES
-
-Flags = npt.NDArray[np.bool_]
 
 
 def lost(sweep: Sweep, plan: Plan, turn: CrankPositions, home: float, barriers: Sequence[Barrier]) -> Flags:
@@ -132,6 +132,7 @@ def gaps_of(
     nowhere = undefined(plan, sweep.groups)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
     near = np.ones(len(turn), dtype=bool) if home is None else reached(turn.phi, home, barriers)
+    branched = any(KINDS[group.kind].branched for group in sweep.groups)
     found = []
     for k, position in enumerate(positions):
         phi, missed = float(turn.phi[k]), [float(miss[k]) for miss in misses]
@@ -141,7 +142,7 @@ def gaps_of(
         unplaced = _unplaced(field[:, k], nowhere[:, k], marks, missed, k, position, phi) if met else None
         if home is None and unplaced is None:  # the links meet, but not as the sketch shows them
             unplaced = Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))
-        found.append(unplaced or _beyond(position, phi, edge))
+        found.append(unplaced or _beyond(position, phi, edge, branched))
     return found
 
 
@@ -158,9 +159,11 @@ def _unplaced(
     return None
 
 
-def _beyond(position: int, phi: float, edge: BarrierEdge | None) -> Gap:
-    """Name a position that could be assembled, but not without passing a barrier."""
+def _beyond(position: int, phi: float, edge: BarrierEdge | None, branched: bool) -> Gap:
+    """Name a position that could be assembled, but not without passing a barrier; of a branch nobody can say so."""
     reason, advice = NOT_REACHABLE, message("gap.barred")
+    if edge is not None and edge.kind == OUT_OF_REACH and branched:
+        return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, edge.where, 0.0, advice)
     if edge is not None and edge.kind == CHANGE_POINT:
         reason, advice = BEYOND_CHANGE_POINT, message("gap.change_point")
     elif edge is not None and edge.kind == PARALLEL_GUIDES and _near(np.array([phi]), [edge.phi], UNBORNE).any():
@@ -172,6 +175,8 @@ def _beyond(position: int, phi: float, edge: BarrierEdge | None) -> Gap:
 
 def _reach(mark: Mark, miss: float, k: int) -> Message:
     """Say how far apart two loci are, and how far they reach."""
+    if mark.step.op == "settle":
+        return message("gap.leads", point=mark.name, miss=f"{miss:.6g}")
     first, second = mark.step.inputs
     if mark.step.op == "tangent":
         apart = abs(at(between(first, second), k))

@@ -13,6 +13,7 @@ from plans.linkage import leads
 from plans.linkage.leads import GroupKind
 from plans.linkage.plan import Plan, Vector
 from plans.linkage.slotted_dyads import RPP, RPR
+from plans.linkage.triads import Triads
 from plans.model.dyad import Dyad
 from plans.model.motion import Floats
 from plans.words.words import because
@@ -178,7 +179,9 @@ class PRP(Hinged):
         return leads.crossing(plan, dyad.slide(0), dyad.slide(1))
 
 
-KINDS: Mapping[str, GroupKind[Any]] = {"RRR": RRR(), "RRP": RRP(), "RPR": RPR(), "PRP": PRP(), "RPP": RPP()}
+KINDS: Mapping[str, GroupKind[Any]] = {
+    "RRR": RRR(), "RRP": RRP(), "RPR": RPR(), "PRP": PRP(), "RPP": RPP(), "triad": Triads(),
+}  # fmt: skip
 
 
 def _met(plan: Plan, dyad: Dyad, lines: list[Mark]) -> Mark:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
 from geometry.board import Mark, Reading
-from geometry.meet import Sizes
+from geometry.branch import Side
 from plans.linkage.plan import Image, Plan, Sliding, Turning, Vector
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME, Slide
@@ -23,11 +23,20 @@ Of = TypeVar("Of")  # what groups of the kind are, such as dyads
 class GroupKind(ABC, Generic[Of]):
     """What is special to one kind of group."""
 
-    assemblies = 2  # that its position has: two, or one (сборки)
+    assemblies = 2  # that its position has at most (сборки)
+    branched = False  # whether an assembly is followed along a branch, beyond whose end no side tells of another
     pivoted = False  # whether its meeting is the direction of a slot from a pivot, any where the pin comes to it
 
+    def sides(self, plan: Plan, group: Of) -> list[Side]:
+        """Give the sides that its assemblies may have at the positions of a plan."""
+        return [1.0, -1.0]
+
+    def followed(self, look: Callable[[Floats], Plan], group: Of, side: Side, home: float) -> Side:
+        """Give what its assembly at a crank angle is over all; `look` draws what it hangs on, at any of them, rad."""
+        return side
+
     @abstractmethod
-    def positions(self, plan: Plan, group: Of, side: Sizes) -> None:
+    def positions(self, plan: Plan, group: Of, side: Any) -> None:
         """Place its links on the plan of positions, on a side of its meeting."""
 
     @abstractmethod
@@ -50,7 +59,7 @@ class GroupKind(ABC, Generic[Of]):
     def pressure(self, plan: Plan, group: Of) -> Floats:
         """Read its signed pressure angle, (N,) rad, off the plan of positions."""
 
-    def extremes(self, plan: Plan, group: Of, side: float) -> list[Mark]:
+    def extremes(self, plan: Plan, group: Of, side: Any) -> list[Mark]:
         """Give the crank's end in both extremes of the link that it drives, of a group between crank and frame."""
         return []
 
@@ -120,10 +129,15 @@ def arm(plan: Plan, link: int) -> Mark:
 
 
 def keep_place(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:
+    """Keep a lead of a dyad on the plan of positions."""
+    keep_rod(plan, dyad.links[end], (dyad.hinge(end), dyad.pin), (start, tip))
+
+
+def keep_rod(plan: Plan, link: int, hinges: tuple[str, str], ends: tuple[Mark, Mark]) -> None:
     """Keep a lead on the plan of positions by the vector between its hinges."""
-    link = plan.mechanism.links[dyad.links[end]]
-    drawn = plan.board.join(f"{start.name}{tip.name}", start, tip, because("link", link=link.number))
-    plan.images[link.number] = Image(start, drawn, link.points[dyad.hinge(end)], vector(plan, dyad, end))
+    points, (start, tip) = plan.mechanism.links[link].points, ends
+    drawn = plan.board.join(f"{start.name}{tip.name}", start, tip, because("link", link=link))
+    plan.images[link] = Image(start, drawn, points[hinges[0]], points[hinges[1]] - points[hinges[0]])
 
 
 def about(plan: Plan, link: int, start: Mark) -> Mark:
@@ -215,9 +229,13 @@ def line(plan: Plan, slide: Slide, host: int, left: float) -> Mark:
 
 def sliding_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on a velocity plan the line of a pin's velocity over a guide: from the guide's own point, along it."""
-    start = plan.transport(host, over, plan.written.under(over.name, host))
     along = plan.carry(direction(plan, slide, host))
-    return plan.board.parallel(f"∥{along.name}", start, along, because("along_guide"))
+    return plan.board.parallel(f"∥{along.name}", sliding_start(plan, host, over), along, because("along_guide"))
+
+
+def sliding_start(plan: Plan, host: int, over: Mark) -> Mark:
+    """Give the image of the host's point that lies under a pin."""
+    return plan.transport(host, over, plan.written.under(over.name, host))
 
 
 def slip(plan: Plan, slide: Slide, along: Mark, end: Mark, over: tuple[str, int]) -> Mark:
@@ -234,11 +252,15 @@ def slip(plan: Plan, slide: Slide, along: Mark, end: Mark, over: tuple[str, int]
 
 def coriolis_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on an acceleration plan the line of a pin's acceleration over a guide: its point, Coriolis, along it."""
-    start = plan.transport(host, over, plan.written.under(over.name, host))
-    along = direction(plan, slide, host)
-    name = plan.written.coriolis(over.name, host, key(slide))
-    start = coriolis(plan, slide, start, along, unit(plan.velocities, slide, host), name)
+    start, along = coriolis_start(plan, slide, host, over), direction(plan, slide, host)
     return plan.board.parallel(f"∥{along.name}", start, plan.carry(along), because("along_guide"))
+
+
+def coriolis_start(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
+    """Lay the Coriolis part off from the image of the host's point that lies under a pin."""
+    start, along = sliding_start(plan, host, over), direction(plan, slide, host)
+    name = plan.written.coriolis(over.name, host, key(slide))
+    return coriolis(plan, slide, start, along, unit(plan.velocities, slide, host), name)
 
 
 def coriolis(plan: Plan, slide: Slide, start: Mark, along: Mark, turned: Mark | None, name: str) -> Mark:
@@ -260,8 +282,16 @@ def sliding(dyad: Dyad, end: int) -> Iterator[Sliding]:
 
 
 def ride(plan: Plan, dyad: Dyad, end: int, origin: Mark, at: complex) -> None:
-    """Keep the image of a lead that slides on its host: it turns as the host does, and is read as the host is."""
-    link, host, slide = dyad.links[end], dyad.hosts[end], dyad.slide(end)
+    """Keep the image of a lead of a dyad that slides on its host."""
+    ride_on(plan, dyad.links[end], dyad.hosts[end], dyad.slide(end), (origin, at))
+
+
+def ride_on(plan: Plan, link: int, host: int, slide: Slide, point: tuple[Mark, complex]) -> None:
+    """Keep the image of a link that slides on another: it turns as that does, and is read as that is.
+
+    `point` is the image of one of its points, and the place of this in its own frame.
+    """
+    origin, at = point
     plan.images[link] = Image(origin, unit(plan, slide, host), at, slide.way(link).direction)
     if host in plan.readings:
         plan.readings[link] = plan.readings[host]

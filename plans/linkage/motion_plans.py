@@ -1,184 +1,24 @@
-"""The plans of positions, velocities, accelerations: drawn, or followed from a pattern; vector sums (планы).
-
-Vector sums are read off a motion, whichever road found it: of a tip that turns about a start
-a_B = a_A + a^n_BA + a^t_BA, of a point that slides on a link a_B = a_B7 + a^k + a^r (M3.1, M3.7).
-"""
+"""The plans of positions, velocities and accelerations: drawn, or followed from a pattern (планы механизма)."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Mark
-from geometry.meet import Sizes
+from geometry.branch import Side
 from geometry.tracing import Tracing
 from plans.linkage.dyads import KINDS
-from plans.linkage.leads import key
-from plans.linkage.plan import Plan, PlanLetters, Turning, heading
+from plans.linkage.plan import Plan, heading
 from plans.linkage.primary import PRIMARIES, CrankPositions
-from plans.model.dyad import Assur, Dyad
-from plans.model.mechanism import FRAME, Mechanism
+from plans.model.dyad import Assur
+from plans.model.mechanism import Mechanism
 from plans.model.motion import LinkMotion, Motion, PointMotion, Rates, steady
-
-Moved = tuple[complex, complex]  # velocity m/s and acceleration m/s2 of a point
-
-
-class VectorSum(NamedTuple):
-    """What one link of a group gives of its inner point: base, and the motion relative to it.
-
-    `arm` are the letters of the line that turns; without them the point slides on the link along `slot`.
-    `images` are the letters of the plans: of the base, of the end of a^n or a^k, and of the point.
-    """
-
-    point: str
-    base: str
-    link: int
-    arm: str
-    length: float  # m, of the arm
-    slot: str
-    fixed: bool  # whether the base is a point of the frame
-    images: tuple[str, str, str]
-    velocity: tuple[complex, complex]  # of the base, relative
-    acceleration: tuple[complex, complex, complex]  # of the base, normal or Coriolis part, the rest
-
-    @property
-    def turns(self) -> bool:
-        """Whether the relative motion is a turning."""
-        return bool(self.arm)
-
-    @property
-    def guided(self) -> bool:
-        """Whether the point slides on the frame: then its direction alone is told."""
-        return not self.turns and self.link == FRAME
-
-    @property
-    def relative(self) -> str:
-        """The letters of the relative motion: BA."""
-        return f"{self.point}{self.base}"
-
-
-class VectorSums(NamedTuple):
-    """The vector equations of a mechanism in one position of a motion."""
-
-    mechanism: Mechanism
-    motion: Motion
-    position: int
-    letters: PlanLetters
-
-    def of(self, dyad: Dyad) -> tuple[VectorSum, VectorSum]:
-        """Give the two equations from which the plans find a group's inner point."""
-        if isinstance(dyad.inner, str):
-            first, second = (self._lead(dyad, end) for end in (0, 1))
-            return first, second
-        return self._slot(dyad), self._owner(dyad)
-
-    def turning(self, vector: Turning) -> VectorSum:
-        """Tell a tip that turns about a start."""
-        _, start, tip = vector
-        fixed = start in self.mechanism.links[FRAME].points
-        images = start, self.letters.normal(tip, "" if fixed else start), self.letters.small(tip)
-        return self._turned(vector, tip, self.rates(tip), images)
-
-    def others(self, dyad: Dyad) -> Iterator[str]:
-        """Name the points that similarity gives of a group's links."""
-        known = {*(joint for joint in (*dyad.outer, dyad.inner) if isinstance(joint, str))}
-        for link in dyad.links:
-            yield from (name for name in self.mechanism.links[link].points if name not in known)
-
-    def _lead(self, dyad: Dyad, end: int) -> VectorSum:
-        if isinstance(dyad.outer[end], str):
-            return self.turning(Turning(dyad.links[end], dyad.hinge(end), dyad.pin))
-        host, image = dyad.hosts[end], self.letters.small(dyad.pin)
-        base, place = self.carried(host, self._place(dyad.pin)), dyad.slide(end).label
-        images = self.letters.under(dyad.pin, host), self.letters.coriolis(dyad.pin, host, key(dyad.slide(end))), image
-        letters = dyad.pin, under(dyad.pin, host)
-        return self._slid(letters, (host, place), (base, self.rates(dyad.pin)), images)
-
-    def _slot(self, dyad: Dyad) -> VectorSum:
-        """Tell the slotted link's point under the pin from the pin itself, along the slot."""
-        pin, link = dyad.hinge(0), dyad.links[1]
-        whole, written = self.carried(link, self._place(pin)), self.letters
-        images = written.small(pin), written.coriolis(pin, link, key(dyad.slide())), written.under(pin, link)
-        return self._slid((under(pin, link), pin), (link, dyad.slide().label), (self.rates(pin), whole), images)
-
-    def _owner(self, dyad: Dyad) -> VectorSum:
-        """Tell the slotted link's point under the pin from what the slotted link hangs on."""
-        pin, link, host = dyad.hinge(0), dyad.links[1], dyad.hosts[1]
-        whole, image = self.carried(link, self._place(pin)), self.letters.under(pin, link)
-        if isinstance(dyad.outer[1], str):
-            vector = Turning(link, dyad.hinge(1), pin)
-            images = vector.start, self.letters.normal(image.upper()), image
-            return self._turned(vector, under(pin, link), whole, images)
-        base = self.carried(host, self._place(pin))
-        images = self.letters.under(pin, host), self.letters.coriolis(pin, host, key(dyad.slide(1))), image
-        letters = under(pin, link), under(pin, host)
-        return self._slid(letters, (host, dyad.slide(1).label), (base, whole), images)
-
-    def _turned(self, vector: Turning, point: str, whole: Moved, images: tuple[str, str, str]) -> VectorSum:
-        link, start, tip = vector
-        arm, base = self._place(tip) - self._place(start), self.rates(start)
-        normal = -(self.omega(link) ** 2) * arm
-        velocity = base[0], whole[0] - base[0]
-        acceleration = base[1], normal, whole[1] - base[1] - normal
-        fixed = start in self.mechanism.links[FRAME].points
-        names = ("" if fixed else self.letters.small(start)), *images[1:]
-        return VectorSum(
-            point, start, link, f"{start}{tip}", abs(arm), "", fixed, (names[0], names[1], names[2]), velocity,
-            acceleration,
-        )  # fmt: skip
-
-    def _slid(
-        self, letters: tuple[str, str], slot: tuple[int, str], rates: tuple[Moved, Moved], images: tuple[str, str, str]
-    ) -> VectorSum:
-        """Tell a point that slides on a link, from the base that lies under it."""
-        (point, base), (link, label), (under_it, whole) = letters, slot, rates
-        slip = whole[0] - under_it[0]
-        coriolis = 2j * self.omega(link) * slip
-        return VectorSum(
-            point, base, link, "", 0.0, label, link == FRAME, images, (under_it[0], slip),
-            (under_it[1], coriolis, whole[1] - under_it[1] - coriolis),
-        )  # fmt: skip
-
-    def carried(self, link: int, place: complex) -> Moved:
-        """Give the velocity and the acceleration of the point of a link that lies at a place."""
-        if link == FRAME:
-            return 0j, 0j
-        name = next(iter(self.mechanism.links[link].points))
-        (v, a), reach, omega = self.rates(name), place - self._place(name), self.omega(link)
-        return v + 1j * omega * reach, a + (1j * self.epsilon(link) - omega**2) * reach
-
-    def rates(self, point: str) -> Moved:
-        """Give the velocity and the acceleration of a named point; one of the frame rests."""
-        if point in self.mechanism.links[FRAME].points:
-            return 0j, 0j
-        rows = self.motion.points[point]
-        return complex(rows.v[self.position]), complex(rows.a[self.position])
-
-    def _place(self, point: str) -> complex:
-        return complex(self.motion.points[point].r[self.position])
-
-    def omega(self, link: int) -> float:
-        """Angular velocity of a link, rad/s."""
-        return 0.0 if link == FRAME else float(self.motion.links[link].omega[self.position])
-
-    def epsilon(self, link: int) -> float:
-        """Angular acceleration of a link, rad/s2."""
-        return 0.0 if link == FRAME else float(self.motion.links[link].epsilon[self.position])
-
-
-def under(point: str, link: int) -> str:
-    """Letter the point of a link that lies under another's, its prime last.
-
-    >>> under("A", 3), under("A'", 3)
-    ('A_{3}', "A_{3}'")
-    """
-    bare = point.rstrip("'")
-    return f"{bare}_{{{link}}}{point[len(bare) :]}"
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def positions(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Sizes], turn: CrankPositions) -> Plan:
+def positions(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Side], turn: CrankPositions) -> Plan:
     """Draw the plan of positions; `sides` gives each group's side of its meeting, NaN where it must stay undrawn."""
     plan = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn)
     for group, side in zip(groups, sides, strict=True):

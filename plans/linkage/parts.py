@@ -14,9 +14,10 @@ from geometry.hand_error import SlippingHand, slopes
 from geometry.precision import errors
 from plans.linkage.drafts import Drafts
 from plans.linkage.dyads import KINDS
-from plans.linkage.plan import NONE, Masses, Plan, PlanLetters, Sliding, Slotted, Turning, Vector, unnamed
+from plans.linkage.plan import NONE, Masses, Plan, PlanLetters, Sliding, Slotted, SpecialPoint, Turning, Vector, unnamed
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison, with_analysis
+from plans.linkage.special_points import special_rows
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Assur
 from plans.model.mechanism import FRAME, Mechanism
@@ -56,6 +57,9 @@ class AnalysedVectors:
                 return self._turning(vector)
             case Slotted():
                 return self._slotted(vector)
+            case SpecialPoint():
+                rows = special_rows(self.mechanism, self.motion, self.letters, vector)
+                return [((row.order.plan, row.start, row.end), complex(row.values[self.k])) for row in rows]
         return ()
 
     def _absolute(self) -> Iterator[tuple[Arrow, complex]]:
@@ -212,8 +216,15 @@ class _PlanParts(NamedTuple):
                 yield from self._turning(vector)
             case Slotted():
                 yield from self._slotted(vector)
+            case SpecialPoint():
+                yield from self._special(vector)
             case _:
                 yield from self._sliding(vector)
+
+    def _special(self, vector: SpecialPoint) -> Iterator[VectorPart]:
+        for row in special_rows(self.study.mechanism, self.motion, self.drafts.accelerations.written, vector):
+            board = self.drafts.plan(row.order.number).board
+            yield VectorPart(row.order, row.letter, Span(board[row.start], board[row.end]), row.values)
 
     def _turning(self, vector: Turning) -> Iterator[VectorPart]:
         """Tell a tip about its start: by omega and epsilon of their link over the arm between them."""
@@ -265,12 +276,14 @@ class _PlanParts(NamedTuple):
 
     def _slip(self, plan: Plan, vector: Sliding) -> tuple[Span, Span | None]:
         """Find the vector along the guide in the line it was drawn by, and the Coriolis part on which that stands."""
-        end = plan.board[plan.written.under(vector.pin, vector.host)] if vector.held else plan.point(vector.pin)
-        direction = plan.positions.units[vector.pair]
-        assert direction is not None  # every guide has a direction on the plan of positions
-        parallels = (locus for locus in end.step.inputs if locus.step.op == "parallel")
-        line = next(locus for locus in parallels if carried_from(locus, direction))
-        start = line.step.inputs[0]
+        if vector.pair in plan.slips:
+            start, end = plan.slips[vector.pair].step.inputs
+        else:
+            end = plan.board[plan.written.under(vector.pin, vector.host)] if vector.held else plan.point(vector.pin)
+            direction = plan.positions.units[vector.pair]
+            assert direction is not None  # every guide has a direction on the plan of positions
+            parallels = (locus for locus in end.step.inputs if locus.step.op == "parallel")
+            start = next(locus for locus in parallels if carried_from(locus, direction)).step.inputs[0]
         drawn = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
         return Span(start, end), Span(start.step.inputs[0], start) if drawn else None
 

@@ -14,6 +14,7 @@ from geometry.board import Board, Mark, Reading
 from geometry.meet import Vectors
 from plans.model.mechanism import FRAME, Link, Mechanism
 from plans.model.motion import Complexes, Floats
+from plans.model.triad import Triad, TriadLead
 from plans.scene.scene import Scene
 from plans.words.words import because
 
@@ -33,7 +34,9 @@ class PlanLetters:
         # A point that is named by a small letter keeps it, and one with a prime its own: P' is p', so P is p''.
         for point in sorted(named, key=lambda name: (name != name.lower(), -len(name))):
             self._small[point] = apart(point.lower(), {*POLES.values(), *self._small.values()})
+        self.points = frozenset(named)
         self._taken = {*POLES.values(), *self._small.values()}
+        self.specials: dict[int, SpecialLetters] = {}  # special points, by their basis links
         self.pins: dict[SlidingPair, tuple[str, int]] = {}  # that slide along a guide of a host, by their pairs
 
     def small(self, point: str) -> str:
@@ -136,7 +139,26 @@ class Sliding(NamedTuple):
     held: bool = False
 
 
-Vector: TypeAlias = Turning | Slotted | Sliding
+class SpecialPoint(NamedTuple):
+    """The special point of a triad, where the lines of two leads meet, as a point of the basis link."""
+
+    triad: Triad
+
+
+class SpecialLetters(NamedTuple):
+    """How a special point is lettered, and which lead of its triad it leaves out."""
+
+    name: str
+    out: int
+
+
+def special_name(pair: Iterable[TriadLead], points: Iterable[str]) -> str:
+    """Letter the special point of two leads by their links: S23, with a prime where a point has that letter."""
+    first, second = pair
+    return apart(f"S{first.link}{second.link}", points)
+
+
+Vector: TypeAlias = Turning | Slotted | Sliding | SpecialPoint
 
 Key = TypeVar("Key")
 

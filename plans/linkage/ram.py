@@ -16,12 +16,14 @@ from functools import cached_property
 import numpy as np
 
 from geometry.board import Board
+from geometry.branch import Side
 from geometry.meet import EPS
 from plans.linkage.assembly import assembly
 from plans.linkage.primary import CrankPositions, divided, even
 from plans.linkage.reading.fields import StrokeTable
 from plans.linkage.sweep import NODES, Sweep, at_angles
-from plans.model.dyad import Assur, decompose
+from plans.model.decomposition import decompose
+from plans.model.dyad import Assur
 from plans.model.mechanism import FRAME, Mechanism, Passage, Ram
 from plans.model.motion import Complexes, Floats, Motion, Pace, Rates, stroke_rates
 from plans.words.words import because
@@ -33,7 +35,7 @@ ROUNDINGS = 4.0 * EPS  # of an angle of a turn, which is some units: a step so s
 class Length:
     """How far two points of a linkage are apart over the crank's angle, by its plans at unit speed."""
 
-    def __init__(self, mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[float], home: float) -> None:
+    def __init__(self, mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Side], home: float) -> None:
         self.mechanism = replace(mechanism, drive=mechanism.drive._replace(omega=1.0, epsilon=0.0))
         sweep = Sweep(self.mechanism, groups, sides, home)
         self._sweep = sweep.through() if mechanism.through else sweep

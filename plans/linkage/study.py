@@ -20,12 +20,14 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sweep import FAN, NODES, Sweep, at_angles
 from plans.linkage.travel import ExtremePositions, extremes, output
-from plans.model.dyad import Assur, decompose
+from plans.model.decomposition import decompose
+from plans.model.dyad import Assur
 from plans.model.mechanism import Mechanism, NoWorkingStroke, Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,
     OUT_OF_REACH,
     PLANS,
+    Flags,
     Floats,
     Motion,
     Pace,
@@ -66,8 +68,6 @@ def no_extreme(sweep: Sweep, link: int, assembled: bool) -> Message:
     why = obstruction(sweep) if sweep.barred else message("extreme.turns")
     return message("extreme.none", link=link, why=why)
 
-
-Flags = npt.NDArray[np.bool_]
 
 BLOCK = 8000  # positions constructed together: enough to hide the calls, few enough for the processor's cache
 

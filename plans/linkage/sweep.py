@@ -14,7 +14,9 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import numpy.typing as npt
 
-from geometry.meet import UNBORNE, Sizes
+from geometry.branch import AssemblyBranch, Side
+from geometry.meet import UNBORNE
+from geometry.three_leads import BodyPose
 from plans.linkage.assembly import SAME, Barrier, BarrierEdge, margins, meeting, met_at, of_arcs
 from plans.linkage.dyads import KINDS
 from plans.linkage.motion_plans import UNIT, PlanTemplate, accelerations, positions, resting, velocities
@@ -34,17 +36,19 @@ class Passed(NamedTuple):
     phi: float
 
 
-def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home: float) -> list[Sizes]:
+def carried(sides: Sequence[Side], passed: Sequence[Passed], phi: Floats, home: float) -> list[Side]:
     """Give each group's side over crank angles, rad: every change point on the way from home turns it over.
 
     The way is the shorter one; half a turn off, that counter-clockwise.
     """
     ahead = np.mod(phi - home, FULL)
-    found: list[Sizes] = [np.full(np.shape(phi), side) for side in sides]
+    found: list[Side] = [
+        side if isinstance(side, BodyPose | AssemblyBranch) else np.full(np.shape(phi), side) for side in sides
+    ]
     for group, at in passed:
         on = float(np.mod(at - home, FULL))
         over = np.where(ahead <= np.pi, on < ahead, on > ahead)
-        found[group] = np.where(over, -1.0, 1.0) * found[group]
+        found[group] = np.where(over, -1.0, 1.0) * np.asarray(found[group])
     return found
 
 
@@ -123,7 +127,7 @@ class Sweep:
         self,
         mechanism: Mechanism,
         groups: Sequence[Assur],
-        sides: Sequence[float],
+        sides: Sequence[Side],
         home: float = 0.0,
         passed: tuple[Passed, ...] = (),
     ) -> None:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Mark, at
+from geometry.branch import Side
 from geometry.meet import dot
 from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan
@@ -154,7 +155,7 @@ def output(mechanism: Mechanism, groups: Sequence[Assur]) -> Output:
     return Output(link, slide.point if slide else None, mechanism.working)
 
 
-def notches(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[float]) -> tuple[Plan, list[Mark]] | None:
+def notches(mechanism: Mechanism, groups: Sequence[Assur], sides: Sequence[Side]) -> tuple[Plan, list[Mark]] | None:
     """Construct the crank's two extreme directions for the first group that joins crank and frame; None for others.
 
     The marks are the crank's end in both extremes.

@@ -1,4 +1,4 @@
-"""Structure: Assur groups, dyads of class II, and a mechanism broken into them in solving order (6.4.4)."""
+"""Structure: Assur groups with their pairs, and the dyads among them, groups of class II (6.4.4)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol, TypeAlias
 
 from geometry.meet import EPS, TANGENCY
 from plans.model.mechanism import FRAME, Mechanism, Slide, StructureError
-from plans.words.words import Message, message
+from plans.words.words import message
 
 # The five kinds of two-lead groups, numbered as the textbook does (figure 6.12): outer, inner, outer pair.
 NUMBERS = {"RRR": 1, "RRP": 2, "RPR": 3, "PRP": 4, "RPP": 5}
@@ -68,14 +68,14 @@ class Dyad(NamedTuple):
 def dyads(mechanism: Mechanism, solved: set[int], left: list[int]) -> Iterator[Dyad]:
     """Yield the dyads that hang on solved links, lowest link numbers first."""
     for first, second in combinations(left, 2):
-        inner = _joints(mechanism, first, {second}, solved)
-        ends = [_joints(mechanism, link, solved, set()) for link in (first, second)]
+        inner = joints(mechanism, first, {second}, solved)
+        ends = [joints(mechanism, link, solved, set()) for link in (first, second)]
         if len(inner) == 1 and len(ends[0]) == len(ends[1]) == 1:
             (host, joint), (other_host, other) = ends[0][0], ends[1][0]
             yield _named((first, second), (host, other_host), (joint, other), inner[0][1])
 
 
-def _joints(mechanism: Mechanism, link: int, others: set[int], solved: set[int]) -> list[tuple[int, Joint]]:
+def joints(mechanism: Mechanism, link: int, others: set[int], solved: set[int]) -> list[tuple[int, Joint]]:
     """Give the joints of a link with some others; a hinge at a solved point is no joint between unknowns."""
     found: list[tuple[int, Joint]] = []
     for point, owners in mechanism.hinges.items():
@@ -183,23 +183,6 @@ def pairs(mechanism: Mechanism, groups: Sequence[Assur]) -> tuple[Pair, ...]:
 
 
 CLASSES = ("I", "II", "III", "IV")  # of groups and mechanisms, the simplest first
-SEARCHES = (dyads,)  # for groups that hang on solved links, those of the fewest links first
-
-
-def decompose(mechanism: Mechanism) -> tuple[Assur, ...]:
-    """Break a mechanism into groups in the order of their attachment, whatever the order of the scene's tables.
-
-    Raises StructureError where links are left that form no group.
-    """
-    solved = {FRAME, mechanism.drive.link}
-    groups: list[Assur] = []
-    while left := sorted(set(mechanism.links) - solved):
-        group = next((group for search in SEARCHES for group in search(mechanism, solved, left)), None)
-        if group is None:
-            raise StructureError(_no_group(mechanism, left), tuple(left))
-        groups.append(group)
-        solved.update(group.links)
-    return tuple(groups)
 
 
 def formula(mechanism: Mechanism, groups: Sequence[Assur]) -> str:
@@ -210,9 +193,3 @@ def formula(mechanism: Mechanism, groups: Sequence[Assur]) -> str:
 def mechanism_class(groups: Sequence[Assur]) -> str:
     """Give the class of the mechanism: the highest class of its groups (класс механизма)."""
     return max([CLASSES[0], *(group.order for group in groups)], key=CLASSES.index)
-
-
-def _no_group(mechanism: Mechanism, left: list[int]) -> Message:
-    names = ", ".join(str(link) for link in left)
-    pairs = sum(len([o for o in owners if o in left]) for owners in mechanism.hinges.values())
-    return message("structure.triad" if len(left) >= 4 and pairs else "structure.leads", links=names)

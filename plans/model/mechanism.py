@@ -12,6 +12,7 @@ from decimal import Decimal
 from functools import cached_property
 from typing import NamedTuple
 
+from geometry.branch import Side
 from geometry.errors import DraftError
 from plans.words.words import message
 
@@ -76,7 +77,7 @@ class Passage(NamedTuple):
     `sides` are those of its groups; `home` is the crank angle rad of the sketch, `low`, `high` are those of its ends.
     """
 
-    sides: tuple[float, ...]
+    sides: tuple[Side, ...]
     home: float
     low: float
     high: float

@@ -56,6 +56,7 @@ NOTHING = 1e-9
 
 Complexes = npt.NDArray[np.complex128]
 Floats = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
 
 
 class Gap(NamedTuple):

@@ -61,7 +61,7 @@ class _Redrawn:
             self.made[mark] = self._again(mark, [self.made[source] for source in mark.step.inputs])
 
     def _again(self, mark: Mark, inputs: list[Mark]) -> Mark:
-        board, (op, _, size, _, why), name = self.board, mark.step, f"{mark.name}'"
+        board, (op, _, size, _, why, _), name = self.board, mark.step, f"{mark.name}'"
         first, second = inputs[0], inputs[-1]
         match op:
             case "transfer":

@@ -11,7 +11,8 @@ from plans.analytic.balance.balance import balance
 from plans.analytic.balance.counterweights import Course
 from plans.analytic.kinematics import Analysis
 from plans.model.balance.linkage import STEPS, Balance, BalanceTask
-from plans.model.dyad import Assur, decompose, pairs
+from plans.model.decomposition import decompose
+from plans.model.dyad import Assur, pairs
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import Mechanism

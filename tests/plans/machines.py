@@ -10,7 +10,8 @@ import numpy as np
 
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
-from plans.model.dyad import Pair, decompose, pairs
+from plans.model.decomposition import decompose
+from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Twist
 from plans.model.machine import GEAR, Body, Machine, Transmission
 from plans.model.mechanism import Mechanism, Slide

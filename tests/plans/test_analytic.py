@@ -56,7 +56,7 @@ ALL = {
 }
 
 
-WORKED = {**{name: ALL[name] for name in ALL if name != "triad"}, "tangent": linkages.tangent_mechanism(0.15)}
+WORKED = {**ALL, "tangent": linkages.tangent_mechanism(0.15)}
 WORKED["crossed"] = replace(crank_rocker(), sketch={"B": 0.2 - 0.3j})
 
 

@@ -16,7 +16,7 @@ from plans.linkage.assembly import SketchError, assembly, meeting
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import Sweep, at_angles
 from plans.linkage.travel import ExtremePositions
-from plans.model.dyad import decompose
+from plans.model.decomposition import decompose
 from plans.model.mechanism import Mechanism, StructureError
 from plans.scene.scene import parse_scene
 from plans.study import Study

@@ -9,7 +9,7 @@ import pytest
 
 from plans.balance.study import BalanceStudy, substituted
 from plans.model.balance.linkage import FULL, PARTIAL, SHARE, BalanceTask, Site
-from plans.model.dyad import decompose
+from plans.model.decomposition import decompose
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import Body, Transmission
 from plans.scene.faults import SceneError

@@ -25,7 +25,8 @@ from plans.balance.study import loaded as with_weights
 from plans.balance.substitution import Substitution
 from plans.balance.weights import Unmade, tree_of
 from plans.model.balance.linkage import FULL, PARTIAL, BalanceTask, Counterweight, MassCentre, Site
-from plans.model.dyad import Assur, decompose
+from plans.model.decomposition import decompose
+from plans.model.dyad import Assur
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from tests.parts import examples

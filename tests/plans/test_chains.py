@@ -13,7 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.linkage.plan import Plan
-from plans.model.dyad import decompose, formula
+from plans.model.decomposition import decompose
+from plans.model.dyad import formula
 from plans.model.mechanism import FRAME, Way
 from plans.model.motion import Complexes, Floats, Motion
 from tests.parts import examples

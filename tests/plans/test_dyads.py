@@ -42,12 +42,12 @@ def hosts(links: dict[int, dict[str, complex]], slides: tuple[Slide, ...]) -> li
         for point, values in HINGES.items():
             plan.name(point, plan.board.given(plan.letter(point), values[order]))
         for guide in GUIDES:
-            _guide(plan, order, guide)
+            guided(plan, order, guide)
         plans.append(plan)
     return plans
 
 
-def _guide(plan: Plan, order: int, guide: int) -> None:
+def guided(plan: Plan, order: int, guide: int) -> None:
     omega, epsilon = GUIDES[guide][4:]
     spin = (1, 1j * omega, 1j * epsilon - omega**2)[order]
     image = plan.board.given(f"K{guide}", GUIDES[guide][order])

@@ -33,6 +33,7 @@ TENTH = 0.1
 SCENES = [
     "shaper", "crank-rocker", "oscillating-cylinder", "scotch-yoke", "tangent", "walking-leg", "squeezer", "whitworth",
     "jaw-crusher", "toggle-press", "v-engine", "conveyor", "planer", "slider-crank",
+    "three-lead-press", "three-lead-shaker",
 ]  # fmt: skip
 
 

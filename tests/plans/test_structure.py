@@ -21,8 +21,9 @@ from plans.linkage.plan import Plan, PlanLetters, Vector
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import interval
-from plans.model.dyad import Dyad, Pair, decompose, formula, mechanism_class, pairs
-from plans.model.mechanism import FRAME, Link, Output, Slide, StructureError
+from plans.model.decomposition import decompose
+from plans.model.dyad import Dyad, Pair, formula, mechanism_class, pairs
+from plans.model.mechanism import FRAME, Drive, Link, Output, Slide, StructureError
 from plans.model.motion import Floats
 from plans.scene.scene import parse_scene, read_scene
 from tests.parts import some
@@ -55,10 +56,18 @@ RRR = KINDS["RRR"]
 # Each dyad, links 2 and 3: where its outer leads hang on the crank 1 and on the frame, or on the moving link 4.
 
 
-def test_a_triad_is_refused_by_name():
-    with pytest.raises(StructureError, match="class III") as caught:
-        decompose(linkages.triad())
+def test_a_group_of_class_four_is_refused_by_name():
+    """Links 2, 3, 4, 5 form a movable ring PRSQ; 2 hangs on the crank, 4 on the frame."""
+    ring = {2: {"A": 0, "P": 1j, "Q": 1}, 3: {"P": 0, "R": 1}, 4: {"C": 0, "R": 1j, "S": 1}, 5: {"Q": 0, "S": 1}}
+    links = {FRAME: {"O": 0, "C": 3}, 1: {"O": 0, "A": 1}, **ring}
+    with pytest.raises(StructureError, match="class IV") as caught:
+        decompose(linkages.mechanism("ring", links, (), Drive(1, "O", "A", 1, 0), {}, None))
     assert caught.value.links == (2, 3, 4, 5)
+
+
+def test_a_triad_is_told_by_its_basis_link():
+    (group,) = decompose(linkages.triad())
+    assert (group.label, group.order, group.links) == ("III(2,3,4,5)", "III", (2, 4, 5, 3))
 
 
 PLATE = {"B": 0.3 + 0j, "D": 0.25 + 0.1j}  # in the rocker's frame

@@ -14,7 +14,7 @@ from geometry.errors import DraftError
 from plans.analytic.kinematics import Analysis
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import decompose
+from plans.model.decomposition import decompose
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene

@@ -15,7 +15,8 @@ from plans.forces.reading import references
 from plans.forces.reading.fields import Ends, Vector, holders, point_of
 from plans.forces.reading.pressed import BEHIND, PRESSED, DiagramTable
 from plans.linkage.reading.guides import direction
-from plans.model.dyad import decompose, pairs
+from plans.model.decomposition import decompose
+from plans.model.dyad import pairs
 from plans.model.machine import (
     GEAR,
     Body,
