@@ -48,7 +48,8 @@ def letter_images(
         prefer = cmath.phase(spot - middle) if abs(spot - middle) > SAME else math.pi / 4
         text = ", ".join(map(with_index, shared))
         reach = text_width(Text(0j, text, size)) if len(shared) > 1 else 0.0
-        if reach and any(abs(spot.imag - at.imag) < size and abs(spot.real - at.real) < reach + far for at, far in rows):
+        beside = (far for at, far in rows if abs(spot.imag - at.imag) < size and abs(spot.real - at.real) < reach + far)
+        if reach and any(beside):
             prefer = -math.pi / 2  # two rows of letters at one level would read as one
         rows += [(spot, reach)] if reach else []
         yield labels.beside(spot, text, size, BESIDE if k else pole, prefer)

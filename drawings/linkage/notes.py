@@ -89,9 +89,9 @@ def _places(form: MechanismTable, language: str) -> Iterator[str]:
         yield f"{with_index(name)} {_place(at, language)}"
     for slide in form.slides:
         if isinstance(slide.along, LineTable) and slide.along.link == FRAME:
-            at, angle = slide.along.place(form.frame), slide.along.angle
-            if at and any((*at, angle)):
-                parts = {"place": _place(at, language), "angle": number(float(angle), language)}
+            through, angle = slide.along.place(form.frame), slide.along.angle
+            if through and any((*through, angle)):
+                parts = {"place": _place(through, language), "angle": number(float(angle), language)}
                 yield word(language, "guide of frame", link=slide.link, **parts)
 
 
