@@ -212,6 +212,8 @@ def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> Le
 def _letters(view: ProfileView, rings: ProfileRings, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Letter phases, senses, sizes and points, number every position."""
     place, hand = rings.place, drafting.hand
+    for division in divisions(view, place, hand):
+        yield labels.beside(division.spot, str(division.position), hand.number, BESIDE, division.towards)
     yield from _points(view, rings, labels)
     for arc in (*size_marks.phase_arcs(view, rings, drafting), *size_marks.rocking(view, place, drafting)):
         yield arc.letter_beside(labels, hand)
@@ -221,8 +223,6 @@ def _letters(view: ProfileView, rings: ProfileRings, drafting: Drafting, labels:
         yield telling(NAME, labels.along(size.start, size.end, size.letter, hand.number, BESIDE, math.pi / 2))
     yield from placed(NAME, size_marks.centre_letters(view, place, hand), labels)
     yield from _numbers(view, rings, labels)
-    for division in divisions(view, place, hand):
-        yield labels.beside(division.spot, str(division.position), hand.number, BESIDE, division.towards)
     yield from profile_view.lettered(view, place, drafting, labels)
 
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Line, Stroke
+from drawings.paper.strokes import Line, Stroke, Text
 
 if TYPE_CHECKING:
     from drawings.layout.parallel_offsets import Segment
@@ -42,7 +43,13 @@ def letter_images(
     for spot, letters in images:
         same = next((known for known in names if abs(known - spot) < SAME), spot)
         names.setdefault(same, {}).update(dict.fromkeys(letters))
-    middle = sum(names, 0j) / len(names)
+    middle, rows = sum(names, 0j) / len(names), list[tuple[complex, float]]()
     for k, (spot, shared) in enumerate(names.items()):
         prefer = cmath.phase(spot - middle) if abs(spot - middle) > SAME else math.pi / 4
-        yield labels.beside(spot, ", ".join(map(with_index, shared)), size, BESIDE if k else pole, prefer)
+        text = ", ".join(map(with_index, shared))
+        reach = text_width(Text(0j, text, size)) if len(shared) > 1 else 0.0
+        beside = (far for at, far in rows if abs(spot.imag - at.imag) < size and abs(spot.real - at.real) < reach + far)
+        if reach and any(beside):
+            prefer = -math.pi / 2  # two rows of letters at one level would read as one
+        rows += [(spot, reach)] if reach else []
+        yield labels.beside(spot, text, size, BESIDE if k else pole, prefer)

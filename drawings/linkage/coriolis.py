@@ -70,7 +70,7 @@ class QuarterTurn(NamedTuple):
     result: complex
     sense: int
     size: float
-    point: str
+    letter: str
 
 
 def quarter_turn(mark: Mark, column: int) -> QuarterTurn | None:
@@ -84,7 +84,7 @@ def quarter_turn(mark: Mark, column: int) -> QuarterTurn | None:
     direction = slip / abs(slip)
     sense = 1 if turning > 0 else -1
     size = abs(at(mark.point, column))
-    return QuarterTurn(direction, 1j * sense * direction, sense, size, mark.name.removeprefix("a^k_"))
+    return QuarterTurn(direction, 1j * sense * direction, sense, size, mark.name)
 
 
 def rule(shown: QuarterTurn, centre: complex, hand: Hand) -> Group:
@@ -108,7 +108,7 @@ def rule(shown: QuarterTurn, centre: complex, hand: Hand) -> Group:
 
 def _letters(shown: QuarterTurn, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
     texts: list[Stroke] = []
-    for direction, content in ((shown.slip, "v_r"), (shown.result, f"a^k_{{{shown.point}}}")):
+    for direction, content in ((shown.slip, "v_r"), (shown.result, shown.letter)):
         text = Text(0j, content, hand.text, "start", True)
         left, bottom, right, top = bounds(text)
         half = complex(right - left, top - bottom) / 2

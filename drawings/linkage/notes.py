@@ -8,16 +8,18 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from drawings.lettering.words import Slot, fixed, joined, number, phrase, runs, slotted, span, word
+from drawings.lettering.words import Slot, fixed, joined, number, phrase, runs, slotted, span, with_index, word
 from drawings.report.report import TableSubject
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.ram import law
+from plans.linkage.reading.fields import LineTable, Place
+from plans.linkage.reading.form import MechanismTable
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import interval
 from plans.linkage.travel import EQUAL, frame_slide
 from plans.model.diagrams import STILL
 from plans.model.dyad import Assur, formula, mechanism_class
-from plans.model.mechanism import Mechanism, Output, Ram, ways
+from plans.model.mechanism import FRAME, Mechanism, Output, Ram, ways
 from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates
 from plans.model.triad import Triad
 from plans.study import Study
@@ -75,12 +77,28 @@ def cylinder_law(study: LinkageStudy, ram: Ram) -> dict[str, str]:
 
 
 def lengths(study: LinkageStudy, language: str) -> list[str]:
-    """Tell the lengths of the scene, where they are not too many."""
+    """Tell the lengths of the scene, and where its frame holds the links, where they are not too many."""
     given = study.form.mechanism.lengths
-    if not 0 < len(given) <= MOST_LENGTHS:
-        return []
-    texts = (f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items())
-    return [word(language, "lengths", lengths=",  ".join(texts))]
+    texts = [f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items()]
+    told = (("lengths", texts), ("fixed places", [*_places(study.form.mechanism, language)]))
+    return [word(language, key, given=",  ".join(texts)) for key, texts in told if 0 < len(texts) <= MOST_LENGTHS]
+
+
+def _places(form: MechanismTable, language: str) -> Iterator[str]:
+    """Tell the fixed points, if there are several, and the guides that lie elsewhere than along x from the origin."""
+    for name, at in form.frame.items() if len(form.frame) > 1 else ():
+        yield f"{with_index(name)} {_place(at, language)}"
+    for slide in form.slides:
+        if isinstance(slide.along, LineTable) and slide.along.link == FRAME:
+            through, angle = slide.along.place(form.frame), slide.along.angle
+            if through and any((*through, angle)):
+                parts = {"place": _place(through, language), "angle": number(float(angle), language)}
+                yield word(language, "guide of frame", link=slide.link, **parts)
+
+
+def _place(at: Place, language: str) -> str:
+    sizes = (number(1000 * float(size), language) for size in at)
+    return f"({'; '.join(sizes)})"
 
 
 def _gaps(comparison: MotionComparison, language: str) -> list[str]:

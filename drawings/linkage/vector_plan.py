@@ -201,10 +201,18 @@ def _letter(shown: VectorDiagram, place: Place, box: Field, drafting: Drafting, 
     hand = drafting.hand
     yield Group(tuple(letter_images(_images(shown, place), hand.letter, labels)))
     for rule in shown.turned:
-        nearby = draw_nearby(rule, box, labels.ink, hand) if place.length(rule.size) >= LEAST else None
+        told = rule._replace(letter=drafting.letter(with_index(_coriolis(shown, rule.letter))))
+        nearby = draw_nearby(told, box, labels.ink, hand) if place.length(rule.size) >= LEAST else None
         yield from () if nearby is None else (nearby,)
     parts = letter_parts(_parts(shown, place, drafting), labels, hand, shown.name)
     yield from (parts,) if parts.strokes else ()
+
+
+def _coriolis(shown: VectorDiagram, name: str) -> str:
+    """Name a Coriolis part as the vector of the plan that it is: a^k_A3A for a^k_A."""
+    image = name.removeprefix("a^")
+    letters = (letter for (_, end), names in shown.parts.items() if end.name == image for letter in names)
+    return next((letter for letter in letters if letter.startswith("a^k_")), name)
 
 
 def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[LaidPart]:

@@ -226,11 +226,10 @@ def sketched(scene: Scene, mechanism: Mechanism) -> SchemePose:
         size = abs(crank[drive.end] - crank[drive.pivot])
         points[drive.end] = points[drive.pivot] + cmath.rect(size, math.radians(first))
     for link in mechanism.links.values():
-        first, second, *_ = (*(name for name in link.points if name in points), "", "")
-        if second and (far := link.points[second] - link.points[first]):  # the others follow by its shape
-            turn = cmath.rect(1.0, cmath.phase((points[second] - points[first]) / far))
-            shaped = {name: points[first] + turn * (at - link.points[first]) for name, at in link.points.items()}
-            points = shaped | points
+        start, end, *_ = (*(name for name in link.points if name in points), "", "")
+        if end and (far := link.points[end] - link.points[start]):  # the others follow by its shape
+            turn = cmath.rect(1.0, cmath.phase((points[end] - points[start]) / far))
+            points = {k: points[start] + turn * (at - link.points[start]) for k, at in link.points.items()} | points
     wanted = {name for link in mechanism.links.values() for name in link.points}
     if lacking := sorted(wanted - points.keys()):
         line, column = scene.place(("mechanism", "sketch") if mechanism.sketch else ("mechanism",))
