@@ -201,8 +201,7 @@ class _BalanceSheet(Balanced):
             places = {name: spot for name, spot in self.points.items() if name != self.mechanism.drive.pivot}
             places |= {f"m_cw{weight.link}": self.at(weight.link, weight.centre) for weight in self.weights(state)}
             places[CENTRE] = self.centre(state)
-            for name, place in places.items():
-                yield Expected(Kind.POINT, plan, name, place, slack, k)
+            yield from (Expected(Kind.POINT, plan, name, place, slack, k) for name, place in places.items())
             yield from (Expected(Kind.VECTOR, plan, v.name, v.value, slack, k, True) for v in self.chain(state))
 
     def polygon(self) -> Iterator[Expected]:

@@ -82,7 +82,6 @@ class ShakingHodograph(NamedTuple):
         return explained(room._replace(heading=heading_width(title, hand)), self._further(drafting), hand)
 
     def _further(self, drafting: Drafting) -> list[str]:
-        """Say which is which, where there are two."""
         return [drafting.word("thin before")] if len(self.vectors) > 1 else []
 
     def draw(self, room: Picture, spot: Spot, drafting: Drafting) -> Part:

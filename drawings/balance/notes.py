@@ -209,7 +209,6 @@ class BalanceNotes(NamedTuple):
                 yield self.drafting.word("variable main point", link=stem.link, share=self._number(share))
 
     def _share(self, stem: Stem) -> float:
-        """Give the share of the whole mass that a link bears with all that follow it."""
         return sum(self._body(link).mass for link in self.tree.behind(stem.link)) / self.equations.mass
 
     def counterweights(self) -> Iterator[str]:

@@ -122,7 +122,6 @@ def looks_of(rows: Sequence[Timed]) -> dict[str, Series]:
 
 
 def _series(axes: Axes, name: str, look: Series, spots: Sequence[Spot]) -> None:
-    """Draw a technique's line, its markers growing along it, and one of each for the legend."""
     face = "black" if look.filled else "white"
     axes.plot([time for time, *_ in spots], [error for _, error, _ in spots], look.line, color="black", linewidth=0.8)
     for time, error, positions in spots:
@@ -132,7 +131,6 @@ def _series(axes: Axes, name: str, look: Series, spots: Sequence[Spot]) -> None:
 
 
 def _level(axes: Axes, error: float, text: str, above: float) -> None:
-    """Rule an error across, its name at the left, so many points above the line."""
     axes.axhline(error, color=GREY, linewidth=0.8, linestyle=(0, (6, 2)))
     axes.annotate(
         text, (0.0, error), (4, above), xycoords=("axes fraction", "data"), textcoords="offset points", fontsize=7,

@@ -35,13 +35,9 @@ def cells_of(centre: InstantCentre | None, drafting: Drafting) -> tuple[str, str
         return "—", "—", "—"
     over = ", ".join(map(str, centre.over)) or drafting.word("centre pair")
     if centre.infinite:
-        return over, "∞", f"{written(_angle(centre.place), drafting)}°"
+        return over, "∞", f"{written(round(math.degrees(cmath.phase(centre.place)), PLACES) % HALF, drafting)}°"
     x, y = (written(1000 * part, drafting) for part in (centre.place.real, centre.place.imag))
     return over, x, y
-
-
-def _angle(way: complex) -> float:
-    return round(math.degrees(cmath.phase(way)), PLACES) % HALF
 
 
 def spun(comparison: CentresComparison) -> list[tuple[Quantity, Quantity]]:

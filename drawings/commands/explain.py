@@ -161,7 +161,6 @@ def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
 
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
-    """Say which marks there are, and which of them may have been meant."""
     near = difflib.get_close_matches(name, [known for answer in none for known in answer.names], 1)
     examples = ", ".join(example for answer in none for example in answer.examples)
     also = (message("mark.also", examples=examples),) if examples else ()
@@ -220,7 +219,6 @@ def _short(part: str) -> str:
 
 
 def _named(mark: Mark, of: Explanation, language: str) -> str:
-    """Name a mark by its letters; one that has words for its name by those of the language."""
     name = letter(language, written(term(language, "mark_name", mark.name), language))
     if " " in mark.name and name == mark.name:
         name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))

@@ -43,7 +43,6 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
-    """Give the table of the characteristic positions, with how sharp each is."""
     found = study.of(CyclogramStudy).cyclogram
     heads = "characteristic position", *(HEADS if found.sliding else SWINGS), "condition"
     yield from header([drafting.word(head) for head in heads])

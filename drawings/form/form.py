@@ -95,14 +95,9 @@ def measure(figure: LaidFigure, drafting: Drafting) -> Picture:
         mid = complex(wide, high) / 2
         return Picture(f"axes-{figure.name}", wide, high, mid, "l", "mm", margins, width, 0.0, exact=1.0)
     left, low, right, high = figure.reach
-    middle = _zero(figure) + complex(right - left, high - low) / 2
-    return Picture(figure.name, left + right, low + high, middle, figure.letter, figure.unit, margins, width, 0.0)
-
-
-def _zero(figure: LaidFigure) -> complex:
-    """Give where the pole lies in the figure's own measure: of a mechanism it is a fixed point of the scene."""
     x, y = map(float, figure.pole.get("value", "0 0").split()) if figure.what == FRAME else (0.0, 0.0)
-    return complex(x, y)
+    middle = complex(x, y) + complex(right - left, high - low) / 2
+    return Picture(figure.name, left + right, low + high, middle, figure.letter, figure.unit, margins, width, 0.0)
 
 
 def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
@@ -124,7 +119,6 @@ def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: 
 
 
 def _box(room: Picture, place: Place) -> Field:
-    """Give the paper that is left for the figure, mm."""
     middle, half = place.on(room.middle), complex(room.wide, room.high) / place.scale.mu / 2
     low, high = middle - half, middle + half
     return Field(low.real, low.imag, high.real, high.imag)
@@ -165,7 +159,6 @@ def _data(figure: LaidFigure, place: Place, kind: str, name: str, value: complex
 
 
 def _guides(fixed: Fixed, room: Picture, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the line of each guide through its place from side to side, and ground at its ends."""
     box = _box(room, place)
     for guide in fixed.guides:
         ends = _across(place.on(guide.through), guide.direction, box)

@@ -123,7 +123,6 @@ def _is_table(value: Any) -> bool:
 
 
 def _worded(of: str, name: str, language: str) -> str:
-    """Word a table, a key or a value; one that no words are known of by its own name."""
     path, _, last = name.rpartition(".")
     known = words(language)
     phrase = next((known[key] for key in (f"{of}.{name}", f"{of}.{path}.*", f"{of}.{last}") if key in known), None)
@@ -362,7 +361,6 @@ def _table(name: str, positions: tuple[int, ...], texts: Sequence[Text], known: 
 
 
 def _marked(text: Text) -> str:
-    """Give the lettering of a text as it is marked up."""
     if isinstance(text.content, str):
         return text.content
     marks = {-1: "_{%s}", 0: "%s", 1: "^{%s}"}

@@ -70,8 +70,6 @@ class Graded(NamedTuple):
 
 
 class _FoundOnSheet(NamedTuple):
-    """What of that is found on a sheet."""
-
     plans: Sequence[DrawnPlan]
     figures: Mapping[str, Sequence[DrawnFigure]]
     tables: Drawn
@@ -145,7 +143,10 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
         on_form = plan.place in placed and (plan.lettered or plan.plan == POSITIONS.plan)
         due = on_form if placed else plan.lettered or traced
         if plan.sheet in sheets and due and plan.place not in there:
-            yield from _missing(plan)
+            for vector in plan.vectors:
+                yield Verdict(
+                    plan.plan, plan.position, vector.name, verdict.MISSING, unit=plan.unit, letters=vector.letters
+                )
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
     filled = places_filled(sheet) if "form" in sheet.measured.metadata or every_axes(sheet) or placed else None
@@ -166,12 +167,6 @@ def _workings(sheet: SeenSheet, tables: Drawn) -> Iterator[Text]:
     for text in texts(sheet.leaf.groups) if notes else ():  # of a form that is taken apart nothing tells what is given
         if text.at not in given and WORKING.fullmatch(text.plain):
             yield text
-
-
-def _missing(plan: PlanAsked) -> Iterator[Verdict]:
-    """Name the vectors of a plan that is not drawn at all."""
-    for vector in plan.vectors:
-        yield Verdict(plan.plan, plan.position, vector.name, verdict.MISSING, unit=plan.unit, letters=vector.letters)
 
 
 def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:

@@ -184,12 +184,9 @@ class Judge:
             return back or PARTS.get(vector.name.partition("_")[0], verdict.REVERSED)
         if self._carried_mirrored(vector, value):
             return verdict.SIMILAR
-        if self._turned_over(vector, value):
+        other = None if vector.found is None else turned_over(vector.found.span.end)  # where its loci meet again
+        if vector.start == "" and other is not None and abs(value - other) <= self.allowed[vector.letters]:
             return verdict.BRANCH
-        return self._off(vector, value)
-
-    def _off(self, vector: VectorAsked, value: complex) -> str:
-        """Tell whether only the size or only the direction of a vector is wrong."""
         allowed = self.allowed[vector.letters]
         if not vector.start and not vector.letter:  # a point
             return verdict.WRONG
@@ -230,11 +227,6 @@ class Judge:
         start, end = vector.found.span
         there = mirrored(end, self.places)
         return there is not None and abs(value - (there - self.places.get(start, 0j))) <= self.allowed[vector.letters]
-
-    def _turned_over(self, vector: VectorAsked, value: complex) -> bool:
-        """Tell whether a point is at the other of the two places where its loci meet."""
-        other = None if vector.found is None else turned_over(vector.found.span.end)
-        return vector.start == "" and other is not None and abs(value - other) <= self.allowed[vector.letters]
 
     def _whole(self) -> tuple[str, Callable[[complex], complex]] | None:
         """Tell in what a plan is out as a whole, and how its vectors become right then."""

@@ -45,7 +45,6 @@ def sheet_task(originals: Originals) -> SheetTask:
 
 
 def _of_plan(plan: PlanAsked) -> Iterator[tuple[str, tuple[Message, ...]]]:
-    """Give the steps by which the vectors of a plan are found, by their names."""
     for vector in plan.vectors:
         if vector.found is not None:
             yield vector.name, tuple(_steps(max(vector.found.span, key=lambda mark: mark.number)))
@@ -54,7 +53,6 @@ def _of_plan(plan: PlanAsked) -> Iterator[tuple[str, tuple[Message, ...]]]:
 
 
 def _of_curves(figures: Sequence[FigureAsked]) -> Iterator[tuple[str, tuple[Message, ...]]]:
-    """Give by what the values of curves are found, by their names."""
     for figure in figures:
         if figure.why is not None:
             hint = _hint(plan_named(figure.plan), figure.why)
@@ -98,7 +96,6 @@ def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
 
 
 def _drawn(task: SheetTask) -> Iterator[Verdict]:
-    """Give a verdict on each quantity that is drawn."""
     for plan in task.plans:
         names = (*(vector.name for vector in plan.vectors), *plan.ways)
         yield from (Verdict(plan.plan, plan.position, name, RIGHT) for name in names)

@@ -74,7 +74,6 @@ class TitleCell(NamedTuple):
 
     @property
     def _room(self) -> tuple[float, float]:
-        """The graph along and across its line of writing, mm."""
         return (self.height, self.width) if self.rotation % 180 else (self.width, self.height)
 
     def _takes(self, lines: list[str], size: float) -> bool:
@@ -130,7 +129,6 @@ def _broken(plain: str, size: float, room: float) -> list[str]:
 
 
 def _cut(line: str, size: float, room: float) -> str:
-    """Cut a line that is too long, with an ellipsis."""
     if _long(line, size) <= room:
         return line
     kept = bisect(range(1, len(line) + 1), room, key=lambda count: _long(f"{line[:count]}{ELLIPSIS}", size))

@@ -242,7 +242,6 @@ def _box(places: list[complex]) -> Box:
 
 
 def _scale(size: str | None, unit: str | None) -> MarkScale | None:
-    """Read a scale that a mark states; of a stranger's that is no number there is none."""
     try:
         found = MarkScale(float(size or ""), unit or "")
     except ValueError:

@@ -71,22 +71,19 @@ class WeightBounds:
     def findings(self, ours: Balance, theirs: Balance) -> Iterator[Quantity]:
         """Compare every counterweight, and every mass that stays."""
         for weight, other in zip(ours.counterweights, theirs.counterweights, strict=True):
-            yield from self._of(weight, other)
+            slack, link = self.slack(weight.link), weight.link
+            named = COUNTERWEIGHTS, f"U_{link}", "kg*m"
+            yield Quantity.of(named, (weight.moment, other.moment), slack, max(abs(weight.moment), slack))
+            off = 2 * EPS * weight.mass + uncertain(weight, slack)
+            yield Quantity.of((COUNTERWEIGHTS, f"m_cw{link}", "kg"), (weight.mass, other.mass), off, weight.mass)
+            if weight.needed and other.needed:
+                place = slack / weight.mass + weight.distance * (4 * EPS + uncertain(weight, slack) / weight.mass)
+                named, far = (COUNTERWEIGHTS, f"r_cw{link}", "m"), abs(weight.centre) + weight.distance
+                yield Quantity.of(named, (weight.centre, other.centre), place, far)
         largest = max((abs(mass) for mass in ours.left.values()), default=0.0)
         for point in dict.fromkeys((*ours.left, *theirs.left)):
             pair = ours.left.get(point, 0j), theirs.left.get(point, 0j)
             yield Quantity.of((COUNTERWEIGHTS, f"m_{point}", "kg"), pair, self.loose(point), largest)
-
-    def _of(self, weight: Counterweight, other: Counterweight) -> Iterator[Quantity]:
-        slack, link = self.slack(weight.link), weight.link
-        named = COUNTERWEIGHTS, f"U_{link}", "kg*m"
-        yield Quantity.of(named, (weight.moment, other.moment), slack, max(abs(weight.moment), slack))
-        off = 2 * EPS * weight.mass + uncertain(weight, slack)
-        yield Quantity.of((COUNTERWEIGHTS, f"m_cw{link}", "kg"), (weight.mass, other.mass), off, weight.mass)
-        if weight.needed and other.needed:
-            place = slack / weight.mass + weight.distance * (4 * EPS + uncertain(weight, slack) / weight.mass)
-            named, far = (COUNTERWEIGHTS, f"r_cw{link}", "m"), abs(weight.centre) + weight.distance
-            yield Quantity.of(named, (weight.centre, other.centre), place, far)
 
 
 class ComparedPositions(NamedTuple):
@@ -289,7 +286,6 @@ def frame_holds(forces: Kinetostatics) -> tuple[Complexes, Floats]:
 
 
 def _judged(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Quantity:
-    """Put two beside each other where both have an answer."""
     ours, theirs = pair
     theirs = np.where(np.isnan(theirs), ours, theirs)
     return Quantity.of((plan, name, unit), (np.where(np.isnan(ours), theirs, ours), theirs), allowed, largest)

@@ -150,7 +150,13 @@ class Drawing:
 def centre_drawing(points: MainPoints, accelerations: Plan) -> Drawing:
     """Draw the mass centre over the positions of an acceleration plan, and the inertia forces there."""
     main, turned = by_main_points(points, accelerations)
-    polygon, shaking = _moments(points, accelerations.positions), _forces(points, accelerations)
+    board = Board(POLYGON)
+    pole = board.given("0", 0j, because("static_start"))
+    vectors = [
+        (link, board.turn(f"m_{link}r_S{link}", mark, points.body(link).mass, because("moment_of_link", link=link)))
+        for link, mark in _centres(points, accelerations.positions)
+    ]
+    polygon, shaking = _chain(board, pole, vectors, "mr_S"), _forces(points, accelerations)
     place = polygon.board.turn("r_S", polygon.end, 1 / points.mass, because("over_mass"))
     force = shaking.board.turn("Φ", turned.end, -points.mass, because("main_vector"))
     return Drawing(main, polygon, place, turned, force, shaking, _moment(points, accelerations, shaking))
@@ -198,19 +204,7 @@ def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str)
     return VectorChain(board, pole, tuple(sides))
 
 
-def _moments(points: MainPoints, positions: Plan) -> VectorChain:
-    """Lay the static moments of the links off end to end (figure 8.5)."""
-    board = Board(POLYGON)
-    pole = board.given("0", 0j, because("static_start"))
-    vectors = [
-        (link, board.turn(f"m_{link}r_S{link}", mark, points.body(link).mass, because("moment_of_link", link=link)))
-        for link, mark in _centres(points, positions)
-    ]
-    return _chain(board, pole, vectors, "mr_S")
-
-
 def _centres(points: MainPoints, plan: Plan) -> Iterator[tuple[int, Mark]]:
-    """Give the images of the mass centres of all links that have mass."""
     for stem in points.tree.stems:
         body = points.body(stem.link)
         if body.mass:

@@ -247,7 +247,6 @@ def _centre(centre: MassCentre, vectors: Mapping[int, complex], datum: complex) 
 
 
 def _weight(weight: Counterweight) -> dict[str, Any]:
-    """Give a counterweight; one that is not needed has a mass of 0 and no place."""
     moment = _vector(weight.moment)
     data: dict[str, Any] = {"on": weight.link, "mass": weight.mass, "moment": moment, "begin": weight.begin}
     if not weight.needed:

@@ -41,7 +41,6 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
 
 
 def _lengths(form: BalanceTable) -> Iterator[tuple[Path, Decimal]]:
-    """Give the lengths m that a scene states."""
     for number, weight in enumerate(form.counterweights):
         sizes = {"radius": weight.radius, "at": weight.at, "thickness": weight.thickness}
         path: Path = ("balance", "counterweights", number)

@@ -208,7 +208,6 @@ class Superposition:
         return np.asarray(first + share * step)
 
     def _borne(self, share: float) -> Complexes:
-        """Superpose reaction and moment at a share."""
         (first, step, mass, turning), here = self._bears, self.burden(share)
         more, slower = here.mass - self.first.mass, here.inertia - self.first.inertia
         return np.asarray(first + share * step + more * mass + slower * turning)

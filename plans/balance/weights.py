@@ -69,7 +69,6 @@ def line_of(mechanism: Mechanism, link: int, begin: str) -> complex:
 
 
 def _mass(place: Site, need: SumTerm, begin: str, along: complex) -> float:
-    """Find the mass: the given one, or that of a radius, of a place on the link's line, or of a sector."""
     if place.mass is not None:
         return place.mass
     if place.radius is not None:

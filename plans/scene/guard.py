@@ -111,7 +111,6 @@ class Places:
         return path
 
     def _last(self, path: Path) -> Path:
-        """Lead into the last table of an array of tables."""
         return (*path, self._arrays[path]) if path in self._arrays else path
 
     def _repeat(self, path: Path, first: int | None, second: int) -> None:

@@ -242,7 +242,6 @@ class _Own:
         return (quantity if self.sought[1] in POSITIONS else f"{quantity} ({row})"), row
 
     def _worded(self, key: Key) -> tuple[str, str]:
-        """Give the quantity of a cell and its unit."""
         label, head = self.labels[key[0]], self.heads[key[2]]
         named = head if self.across else label
         unit = next((text.plain.rpartition(", ")[2] for text in (head, label) if ", " in text.plain), "")
@@ -270,7 +269,6 @@ def _altered(row: Expected, others: Sequence[Alteration]) -> tuple[tuple[str, Ex
 
 
 def _bare(plain: str) -> str:
-    """Give the name of a quantity without its unit."""
     return plain.rpartition(", ")[0] if ", " in plain else plain
 
 

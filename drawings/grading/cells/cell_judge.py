@@ -256,20 +256,13 @@ class CellJudge:
 
 
 def _apart(value: float, true: float, unit: str) -> float:
-    """Give how far a value is from the true one; a whole turn is nothing."""
     return abs(math.remainder(value - true, FULL)) if unit == DEGREE else abs(value - true)
 
 
 def _factors(unit: str) -> Iterator[tuple[str, float, str]]:
     """Give by what a number is out that is told in another unit, or twice."""
-    for power in POWERS:
-        yield verdict.DECADE, 10.0**power, f"10^{power}"
-        yield verdict.DECADE, 10.0**-power, f"10^-{power}"
-    if unit in ANGLES:
-        yield verdict.DEGREES, A_RADIAN, ""
-        yield verdict.DEGREES, 1 / A_RADIAN, ""
-    if unit in SPEEDS:
-        yield verdict.TURNS, A_MINUTE, ""
-        yield verdict.TURNS, 1 / A_MINUTE, ""
-    yield verdict.TWICE, 2.0, ""
-    yield verdict.TWICE, 0.5, ""
+    yield from ((verdict.DECADE, 10.0**power, f"10^{power}") for size in POWERS for power in (size, -size))
+    for kind, times, units in (
+        (verdict.DEGREES, A_RADIAN, ANGLES), (verdict.TURNS, A_MINUTE, SPEEDS), (verdict.TWICE, 2.0, (unit,))
+    ):  # fmt: skip
+        yield from ((kind, factor, "") for factor in (times, 1 / times) if unit in units)

@@ -262,5 +262,4 @@ class _OnAxis:
 
 
 def _hits(curve: Complexes, spots: Complexes) -> int:
-    """Count the places that a curve goes through."""
     return int((away(curve, spots) <= THROUGH).sum())

@@ -148,5 +148,4 @@ class _GradedDynamics:
         )  # fmt: skip
 
     def _aside(self, key: str, names: Sequence[str], true: Complexes, **how: Any) -> Iterator[FigureAsked]:
-        """Give what stands beside the loop."""
         yield from self.sheet.figure(key, LOOP, {(name, None): k for k, name in enumerate(names)}, true, **how)

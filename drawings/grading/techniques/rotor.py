@@ -206,8 +206,7 @@ def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
         yield Found(vector.name, side, slips=tuple(_lacking(expected, state, vector)))
     if corners:
         yield Found(CENTRE, Span(corners[0].start, corners[-1].end))
-    for name, place in expected.points.items():
-        yield Found(name, Span(datum, board.given(name, place)))
+    yield from (Found(name, Span(datum, board.given(name, place))) for name, place in expected.points.items())
     for weight in expected.weights(state):
         place, begin = (expected.at(weight.link, spot) for spot in (weight.centre, weight.origin))
         name, other = f"m_cw{weight.link}", Slip(verdict.HEAVY, 2 * begin - place)
