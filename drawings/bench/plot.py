@@ -140,12 +140,8 @@ def _level(axes: Axes, error: float, text: str, above: float) -> None:
 
 def _untimed(axes: Axes, rows: Sequence[Timed]) -> None:
     """Draw the hands beside: from the median of all quantities to the worst."""
-    hands = [
-        (f"{slip:g}\n{row.technique[:3]}", row.errors)
-        for row in rows
-        for slip in SLIPS
-        if row.errors and row.technique.endswith(BY_HAND.format("", slip))
-    ]
+    pairs = ((row, slip) for row in rows for slip in SLIPS if row.technique.endswith(BY_HAND.format("", slip)))
+    hands = [(f"{slip:g}\n{row.technique[:3]}", row.errors) for row, slip in pairs if row.errors]
     for place, (_, errors) in enumerate(hands):
         axes.plot([place, place], [errors.typical, errors.worst], color="black", linewidth=0.9)
         axes.plot(place, errors.worst, "_", markersize=9, color="black")

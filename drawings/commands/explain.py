@@ -136,11 +136,8 @@ def _quantity(study: Study, name: str) -> Quantity | None:
     wanted = {name, f"Σ{name}", f"{letter_only} {of}"}
     if [cam.cam.name for cam in cams] == [of]:
         wanted.add(letter_only)
-    listed = [
-        (quantity.name.translate(SIGNS), quantity)
-        for row in reversed(study.techniques)
-        for quantity in study.quantities(row)
-    ]
+    every = (quantity for row in reversed(study.techniques) for quantity in study.quantities(row))
+    listed = [(quantity.name.translate(SIGNS), quantity) for quantity in every]
     exact = (quantity for letters, quantity in listed if letters in wanted)
     return next(exact, next((quantity for letters, quantity in listed if letters.partition(" ")[0] == name), None))
 

@@ -65,8 +65,7 @@ class OnSheet:
     """The figures of a scene's sheets, by which lengths of a record are told in mm."""
 
     def __init__(self, study: Study, position: int) -> None:
-        leaves = laid_out(study)
-        self.drawn = [*_drawn(leaf for group in leaves.values() for leaf in group)]
+        self.drawn = [*_drawn(leaf for group in laid_out(study).values() for leaf in group)]
         self.position = str(position)
 
     def scale(self, board: str, name: str, unit: str) -> float | None:

@@ -29,8 +29,7 @@ def headline(study: Study) -> str:
 
 def remarks(study: Study) -> list[Message]:
     """Warn of what no notches lead back from."""
-    found = study.of(CyclogramStudy)
-    trial = not all(stage.notched for stage in found.cyclogram.positions)
+    trial = not all(stage.notched for stage in study.of(CyclogramStudy).cyclogram.positions)
     return [message("sheet.cyclogram by trial")] if trial else []
 
 

@@ -345,7 +345,6 @@ def _of_seal(source: bytes) -> Iterator[Flaw]:
     if sealed(source):
         return
     if not source.rstrip().endswith(END):
-        lines = source.count(b"\n") + 1
-        yield Flaw("torn", message("checked.torn", bytes=len(source), line=lines))
+        yield Flaw("torn", message("checked.torn", bytes=len(source), line=source.count(b"\n") + 1))
     else:
         yield Flaw("seal", message("checked.broken" if SEAL in source else "checked.unsealed"))

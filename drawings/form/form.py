@@ -146,9 +146,8 @@ def _frame(figure: LaidFigure, fixed: Fixed, place: Place, hand: Hand) -> Iterat
         radius = symbols.HINGE * hand.symbol
         if name in fixed.hinges:
             yield from symbols.fixed_hinge(at, hand, radius)
-        circle = (
-            symbols.hinge(at, hand)[0] if name in fixed.hinges else Circle(at, symbols.POINT * hand.symbol, hand.body)
-        )
+        bare = Circle(at, symbols.POINT * hand.symbol, hand.body)
+        circle = symbols.hinge(at, hand)[0] if name in fixed.hinges else bare
         yield Group((circle,), "", _data(figure, place, kind, name, value), name)
 
 
@@ -195,8 +194,7 @@ def _graph(figure: LaidFigure, fixed: Fixed, spot: Spot, drafting: Drafting) -> 
     hand, box = drafting.hand, spot.box
     wide, high = (share * hand.letter for share in AXES)
     zero = complex(box.centre.real - wide / 2, box.bottom + MARGINS[1] * hand.letter + high / 2)
-    under = ";  ".join(figure.scales) or " "
-    head = heading(box, figure.heading.title, under, hand)
+    head = heading(box, figure.heading.title, ";  ".join(figure.scales) or " ", hand)
     ticks = [symbols.tick(zero + wide * (k + 1) / (fixed.positions + 1), 1 + 0j, hand) for k in range(fixed.positions)]
     axes = (*arrow(zero, zero + wide, hand), *arrow(zero - 0.5j * high, zero + 0.5j * high, hand))
     data = {"kind": "axes", "plan": figure.name}

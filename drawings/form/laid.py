@@ -300,10 +300,8 @@ def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: st
 
 def _loose(group: Group) -> list[Text]:
     """Give the letters of a figure that stand in its own groups, the headings left out."""
-    lettering = [
-        stroke for stroke in group.strokes if isinstance(stroke, Group) and not stroke.data and _heading(stroke) is None
-    ]
-    return [text for part in lettering for text in part.strokes if isinstance(text, Text)]
+    own = (stroke for stroke in group.strokes if isinstance(stroke, Group) and not stroke.data)
+    return [text for part in own if _heading(part) is None for text in part.strokes if isinstance(text, Text)]
 
 
 def _level(text: Text) -> str:

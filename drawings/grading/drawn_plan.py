@@ -82,11 +82,8 @@ class DrawnPlan:
     @property
     def fitted(self) -> float:
         """The scale by which it is nearest to what is asked for: of a plan on which none is written."""
-        pairs = [
-            (vector.true, self.arrows[vector.letters].vector)
-            for vector in self.asked.vectors
-            if vector.letters in self.arrows
-        ]
+        there = (vector for vector in self.asked.vectors if vector.letters in self.arrows)
+        pairs = [(vector.true, self.arrows[vector.letters].vector) for vector in there]
         size = sum(abs(vector) ** 2 for _, vector in pairs)
         return abs(sum(true * vector.conjugate() for true, vector in pairs)) / size if size else 1.0
 

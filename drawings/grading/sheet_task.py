@@ -88,10 +88,9 @@ def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
     names = (*(quantity.name for quantity in drawn), *(cell.quantity for cell in cells))
     slips = {key for name in names for key in (name, name.partition("_")[0])}
     idle = [f"points.{key}" for key in marking.points if key not in points]
-    figures = {
-        plan for quantity in (*drawn, *verdicts) for plan in (quantity.plan, *re.split("[- ]", quantity.plan)[:1])
-    }
-    idle += [f"caps.{key}" for key in marking.caps if key not in {*figures, OTHERS}]
+    plans = {quantity.plan for quantity in (*drawn, *verdicts)}
+    figures = {*plans, *(re.split("[- ]", plan)[0] for plan in plans), OTHERS}
+    idle += [f"caps.{key}" for key in marking.caps if key not in figures]
     return (*idle, *(f"tolerance.{key}" for key in marking.tolerance if key not in slips))
 
 

@@ -144,8 +144,7 @@ def _factor(text: str) -> tuple[Worth, ...]:
     power = re.search(rf"(?:{_POWER.pattern}|\^\({_POWER.pattern}\))$", text)
     if power is None or text == "1":
         return tuple(_atoms(text))
-    times = int(power[1] or power[2])
-    return tuple(_raised(text[: power.start()], times))
+    return tuple(_raised(text[: power.start()], int(power[1] or power[2])))
 
 
 def _raised(text: str, power: int) -> Iterator[Worth]:

@@ -112,9 +112,7 @@ class ReadPlan:
         if value is None:
             value = self.drawn.between(start, end)
         if value is None:
-            there = tuple(
-                f"{vector.name}" for vector in self.drawn.asked.vectors if vector.letters in self.drawn.arrows
-            )
+            there = tuple(one.name for one in self.drawn.asked.vectors if one.letters in self.drawn.arrows)
             where = plan_told(self.name, self.position)
             raise NotDrawnError(message("accept.no_vector", plan=where, name=name, names=there).worded(self.language))
         return ReadVector(name, value, self.drawn.asked.unit)

@@ -52,11 +52,8 @@ class Item(NamedTuple):
 def items(leaf: Leaf) -> list[Item]:
     """List what inks a sheet, from back to front."""
     tables = leaf.metadata.get("rows", {})
-    return [
-        item
-        for top, group in enumerate(leaf.groups)
-        for item in _within(group, Home(top, group.name, _lettering(group, tables)))
-    ]
+    homes = ((group, Home(top, group.name, _lettering(group, tables))) for top, group in enumerate(leaf.groups))
+    return [item for group, home in homes for item in _within(group, home)]
 
 
 def inside(stroke: Stroke, figure: str) -> list[Item]:
@@ -65,8 +62,7 @@ def inside(stroke: Stroke, figure: str) -> list[Item]:
 
 
 def _lettering(group: Group, tables: object) -> str:
-    stem = group.name.rpartition("-")[0]
-    if isinstance(tables, Mapping) and stem in tables:
+    if isinstance(tables, Mapping) and group.name.rpartition("-")[0] in tables:
         return "cell"
     if group.name.startswith("equations-"):
         return "equation"

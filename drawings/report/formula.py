@@ -234,12 +234,8 @@ def drawn(leaves: Mapping[str, Sequence[Leaf]], language: str) -> Iterator[str]:
 
 def see(leaves: Mapping[str, Sequence[Leaf]], language: str, *starts: str) -> Iterator[str]:
     """Refer to the figures whose names begin so, sheet by sheet; to none where there are none."""
-    lines = [
-        word(language, "report.on_sheet", number=_number(leaf), figures=", ".join(figures))
-        for group in leaves.values()
-        for leaf in group
-        if (figures := _headings(leaf, starts, language))
-    ]
+    told = ((leaf, _headings(leaf, starts, language)) for group in leaves.values() for leaf in group)
+    lines = [word(language, "report.on_sheet", number=_number(leaf), figures=", ".join(on)) for leaf, on in told if on]
     if lines:
         yield f"\n{word(language, 'report.see', sheets='; '.join(lines))}"
 

@@ -92,10 +92,8 @@ class _TransferSheet:
             yield curve._replace(title=title, name=f"transfer-{order + 1}")
 
     def _tables(self) -> Iterator[RuledTable]:
-        lines = [
-            value_table.value_row(found, named(found, self.drafting.language), self.positions, self.drafting.language)
-            for found in listed(self.comparison)
-        ]
+        language, rows = self.drafting.language, listed(self.comparison)
+        lines = [value_table.value_row(row, named(row, language), self.positions, language) for row in rows]
         if lines:
             yield value_table.table(lines, self.positions, self.drafting)
 

@@ -172,8 +172,7 @@ def by_main_points(points: MainPoints, accelerations: Plan) -> tuple[VectorChain
 def _main(points: MainPoints, plan: Plan, board: Board, start: Mark, name: str) -> VectorChain:
     """Lay the main-point vectors off end to end, each turned and stretched from an arm of its link on the plan."""
     pole = board.transfer("O" if plan is plan.positions else start.name, start, because("chain_start"))
-    vectors = list(_vectors(points, plan, board))
-    return _chain(board, pole, vectors, name)
+    return _chain(board, pole, list(_vectors(points, plan, board)), name)
 
 
 def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int, Mark]]:
@@ -215,10 +214,8 @@ def _forces(points: MainPoints, accelerations: Plan) -> VectorChain:
     """Lay the inertia forces of the links off end to end: their closing is the main vector once more."""
     board = Board(SHAKING)
     pole = board.given("0", 0j, because("forces_start"))
-    vectors = [
-        (link, board.turn(f"Φ_{link}", mark, -points.body(link).mass, because("inertia_force")))
-        for link, mark in _centres(points, accelerations)
-    ]
+    centres, why = _centres(points, accelerations), because("inertia_force")
+    vectors = [(link, board.turn(f"Φ_{link}", mark, -points.body(link).mass, why)) for link, mark in centres]
     return _chain(board, pole, vectors, "ΣΦ")
 
 
@@ -226,10 +223,8 @@ def _moment(points: MainPoints, accelerations: Plan, shaking: VectorChain) -> Ma
     """Sum the moments of the inertia forces about the datum, and the inertia moments of the links."""
     board, positions = shaking.board, accelerations.positions
     places = dict(_centres(points, positions))
-    moments = [
-        board.moment(f"M(Φ_{side.link})", positions.pole, places[side.link], side.vector, because("about_shaft"))
-        for side in shaking.sides
-    ]
+    rows, why = ((side.link, side.vector) for side in shaking.sides), because("about_shaft")
+    moments = [board.moment(f"M(Φ_{link})", positions.pole, places[link], force, why) for link, force in rows]
     for link, reading in sorted(accelerations.readings.items()):
         inertia = points.body(link).inertia
         if inertia:

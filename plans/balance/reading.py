@@ -135,8 +135,7 @@ def _float(value: Decimal | None) -> float | None:
 
 def survey_of(meaning: Meaning) -> BalanceSurvey:
     """Examine a scene's balancing."""
-    linkage = meaning.of(LinkageSurvey)
-    survey, form = replace(linkage, faults=[]), meaning.scene.of(BalanceForm).balance
+    survey, form = replace(meaning.of(LinkageSurvey), faults=[]), meaning.scene.of(BalanceForm).balance
     for number, weight in enumerate(form.counterweights):
         _check_carrier(survey, ("balance", "counterweights", number), weight)
     if form.aim != NONE:

@@ -178,8 +178,7 @@ def _root(mechanism: Mechanism, stems: Mapping[int, Stem], left: Sequence[int]) 
 
 def _sliding(mechanism: Mechanism, stems: Mapping[int, Stem], left: Sequence[int]) -> Iterator[Stem]:
     """Give the links that slide on the frame, then those that slide on others that are there."""
-    known = (FRAME, *stems)
-    for parent in known:
+    for parent in (FRAME, *stems):
         for slide in mechanism.slides:
             for link, other in ((slide.slider, slide.owner), (slide.owner, slide.slider)):
                 if other == parent and link in left:

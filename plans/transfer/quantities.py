@@ -66,11 +66,8 @@ def _bound(of: TransferFunctions, plan: TurnedPlan) -> Any:
 
 def listed(comparison: TransferComparison) -> list[Quantity]:
     """List what tables tell: all that is anywhere more than rounding."""
-    return [
-        found
-        for found in comparison.findings
-        if np.nanmax(np.abs(found.analysis), initial=0.0) > np.nanmax(found.allowed, initial=0.0)
-    ]
+    sizes = ((found, np.nanmax(np.abs(found.analysis), initial=0.0)) for found in comparison.findings)
+    return [found for found, size in sizes if size > np.nanmax(found.allowed, initial=0.0)]
 
 
 def by_scales(found: Sequence[Quantity], scales: Mapping[str, float], k: int) -> Mapping[tuple[str, int], float]:

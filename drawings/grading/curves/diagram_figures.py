@@ -42,14 +42,11 @@ def load_diagrams(sheet: SceneSheet, statics: Statics) -> Iterator[FigureAsked]:
         marks = {name: mark for (name, _), mark in sheet.marks(plan).items()}
         whole = next((marks[name] for name in WHOLE if name in marks), None)
         if isinstance(whole, MeasuredVector):
-            sizes = {
-                (name, None): k for k, name in enumerate([whole.name, *(name for name in OVERRUNS if name in marks)])
-            }
+            names = (whole.name, *(name for name in OVERRUNS if name in marks))
+            sizes = {(name, None): k for k, name in enumerate(names)}
             yield from sheet.figure(f"{plan} sizes", plan, sizes, kind=LENGTHS, why=because("tool_stroke"))
-            corners = [mark for name, mark in marks.items() if (name, None) not in sizes]
-            yield from _corners(
-                sheet, load, whole, [corner for corner in corners if isinstance(corner, MeasuredVector)]
-            )
+            corners = (mark for name, mark in marks.items() if name not in names)
+            yield from _corners(sheet, load, whole, [mark for mark in corners if isinstance(mark, MeasuredVector)])
 
 
 class Corner(NamedTuple):

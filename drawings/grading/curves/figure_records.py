@@ -212,11 +212,8 @@ class SceneSheet(NamedTuple):
 
     def vectors(self, plan: str) -> dict[int, MeasuredVector]:
         """Give the ordinates of a graph by their positions."""
-        return {
-            vector.position: vector
-            for vector in self.measured.vectors
-            if vector.plan == plan and vector.position is not None
-        }
+        ordinates = (vector for vector in self.measured.vectors if vector.plan == plan)
+        return {vector.position: vector for vector in ordinates if vector.position is not None}
 
     def scales(self, plan: str, *figures: str) -> dict[str, float]:
         """Give the scales that are written over a figure, by their letters."""

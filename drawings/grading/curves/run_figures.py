@@ -114,10 +114,8 @@ class TurnCourses(NamedTuple):
     @property
     def true(self) -> dict[str, Complexes]:
         """The graphs by analysis."""
-        return {
-            name: np.asarray((1 if name == INERTIA else 1j) * row, dtype=np.complex128)
-            for name, row in self.expected.graphs.items()
-        }
+        ways = ((name, row if name == INERTIA else 1j * row) for name, row in self.expected.graphs.items())
+        return {name: np.asarray(row, dtype=np.complex128) for name, row in ways}
 
 
 # Shares of a stage at which its curve is read, by how the instants there are written: of the first, of any other.

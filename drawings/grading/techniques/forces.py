@@ -167,5 +167,4 @@ def _arm(plan: str, letter: str, ends: tuple[complex, complex], direction: compl
     about, at = board.given("about", ends[0]), board.given("at", ends[1])
     along = board.given("along", direction)
     foot = board.meet(name, board.parallel("action", at, along), board.square("square", about, along))
-    slant = Slip(verdict.SLANT, ends[1] - ends[0])
-    return Found(name, Span(about, foot), slips=(slant,))
+    return Found(name, Span(about, foot), slips=(Slip(verdict.SLANT, ends[1] - ends[0]),))
