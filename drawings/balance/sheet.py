@@ -204,10 +204,9 @@ class _BalancingSheet:
         """What the counterweights change, and which they are."""
         shown, drafting = self.shown, self.drafting
         table = costs(self.balance.before, self.balance.loaded, shown.nothing, drafting, self._shaft)
-        weights = self.balance.counterweights
-        if not weights:
-            return (table,)
-        return table, counterweights(weights, shown.bones.mechanism, drafting)
+        weights, mechanism = self.balance.counterweights, shown.bones.mechanism
+        rows = [counterweights(weights, mechanism, drafting)] if weights else []
+        return (table, *rows)
 
 
 SCALES: Final = {"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"}

@@ -58,11 +58,9 @@ class CyclogramNotes(NamedTuple):
         if not self.cams:
             yield self.drafting.word("cyclogram set", setting=self._degrees(self.found.window.start))
         for row in rows_of_cams(self.cams):
-            phases, setting = (
-                (label(span, self.drafting) for span in row.spans),
-                degrees(within(row.setting or 0.0), self.drafting),
-            )
-            yield self.drafting.word("cyclogram cam set", phases=",  ".join(phases), name=row.name, setting=setting)
+            phases = ",  ".join(label(span, self.drafting) for span in row.spans)
+            setting = self._degrees(within(row.setting or 0.0))
+            yield self.drafting.word("cyclogram cam set", phases=phases, name=row.name, setting=setting)
 
     def reading(self) -> Iterator[str]:
         """Say from where angles are counted, and what was not notched."""

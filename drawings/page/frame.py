@@ -252,12 +252,8 @@ def _centring(size: tuple[float, float], field: Field, block: Field) -> Iterator
 
 def _trimming(size: tuple[float, float]) -> Iterator[Fill]:
     """Fill two overlapping rectangles in each corner, for the knife."""
-    for corner, way in (
-        (0j, 1 + 1j),
-        (complex(size[0], 0), -1 + 1j),
-        (complex(*size), -1 - 1j),
-        (1j * size[1], 1 - 1j),
-    ):
-        for wide, high in (TRIMMING, TRIMMING[::-1]):
-            across, up = way.real * wide, 1j * way.imag * high
+    wide, high = size
+    for corner, way in ((0j, 1 + 1j), (wide + 0j, -1 + 1j), (complex(wide, high), -1 - 1j), (1j * high, 1 - 1j)):
+        for long, short in (TRIMMING, TRIMMING[::-1]):
+            across, up = way.real * long, 1j * way.imag * short
             yield Fill((corner, corner + across, corner + across + up, corner + up), INK)

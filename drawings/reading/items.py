@@ -131,17 +131,15 @@ def brought(stroke: Stroke, by: Affine) -> Stroke:
         case Polyline() | Fill():
             return stroke._replace(points=tuple(by(point) for point in stroke.points))
         case Arc(centre, radius, first, last):
-            return stroke._replace(
-                centre=by(centre), radius=radius * size, start_angle=first + turn, end_angle=last + turn
-            )
+            start, end = first + turn, last + turn
+            return stroke._replace(centre=by(centre), radius=radius * size, start_angle=start, end_angle=end)
         case Circle(centre, radius):
             return stroke._replace(centre=by(centre), radius=radius * size)
         case Curve():
             return stroke._replace(pieces=tuple(piece.placed(by.p, by.t) for piece in stroke.pieces))
         case Text():
-            return stroke._replace(
-                at=by(stroke.at), size=stroke.size * size, rotation=stroke.rotation + math.degrees(turn)
-            )
+            rotation = stroke.rotation + math.degrees(turn)
+            return stroke._replace(at=by(stroke.at), size=stroke.size * size, rotation=rotation)
 
 
 STILL = ("frame", "corners", "title-block", "notes")  # what every sheet has, by the names of its groups
@@ -185,7 +183,7 @@ class SheetFigures:
         """The rectangles that figures take, without the frame, which is around all of them."""
         corners: dict[str, list[complex]] = {}
         for item in items(self.leaf):
-            if item.home.figure and item.home.figure != STILL[0] and item.home.figure != STILL[1]:
+            if item.home.figure not in ("", *STILL[:2]):
                 corners.setdefault(item.home.figure, []).extend(spots(item.stroke))
         return {name: _box(places) for name, places in corners.items()}
 

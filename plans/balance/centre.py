@@ -191,7 +191,7 @@ class Centre:
 
     def polygons(self, theirs: MassCentre) -> Iterator[Quantity]:
         """Compare the polygons of static moments and of inertia forces."""
-        place, force = self._row(self.drawing.place, theirs.r), self._row(self.drawing.shaking.end, theirs.force)
+        place, force = self.row(self.drawing.place, theirs.r), self.row(self.drawing.shaking.end, theirs.force)
         static = self.sizes[0] / self.mass
         allowed = self.stretch.allowed(self.summed + self.given / self.mass, PLACE, static)
         yield Quantity.of((CENTRE, f"Σmr/m{self.mark}", "m"), (place, theirs.r), allowed, static)
@@ -208,11 +208,7 @@ class Centre:
             pair = np.array([ours]), np.array([theirs[link]])
             yield Quantity.of((CENTRE, f"h_{link}{self.mark}", "m"), pair, np.array([slack]), size)
 
-    def moments(self, like: MassCentre) -> Complexes:
-        """Give the polygon's sum of all static moments, kg*m, in which nothing is left out that is near to nothing."""
-        return self._row(self.drawing.polygon.end, like.r)
-
-    def _row(self, mark: Any, like: Complexes) -> Complexes:
+    def row(self, mark: Any, like: Complexes) -> Complexes:
         """Give a mark over the positions; where there is no place there is none of it."""
         return np.where(np.isnan(like), np.nan, np.broadcast_to(mark.point, len(like)))
 
@@ -254,7 +250,9 @@ class Centres:
     def _still(self, centre: Centre, ours: MassCentre) -> Quantity:
         """Hold what must rest: the mass centre, but for what is left at sliders and the share that the crank bears."""
         motion, left = self.stretch.motion.construction, self.ours.left
-        moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
+        moving = centre.row(centre.drawing.polygon.end, ours.r) - sum(
+            mass * motion.points[point].r for point, mass in left.items()
+        )
         # What the crank bears of the masses at sliders, kg*m in its frame
         share = self.study.share
         mechanism = self.study.linkage.mechanism

@@ -36,8 +36,6 @@ def forces(lot: Lot) -> str:
     balanced = lot.any((), (), [f'balancing = "{lot.any("coupling", "force")}"'], _gear(lot, one))
     hodograph = lot.some(0.25, 'hodographs = ["0-1"]')
     sheet = ("[sheet]", *(() if one.drive else hodograph), f'reactions = "{lot.any("R", "R", "P", "F")}"')
-    radius = length(one.crank * lot.size(0.08, 0.25, 0.1, 0.2))
-    long = lot.some(0.3, f"length = {length(one.crank * lot.size(1, 2.5, 2))}")
     return rows(
         _motion(lot, one, sheets, omega),
         () if one.drive else balanced,
@@ -45,7 +43,7 @@ def forces(lot: Lot) -> str:
         ("[loads]", *lot.some(0.8, f"gravity = {GRAVITY}")),
         _resistance(lot, one, omega),
         lot.some(0.15, *_spring(lot, one)),
-        lot.some(0.35, *(("[friction]", f"coefficient = {lot.size(0.05, 0.15, 0.1)}", f"radius = {radius}", *long))),
+        lot.some(0.35, *_friction(lot, one)),
         sheet,
     )
 
@@ -196,6 +194,12 @@ def _gear(lot: Lot, one: Linkage) -> Sequence[str]:
     at = f"at = {lot.size(0, 330, 0, 90, 180, 210, 270)}"
     pressure = f"pressure_angle = {lot.size(15, 25, 20, 0):g}"
     return ("[drive.gear]", f"radius = {length(one.crank * lot.size(1.1, 2.5, 1.5, 2))}", at, pressure)
+
+
+def _friction(lot: Lot, one: Linkage) -> Sequence[str]:
+    radius = length(one.crank * lot.size(0.08, 0.25, 0.1, 0.2))
+    long = lot.some(0.3, f"length = {length(one.crank * lot.size(1, 2.5, 2))}")
+    return ("[friction]", f"coefficient = {lot.size(0.05, 0.15, 0.1)}", f"radius = {radius}", *long)
 
 
 def _spring(lot: Lot, one: Linkage) -> Sequence[str]:

@@ -83,12 +83,7 @@ def test_a_drawing_that_an_editor_saved_anew_is_as_it_was(folder: Path, capsys: 
     (folder / NAME).write_text(text, "utf-8")
     code, said = told(capsys, folder / NAME, "--language", "en")
     assert code == 5 and "all that is drawn is as it was" in said.splitlines()[0]
-    leaf = fan().sheets[0].leaf
-    table = next(group for group in leaf.groups if group.name == "masses-1")
-    cell = next(one for one in texts((table,)) if one.plain == "0,09")
-    (folder / NAME).write_bytes(
-        svg(swapped(leaf, cell, cell._replace(content="0,08"))).replace(b"<title>", b" <title>")
-    )
+    (folder / NAME).write_bytes(other_text().replace(b"<title>", b" <title>"))
     assert "all that is drawn is as it was" not in told(capsys, folder / NAME, "--language", "en")[1]
 
 
@@ -102,6 +97,13 @@ def test_corners_drawn_otherwise_are_told(folder: Path, capsys: Capture) -> None
         (folder / NAME).write_text(re.sub(rf'(<{element} [^>]*) stroke-linejoin="round"', r"\1", text), "utf-8")
         code, said = told(capsys, folder / NAME, "--language", "en")
         assert code == 5 and says in said
+
+
+def other_text() -> bytes:
+    leaf = fan().sheets[0].leaf
+    table = next(group for group in leaf.groups if group.name == "masses-1")
+    cell = next(one for one in texts((table,)) if one.plain == "0,09")
+    return svg(swapped(leaf, cell, cell._replace(content="0,08")))
 
 
 @pytest.mark.parametrize(

@@ -92,8 +92,13 @@ class _CamSheet:
     @cached_property
     def _ends(self) -> dict[tuple[str, int | None], int]:
         count = len(self.cam.turned)
-        aside = {("O", None): count, ("R_0", None): count + 1, ("L", None): count + 2}
-        return {**{("D", k): k for k in range(count)}, **aside}
+        places: list[tuple[str, int | None]] = [
+            *(("D", k) for k in range(count)),
+            ("O", None),
+            ("R_0", None),
+            ("L", None),
+        ]
+        return {place: k for k, place in enumerate(places)}
 
     def sizes(self) -> Iterator[FigureAsked]:
         """Give the diagram of the main sizes."""

@@ -107,7 +107,7 @@ class _Answer:
 
     def _stepped(self, start: int, end: int, expected: Complexes) -> bool:
         """Tell whether the step from one place to another is as it is due."""
-        return self._step_off(start, end, expected) <= self.allowed[end] * self.asked.step(start, end)
+        return self._step_off(start, end, expected) <= float(self.allowed[end]) * self.asked.step(start, end)
 
     def _step_off(self, start: int, end: int, expected: Complexes) -> float:
         drawn = self.drawn.values

@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.frame import NUMBERS, TitleCell, write_title
+from drawings.page.frame import NUMBERS, TitleCell, rectangle, write_title
 from drawings.paper.hand import Field, Hand
-from drawings.paper.strokes import Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 
 Segments = tuple[tuple[tuple[int, int], tuple[int, int]], ...]
 
@@ -21,8 +21,7 @@ THICK: Segments = (
 )  # fmt: skip
 THIN: Segments = (
     *(((0, y), (65, y)) for y in (40, 45, 50, 5, 10, 15, 20, 25)),
-    ((140, 20), (140, 35)),
-    ((145, 20), (145, 35)),
+    *(((x, 20), (x, 35)) for x in (140, 145)),
 )
 ROLES = ("drawn", "checked", "technical", "norms", "approved")
 # What is printed in the form; graphs 14 to 18 are the table of changes, 10 the roles.
@@ -103,9 +102,7 @@ def repeated(field: Field, upright: bool) -> Field:
 def extra(field: Field, place: Field, designation: str, name: str, hand: Hand, language: str) -> Iterator[Stroke]:
     """Draw the extra graphs around a field: 19 to 23, 26 at its place, 31 and 32."""
     yield from _strip(complex(field.left - sum(STRIP_WIDTHS), field.bottom), hand, language)
-    left, bottom, right, top = place
-    corners = (complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top))
-    yield Polyline(corners, True, LineStyle(hand.main))
+    yield rectangle(place, LineStyle(hand.main))
     corner = complex(place.left, place.bottom)
     turn = 180.0 if place.width > place.height else -90.0  # upside down, or read from the right
     if designation:
