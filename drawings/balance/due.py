@@ -43,14 +43,6 @@ class Negligible(NamedTuple):
     way: float
 
 
-class ChainVector(NamedTuple):
-    """A vector of a chain by its name: where it begins, and its value."""
-
-    name: str
-    start: complex
-    value: complex
-
-
 @dataclass(frozen=True)
 class Balanced:
     """A mechanism balanced by analysis, in one position of the scene."""
@@ -137,17 +129,13 @@ class Balanced:
         """Give the vectors of main points, m in the links' own frames."""
         return vectors(self.solid(state), self.study.tree.stems)
 
-    def chain(self, state: str) -> Iterator[ChainVector]:
-        """Lay the main-point vectors end to end: of the frame's hinges, of the links, along guides."""
-        solid, end = self.solid(state), 0j
-        mass = sum(body.mass for body in solid)
-        for name, value in self._sides(state, solid, mass):
-            if abs(value) > KNOWN * self.reach:
-                yield ChainVector(name, end, value)
-            end += value
+    def chain(self, state: str) -> Iterator[tuple[str, complex]]:
+        """Give the main-point vectors by their names: of the frame's hinges, of the links, along guides."""
+        return ((name, value) for name, value in self._sides(state) if abs(value) > KNOWN * self.reach)
 
-    def _sides(self, state: str, solid: list[Body], mass: float) -> Iterator[tuple[str, complex]]:
-        tree, motion = self.study.tree, self.comparison.motion.analysis
+    def _sides(self, state: str) -> Iterator[tuple[str, complex]]:
+        solid, tree, motion = self.solid(state), self.study.tree, self.comparison.motion.analysis
+        mass = sum(body.mass for body in solid)
         behind = {stem.link: sum(b.mass for b in solid if b.link in set(tree.behind(stem.link))) for stem in tree.stems}
         yield "h_0", sum((behind[stem.link] * stem.at for stem in tree.rooted), 0j) / mass
         for link, vector in self.vectors(state).items():
@@ -156,15 +144,11 @@ class Balanced:
             along = self.at(stem.link, stem.origin) - self.at(stem.parent, stem.at)
             yield f"u_{stem.link}", behind[stem.link] * along / mass
 
-    def moments(self) -> Iterator[ChainVector]:
-        """Lay the static moments kg*m of the links end to end."""
-        end = 0j
+    def moments(self) -> Iterator[tuple[str, complex]]:
+        """Give the static moments kg*m of the links by their names."""
         bodies = {body.link: body for body in self.solid(BEFORE)}
-        for stem in self.study.tree.stems:
-            if stem.link in bodies:
-                value = bodies[stem.link].mass * self.at(stem.link, bodies[stem.link].centre)
-                yield ChainVector(f"m_{stem.link}r_S{stem.link}", end, value)
-                end += value
+        for link in (stem.link for stem in self.study.tree.stems if stem.link in bodies):
+            yield f"m_{link}r_S{link}", bodies[link].mass * self.at(link, bodies[link].centre)
 
     def slack(self, name: str, plan: str = "centre", position: int | None = None) -> float:
         """Give twice what the two roads may differ by in a quantity, in a position or in any."""
@@ -201,16 +185,15 @@ class _BalanceSheet(Balanced):
             places = {name: spot for name, spot in self.points.items() if name != self.mechanism.drive.pivot}
             places |= {f"m_cw{weight.link}": self.at(weight.link, weight.centre) for weight in self.weights(state)}
             places[CENTRE] = self.centre(state)
-            for name, place in places.items():
-                yield Expected(Kind.POINT, plan, name, place, slack, k)
-            yield from (Expected(Kind.VECTOR, plan, v.name, v.value, slack, k, True) for v in self.chain(state))
+            yield from (Expected(Kind.POINT, plan, name, place, slack, k) for name, place in places.items())
+            yield from (Expected(Kind.VECTOR, plan, name, value, slack, k, True) for name, value in self.chain(state))
 
     def polygon(self) -> Iterator[Expected]:
         """Give the static moments and their sum, but for what is nothing beside all of them."""
         sides = list(self.moments())
-        size, mass = sum(abs(side.value) for side in sides), self.balance.before.centre.mass
+        size, mass = sum(abs(value) for _, value in sides), self.balance.before.centre.mass
         slack = self.slack("Σmr/m", position=self.shown) * mass + KNOWN * size
-        for name, value in (*((side.name, side.value) for side in sides), (RESULT, sum(side.value for side in sides))):
+        for name, value in (*sides, (RESULT, sum(value for _, value in sides))):
             if abs(value) > KNOWN * size:
                 yield Expected(Kind.VECTOR, MOMENTS, name, value, slack, self.shown)
 

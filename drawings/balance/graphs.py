@@ -82,7 +82,6 @@ class ShakingHodograph(NamedTuple):
         return explained(room._replace(heading=heading_width(title, hand)), self._further(drafting), hand)
 
     def _further(self, drafting: Drafting) -> list[str]:
-        """Say which is which, where there are two."""
         return [drafting.word("thin before")] if len(self.vectors) > 1 else []
 
     def draw(self, room: Picture, spot: Spot, drafting: Drafting) -> Part:
@@ -195,10 +194,8 @@ class ShareGraph(NamedTuple):
     @property
     def rows(self) -> dict[str, list[tuple[float, float]]]:
         """Both curves with their least places among their points."""
-        found, choices = {}, (*self.shares.curve, self.shares.least_force, self.shares.least_reaction)
-        for name in (FORCES, REACTIONS):
-            found[name] = sorted({(choice.share, value_of(choice, name)) for choice in choices})
-        return found
+        choices = (*self.shares.curve, *self.best.values())
+        return {name: sorted({(one.share, value_of(one, name)) for one in choices}) for name in (FORCES, REACTIONS)}
 
     @property
     def best(self) -> dict[str, Choice]:
@@ -221,14 +218,12 @@ class ShareGraph(NamedTuple):
         axes = standing(room, spot, (0.0, high), (SYMBOL, UNIT), drafting)
         graph = Graph(SHARES, axes, hand)
         start, end = axes.on(self.taken), axes.on(self.taken, self.high)
+        levelled = (axes.on(0.0, force) for force in levels(high, axes.up))
         lines = (
             heading(spot.box, drafting.word("share graph"), drafting.scale(spot.scale, axes.up), hand),
             *axes.lines((0.0, 1.0), (0.0, high), hand, SHARES),
             *(graph.tick(k / DIVISIONS, hand.other) for k in range(1, DIVISIONS + 1)),
-            *(
-                Line(axes.on(0.0, force) - TICK, axes.on(0.0, force) + TICK, hand.other)
-                for force in levels(high, axes.up)
-            ),
+            *(Line(at - TICK, at + TICK, hand.other) for at in levelled),
             Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{SHARES}-{TAKEN}"),
             Group((Line(axes.on(0.0, self.bare), axes.on(1.0, self.bare), hand.other),), f"{SHARES}-{BARE}"),
             *(part for name in (FORCES, REACTIONS) for part in _curve(self, name, graph, drafting)),

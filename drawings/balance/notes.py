@@ -114,9 +114,8 @@ class Equations(NamedTuple):
         chain = all(stem.parent == host for stem, host in zip(stems, (FRAME, *(s.link for s in stems)), strict=False))
         if len(stems) != 3 or not chain or any(stem.slide is not None for stem in stems):
             return ()
-        loops = [
-            LinkVector(stem.link, stem.begin + other.begin, other.at - stem.origin) for stem, other in pairwise(stems)
-        ]
+        pairs = pairwise(stems)
+        loops = (LinkVector(one.link, one.begin + other.begin, other.at - one.origin) for one, other in pairs)
         return (*loops, *self._closing(stems[-1]))
 
     def _closing(self, stem: Stem) -> Iterator[LinkVector]:
@@ -209,7 +208,6 @@ class BalanceNotes(NamedTuple):
                 yield self.drafting.word("variable main point", link=stem.link, share=self._number(share))
 
     def _share(self, stem: Stem) -> float:
-        """Give the share of the whole mass that a link bears with all that follow it."""
         return sum(self._body(link).mass for link in self.tree.behind(stem.link)) / self.equations.mass
 
     def counterweights(self) -> Iterator[str]:

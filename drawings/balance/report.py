@@ -91,7 +91,6 @@ def weights(notes: BalanceNotes) -> Iterator[str]:
 
 
 def _weight(weight: Counterweight, notes: BalanceNotes) -> str:
-    """Say of a counterweight how heavy it is, and where it is put."""
     number, language = partial(notes.drafting.number, digits=DIGITS), notes.drafting.language
     sizes = {"mass": number(weight.mass), "distance": number(weight.distance)}
     places = {"link": weight.link, "begin": weight.begin, "angle": number(degrees(weight, notes.mechanism))}
@@ -113,7 +112,14 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     masses = () if "forces" in study.techniques else mass_table(notes.machine, language)
     return Chapters(
         subject=[chapter(language, "balancing"), aim, *masses, *map(entry, notes.main_points())],
-        values=[*_counterweights(notes), *_costs(notes), *_shares(notes), *_centres(notes)],
+        values=[
+            *_counterweights(notes),
+            chapter(language, "balance_costs"),
+            *costs(notes),
+            *_shares(notes),
+            chapter(language, "mass_centre"),
+            *centres(notes),
+        ],
         left_out=[word(language, "report.balance_left_out")],
     )
 
@@ -128,11 +134,6 @@ def _counterweights(notes: BalanceNotes) -> Iterator[str]:
         yield from counterweights(notes)
 
 
-def _costs(notes: BalanceNotes) -> Iterator[str]:
-    yield chapter(notes.drafting.language, "balance_costs")
-    yield from costs(notes)
-
-
 def _shares(notes: BalanceNotes) -> Iterator[str]:
     shares = notes.balance.shares
     if shares is not None:
@@ -143,11 +144,6 @@ def _shares(notes: BalanceNotes) -> Iterator[str]:
         yield from header(["k", f"{FORCE} _max, {newtons}", f"{plain(notes.shaft)} _max, {newtons}"])
         for choice in sorted({*shares.curve, shares.least_force, shares.least_reaction}):
             yield row([notes.drafting.number(value, DIGITS) for value in choice])
-
-
-def _centres(notes: BalanceNotes) -> Iterator[str]:
-    yield chapter(notes.drafting.language, "mass_centre")
-    yield from centres(notes)
 
 
 REPORT = Report(chapters, headline, conclusion=_concluded)

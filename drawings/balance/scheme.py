@@ -240,7 +240,6 @@ class SchemeFigure:
             yield Line(*travel(self.shown.bones, slide, self.place, self.pairs.hand, PAST), self._hand.axis)
 
     def _holders(self) -> Iterator[Stroke]:
-        """Draw what holds counterweights: the line from their link's beginning."""
         for weight in self.shown.weights:
             if weight.is_disc:
                 yield Line(self.place.on(weight.begin), self.place.on(weight.centre), self._hand.result)
@@ -281,7 +280,6 @@ class SchemeFigure:
         return vector.draw(self.subject, lowered(vector.vector.name), self.place, self._hand.result, self._hand.symbol)
 
     def _centre(self) -> Iterator[Group]:
-        """Draw the common mass centre; it can be measured."""
         at, value = self.place.on(self.shown.centre), self.shown.centre
         data = self.subject.data("point", CENTRE, value, self.place.scale)
         yield Group(mass_centre(at, self._hand), "", data, CENTRE)
@@ -299,7 +297,6 @@ class SchemeFigure:
         return lowered(name), self._hand.letter
 
     def _points(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the points, each where the bars at it leave the widest angle free."""
         hand = self._hand
         yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
         yield from self.pairs.letters(self.shown.named, labels)

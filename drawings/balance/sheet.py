@@ -132,7 +132,6 @@ class _BalancingSheet:
 
     @property
     def _shaft(self) -> str:
-        """The letter of the crank's shaft, about which moments are told."""
         return self.shown.bones.mechanism.drive.pivot
 
     @property
@@ -157,7 +156,6 @@ class _BalancingSheet:
         return tuple((shown, scheme.measure(shown, points, self.drafting)) for shown in schemes)
 
     def _scheme(self, state: str) -> BalanceScheme:
-        """Show the links before or after; what stands still has no path."""
         bones, states = self.shown.bones, self.shown.states
         kept = [name for name in (BEFORE, AFTER) if name in states and (name == BEFORE or state == AFTER)]
         paths = {name: states[name].around.r for name in kept if states[name].path > self.shown.nothing.way}
@@ -183,21 +181,18 @@ class _BalancingSheet:
         return static_polygon(self.shown.bones.shown, moments, least, self.drafting)
 
     def _shaking(self) -> Iterator[Exhibit]:
-        """Show the hodographs of the main vector, if there is any."""
         states, whole = self.shown.states, self.balance.before.whole
         shown = hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
         if shown.vectors:
             yield exhibit(ShakingHodograph, shown, self.drafting, LARGEST)
 
     def _rocking(self) -> Iterator[Exhibit]:
-        """Show the main moment, if there is any."""
         bones, least = self.shown.bones, self.shown.nothing.moment
         rocking = curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
         if rocking is not None:
             yield exhibit(curve_graph, rocking, self.drafting, LARGEST)
 
     def _shares(self) -> Iterator[Exhibit]:
-        """Show the choice of the share, where there is one."""
         balance, crank = self.balance, self.shown.bones.mechanism.drive.link
         if balance.shares is not None:
             letter = letter_of(f"R_0{crank}", self.drafting)
@@ -209,10 +204,9 @@ class _BalancingSheet:
         """What the counterweights change, and which they are."""
         shown, drafting = self.shown, self.drafting
         table = costs(self.balance.before, self.balance.loaded, shown.nothing, drafting, self._shaft)
-        weights = self.balance.counterweights
-        if not weights:
-            return (table,)
-        return table, counterweights(weights, shown.bones.mechanism, drafting)
+        weights, mechanism = self.balance.counterweights, shown.bones.mechanism
+        rows = [counterweights(weights, mechanism, drafting)] if weights else []
+        return (table, *rows)
 
 
 SCALES: Final = {"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"}

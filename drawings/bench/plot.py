@@ -122,7 +122,6 @@ def looks_of(rows: Sequence[Timed]) -> dict[str, Series]:
 
 
 def _series(axes: Axes, name: str, look: Series, spots: Sequence[Spot]) -> None:
-    """Draw a technique's line, its markers growing along it, and one of each for the legend."""
     face = "black" if look.filled else "white"
     axes.plot([time for time, *_ in spots], [error for _, error, _ in spots], look.line, color="black", linewidth=0.8)
     for time, error, positions in spots:
@@ -132,7 +131,6 @@ def _series(axes: Axes, name: str, look: Series, spots: Sequence[Spot]) -> None:
 
 
 def _level(axes: Axes, error: float, text: str, above: float) -> None:
-    """Rule an error across, its name at the left, so many points above the line."""
     axes.axhline(error, color=GREY, linewidth=0.8, linestyle=(0, (6, 2)))
     axes.annotate(
         text, (0.0, error), (4, above), xycoords=("axes fraction", "data"), textcoords="offset points", fontsize=7,
@@ -142,12 +140,8 @@ def _level(axes: Axes, error: float, text: str, above: float) -> None:
 
 def _untimed(axes: Axes, rows: Sequence[Timed]) -> None:
     """Draw the hands beside: from the median of all quantities to the worst."""
-    hands = [
-        (f"{slip:g}\n{row.technique[:3]}", row.errors)
-        for row in rows
-        for slip in SLIPS
-        if row.errors and row.technique.endswith(BY_HAND.format("", slip))
-    ]
+    pairs = ((row, slip) for row in rows for slip in SLIPS if row.technique.endswith(BY_HAND.format("", slip)))
+    hands = [(f"{slip:g}\n{row.technique[:3]}", row.errors) for row, slip in pairs if row.errors]
     for place, (_, errors) in enumerate(hands):
         axes.plot([place, place], [errors.typical, errors.worst], color="black", linewidth=0.9)
         axes.plot(place, errors.worst, "_", markersize=9, color="black")

@@ -118,7 +118,6 @@ def csv_bytes(bench: Bench) -> bytes:
 
 
 def _as_text(value: Any) -> Any:
-    """Mark a text that a table program would take for a formula."""
     return f"'{value}" if isinstance(value, str) and value.startswith(FORMULA) else value
 
 

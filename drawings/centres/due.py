@@ -35,13 +35,9 @@ def cells_of(centre: InstantCentre | None, drafting: Drafting) -> tuple[str, str
         return "—", "—", "—"
     over = ", ".join(map(str, centre.over)) or drafting.word("centre pair")
     if centre.infinite:
-        return over, "∞", f"{written(_angle(centre.place), drafting)}°"
+        return over, "∞", f"{written(round(math.degrees(cmath.phase(centre.place)), PLACES) % HALF, drafting)}°"
     x, y = (written(1000 * part, drafting) for part in (centre.place.real, centre.place.imag))
     return over, x, y
-
-
-def _angle(way: complex) -> float:
-    return round(math.degrees(cmath.phase(way)), PLACES) % HALF
 
 
 def spun(comparison: CentresComparison) -> list[tuple[Quantity, Quantity]]:
@@ -58,10 +54,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     positions = leaves[0].metadata["centred"] if leaves else ()
     slack = {row.name: row.allowed for row in comparison.findings}
     places = {pair: common(mechanism, comparison.moving.analysis, pair) for pair in pairs(mechanism.links)}
-    rough = [
-        2 * max(float(row.allowed[k]) for row in comparison.plans.of("positions"))
-        for k in range(len(comparison.analysis.phi))
-    ]
+    positions, count = comparison.plans.of("positions"), len(comparison.analysis.phi)
+    rough = [2 * max(float(row.allowed[k]) for row in positions) for k in range(count)]
     for k in positions:
         for name, moved in comparison.analysis.points.items():
             still = name in mechanism.links[FRAME].points  # the one that all places are measured from is no point

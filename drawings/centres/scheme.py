@@ -105,19 +105,16 @@ class _DrawnCentres:
             for over in centre.over:
                 ends = [tuple(sorted((one, over))) for one in centre.pair]
                 spots = [self.near[end] for end in (*ends, centre.pair) if end in self.near]
-                yield from self._line(spots)
+                first, last = max(
+                    ((a, b) for a in spots for b in spots), key=lambda two: abs(two[1] - two[0]), default=(0j, 0j)
+                )
+                if abs(last - first) > SAME:
+                    past = (last - first) / abs(last - first) * PAST * self.hand.symbol
+                    yield Line(first - past, last + past, self.hand.drafted)
         for start, end in self.away.values():
             yield Line(start, end, self.hand.drafted)
             if (head := arrowhead(start, end, self.hand.symbol)) is not None:
                 yield head
-
-    def _line(self, spots: list[complex]) -> Iterator[Stroke]:
-        first, last = max(
-            ((a, b) for a in spots for b in spots), key=lambda two: abs(two[1] - two[0]), default=(0j, 0j)
-        )
-        if abs(last - first) > SAME:
-            past = (last - first) / abs(last - first) * PAST * self.hand.symbol
-            yield Line(first - past, last + past, self.hand.drafted)
 
     def marks(self) -> Iterator[Stroke]:
         """Mark the centres that are no hinges."""

@@ -55,11 +55,9 @@ class _CentresSheet:
     def draft(self) -> Draft:
         """Title, figures, tables and notes."""
         linkage, drafting = self.study.linkage, self.drafting
-        poses = [(k, pose(linkage, self.comparison.construction, k)) for k in self.positions]
-        shows = [
-            exhibit(scheme, CentresScheme(one, self.study.at(k), k), drafting, weight=1.5, scale=CENTRES)
-            for k, one in poses
-        ]
+        poses = ((k, pose(linkage, self.comparison.construction, k)) for k in self.positions)
+        schemes = (CentresScheme(one, self.study.at(k), k) for k, one in poses)
+        shows = [exhibit(scheme, one, drafting, weight=1.5, scale=CENTRES) for one in schemes]
         draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
         shows.append(Exhibit(Panel(room(drafting)), draw))
         title, facts = drafting.word("centres sheet title"), partial(figures_facts, centred=list(self.positions))

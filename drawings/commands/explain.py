@@ -136,11 +136,8 @@ def _quantity(study: Study, name: str) -> Quantity | None:
     wanted = {name, f"Σ{name}", f"{letter_only} {of}"}
     if [cam.cam.name for cam in cams] == [of]:
         wanted.add(letter_only)
-    listed = [
-        (quantity.name.translate(SIGNS), quantity)
-        for row in reversed(study.techniques)
-        for quantity in study.quantities(row)
-    ]
+    every = (quantity for row in reversed(study.techniques) for quantity in study.quantities(row))
+    listed = [(quantity.name.translate(SIGNS), quantity) for quantity in every]
     exact = (quantity for letters, quantity in listed if letters in wanted)
     return next(exact, next((quantity for letters, quantity in listed if letters.partition(" ")[0] == name), None))
 
@@ -161,7 +158,6 @@ def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
 
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
-    """Say which marks there are, and which of them may have been meant."""
     near = difflib.get_close_matches(name, [known for answer in none for known in answer.names], 1)
     examples = ", ".join(example for answer in none for example in answer.examples)
     also = (message("mark.also", examples=examples),) if examples else ()
@@ -220,7 +216,6 @@ def _short(part: str) -> str:
 
 
 def _named(mark: Mark, of: Explanation, language: str) -> str:
-    """Name a mark by its letters; one that has words for its name by those of the language."""
     name = letter(language, written(term(language, "mark_name", mark.name), language))
     if " " in mark.name and name == mark.name:
         name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))

@@ -31,7 +31,8 @@ CODES = {OURS: 1, UNREAD: 5, FAIL: 4, PASS: 0}
 def run(options: argparse.Namespace) -> int:
     """Grade sheets; give the exit code."""
     marking = read_marking(options.marks) if options.marks else Marking()
-    by = _allowances(options, marking)
+    read = {name: allowance(text) for name, text in marking.tolerance.items()}
+    by = Allowances(options.tolerance, {name: allowed for name, allowed in read.items() if allowed is not None})
     originals = Originals(options.scene)
     task = sheet_task(originals)
     language = options.language or originals.language
@@ -53,11 +54,6 @@ def run(options: argparse.Namespace) -> int:
         tell(word(language, "grade.strangers", names=names))
     outcomes = {sheet.outcome for _, sheet in graded}
     return next(code for outcome, code in CODES.items() if outcome in outcomes)
-
-
-def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:
-    read = {name: allowance(text) for name, text in marking.tolerance.items()}
-    return Allowances(options.tolerance, {name: allowed for name, allowed in read.items() if allowed is not None})
 
 
 def _print(
@@ -102,7 +98,6 @@ def _again(path: Path, graded: Graded) -> bytes | None:
 
 
 def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
-    """Say which sheets are the same file under several names."""
     names: dict[str, list[str]] = {}
     for path, sheet in graded:
         names.setdefault(sheet.digest, []).append(plain_name(path))

@@ -41,8 +41,7 @@ def laid_out(study: Study) -> Mapping[str, Sequence[Leaf]]:
 
 def standing(study: Study, names: Iterable[str], cam: str = "") -> list[str]:
     """Give what sheets, of one cam where it is named, and report say of a letter: its value, else where it stands."""
-    bare = (re.sub("[{}]", "", name) for name in names)
-    both = (lettered for name in bare for lettered in (name, letter(study.scene.sheet.language, name)))
+    both = (lettered for name in names for lettered in (name, letter(study.scene.sheet.language, name)))
     plain = {Text(0j, with_index(lettered)).plain for lettered in both}
     pattern = re.compile(rf"(?<!\w)(?:{'|'.join(map(re.escape, plain))})(?![\w'′])(\s*[=≈])?")
     leaves = laid_out(study)
@@ -66,8 +65,7 @@ class OnSheet:
     """The figures of a scene's sheets, by which lengths of a record are told in mm."""
 
     def __init__(self, study: Study, position: int) -> None:
-        leaves = laid_out(study)
-        self.drawn = [*_drawn(leaf for group in leaves.values() for leaf in group)]
+        self.drawn = [*_drawn(leaf for group in laid_out(study).values() for leaf in group)]
         self.position = str(position)
 
     def scale(self, board: str, name: str, unit: str) -> float | None:

@@ -26,8 +26,6 @@ LANGUAGES = "en or ru (default: the scene's)"
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser that does not pass over a stdout that is full."""
-
     def _print_message(self, message: str, file: Any = None) -> None:
         if file is sys.stdout:
             file.write(message)

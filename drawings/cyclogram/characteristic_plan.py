@@ -22,7 +22,6 @@ from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
-from geometry.board import Mark
 from plans.cyclogram.study import CyclogramStudy
 from plans.linkage.travel import frame_slide
 from plans.model.cyclogram import BEGIN, END, ENTRY, EXIT, Cyclogram
@@ -67,18 +66,14 @@ def _notches(study: CyclogramStudy, pairs: Pairs) -> Iterator[Stroke]:
     for board in study.boards:
         for mark in board:
             if mark.step.op == "meet":
-                yield from _arcs(mark, pairs)
-
-
-def _arcs(mark: Mark, pairs: Pairs) -> Iterator[Stroke]:
-    for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
-        centres, rays = np.broadcast_arrays(np.atleast_1d(source.point), np.atleast_1d(ray))
-        if not isinstance(locus.value, Notch) or np.ptp(centres.real) + np.ptp(centres.imag) == 0:
-            continue
-        for centre, arm in zip(centres.tolist(), rays.tolist(), strict=True):
-            radius, turn = pairs.place.length(abs(arm)), cmath.phase(arm)
-            half = min(LONG * pairs.hand.symbol / radius, math.pi)
-            yield Arc(pairs.place.on(centre), radius, turn - half, turn + half, pairs.hand.drafted)
+                for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
+                    centres, rays = np.broadcast_arrays(np.atleast_1d(source.point), np.atleast_1d(ray))
+                    if not isinstance(locus.value, Notch) or np.ptp(centres.real) + np.ptp(centres.imag) == 0:
+                        continue
+                    for centre, arm in zip(centres.tolist(), rays.tolist(), strict=True):
+                        radius, turn = pairs.place.length(abs(arm)), cmath.phase(arm)
+                        half = min(LONG * pairs.hand.symbol / radius, math.pi)
+                        yield Arc(pairs.place.on(centre), radius, turn - half, turn + half, pairs.hand.drafted)
 
 
 def _pins(bones: Skeletons, pairs: Pairs) -> Iterator[Group]:

@@ -61,7 +61,6 @@ def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
 
 
 def _table(study: Study, found: Cyclogram) -> Iterator[Expected]:
-    """Give the cells of the table: place of the tool, turn of the shaft."""
     word = drafting_of(study.scene).word
     for k, position in enumerate(found.positions):
         row = f"{k}  {word(f'role {position.role}')}"

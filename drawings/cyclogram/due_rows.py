@@ -41,8 +41,7 @@ class BarStretch(NamedTuple):
 
 def chart(rows: Sequence[BarRow], begin: float = 0.0) -> Iterator[Expected]:
     """Give the lines of the bar chart, each of a span or a setting angle."""
-    for name, value in true_bars(rows, begin):
-        yield Expected(Kind.VECTOR, BARS, name, value, ANGLE)
+    yield from (Expected(Kind.VECTOR, BARS, name, value, ANGLE) for name, value in true_bars(rows, begin))
 
 
 def true_bars(rows: Sequence[BarRow], begin: float) -> Iterator[tuple[str, complex]]:

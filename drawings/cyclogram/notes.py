@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.kinds.course import decimals, degrees, label
@@ -57,7 +57,10 @@ class CyclogramNotes(NamedTuple):
         """Tell the phases and the setting angle of each cam; without cams that of one which rises in the window."""
         if not self.cams:
             yield self.drafting.word("cyclogram set", setting=self._degrees(self.found.window.start))
-        yield from settings_of(self.cams, self.drafting)
+        for row in rows_of_cams(self.cams):
+            phases = ",  ".join(label(span, self.drafting) for span in row.spans)
+            setting = self._degrees(within(row.setting or 0.0))
+            yield self.drafting.word("cyclogram cam set", phases=phases, name=row.name, setting=setting)
 
     def reading(self) -> Iterator[str]:
         """Say from where angles are counted, and what was not notched."""
@@ -68,10 +71,3 @@ class CyclogramNotes(NamedTuple):
 
     def _degrees(self, angle: float) -> str:
         return degrees(angle, self.drafting)
-
-
-def settings_of(cams: Sequence[Cam], drafting: Drafting) -> Iterator[str]:
-    """Tell the phases and the setting angle of each cam of a shaft."""
-    for row in rows_of_cams(cams):
-        phases, setting = (label(span, drafting) for span in row.spans), degrees(within(row.setting or 0.0), drafting)
-        yield drafting.word("cyclogram cam set", phases=",  ".join(phases), name=row.name, setting=setting)

@@ -29,8 +29,7 @@ def headline(study: Study) -> str:
 
 def remarks(study: Study) -> list[Message]:
     """Warn of what no notches lead back from."""
-    found = study.of(CyclogramStudy)
-    trial = not all(stage.notched for stage in found.cyclogram.positions)
+    trial = not all(stage.notched for stage in study.of(CyclogramStudy).cyclogram.positions)
     return [message("sheet.cyclogram by trial")] if trial else []
 
 
@@ -43,7 +42,6 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
-    """Give the table of the characteristic positions, with how sharp each is."""
     found = study.of(CyclogramStudy).cyclogram
     heads = "characteristic position", *(HEADS if found.sliding else SWINGS), "condition"
     yield from header([drafting.word(head) for head in heads])

@@ -59,24 +59,19 @@ FOREMOST = 1.5  # the plan is the figure from which angles are read
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cyclogram."""
-    return sheets(study.of(CyclogramStudy), study.of(CyclogramComparison))
-
-
-def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a cyclogram whose two roads are compared."""
-    drafting = drafting_of(study.scene)
-    bones = skeletons(study.pictured, study.pictured.motion(0), characteristic_plan.shown_of(study.cyclogram))
+    whole, drafting = study.of(CyclogramStudy), drafting_of(study.scene)
+    bones = skeletons(whole.pictured, whole.pictured.motion(0), characteristic_plan.shown_of(whole.cyclogram))
     room = characteristic_plan.measure(bones, drafting)
-    draw = partial(characteristic_plan.draw, study, bones, room, drafting=drafting)
+    draw = partial(characteristic_plan.draw, whole, bones, room, drafting=drafting)
     plan = Exhibit(Panel(room, FOREMOST), draw)
-    turned = tuple(position.turned for position in study.cyclogram.positions)  # from the first extreme
-    chart = Chart(rows_of(study.cyclogram, study.cams), study.cyclogram.sense, turned, turned[0])
+    turned = tuple(position.turned for position in whole.cyclogram.positions)  # from the first extreme
+    chart = Chart(rows_of(whole.cyclogram, whole.cams), whole.cyclogram.sense, turned, turned[0])
     charts = [exhibit(kind, chart, drafting) for kind in (bar_chart, circular_chart)]
-    written = characteristic(comparison, drafting)
+    written = characteristic(study.of(CyclogramComparison), drafting)
     stations = Caption(Panel(written.block(written.name)), partial(written.write, drafting=drafting))
-    said = CyclogramNotes(study.cyclogram, study.cams, drafting).all
+    said = CyclogramNotes(whole.cyclogram, whole.cams, drafting).all
     title = drafting.word("cyclogram sheet title")
-    facts = partial(figures_facts, characteristic=characteristic_plan.shown_of(study.cyclogram))
+    facts = partial(figures_facts, characteristic=characteristic_plan.shown_of(whole.cyclogram))
     return lay_out(study.scene, [Draft(CYCLOGRAM, title, (plan, *charts, stations), (), said, facts)])
 
 

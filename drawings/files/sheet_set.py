@@ -136,7 +136,6 @@ def _parsed(plain: Any) -> Manifest:
 
 
 def _plain(name: object) -> bool:
-    """Tell whether a name is that of a file in the same folder, and none that begins with a full stop."""
     return isinstance(name, str) and name == Path(name).name and not name.startswith(".") and "\0" not in name
 
 
@@ -149,10 +148,8 @@ class Left(NamedTuple):
 
     def faults(self, folder: Path) -> Iterator[Message]:
         """Say what was left, and what became of it."""
-        for path in self.finished:
-            yield placed(path, message("file.finished"))
-        for path in self.torn:
-            yield placed(path, message("file.torn"))
+        yield from (placed(path, message("file.finished")) for path in self.finished)
+        yield from (placed(path, message("file.torn")) for path in self.torn)
         if self.swept:
             yield placed(folder, message("file.swept", count=self.swept))
 
@@ -205,7 +202,10 @@ def recover(folder: Path, alone: bool) -> Left:
     finished, torn = [], []
     for journal, manifest in journals.items():
         if (temporaries := _whole(folder, manifest, found)) is not None:
-            _go_on(folder, manifest, temporaries, journal)
+            kept: dict[Path, Path | None] = {}
+            with unstopped():  # where that fails nothing is put back: the next run goes on
+                _exchange(folder, manifest, temporaries, journal, kept)
+                _finish(folder / manifest.name, kept)
             finished.append(folder / manifest.name)
         elif (last := read_manifest(folder / manifest.name)) is None or last.strangers(folder):
             torn.append(folder / manifest.name)
@@ -219,14 +219,6 @@ def _whole(folder: Path, manifest: Manifest, found: list[Path]) -> dict[Path, Pa
     if not all(manifest.files[name] in digests for name in missing):
         return None
     return {folder / name: digests[manifest.files[name]] for name in missing}
-
-
-def _go_on(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path], journal: Path) -> None:
-    """Finish a set; where that fails nothing is put back, so that the next run can go on."""
-    kept: dict[Path, Path | None] = {}
-    with unstopped():
-        _exchange(folder, manifest, temporaries, journal, kept)
-        _finish(folder / manifest.name, kept)
 
 
 def _exchange(
@@ -342,23 +334,17 @@ def flaws(path: Path, source: bytes) -> Iterator[Flaw]:
     yield from _of_seal(source)
     manifest = manifest_beside(path)
     if manifest is not None:
-        yield from _of_set(path, source, manifest)
+        if digest(source) != manifest.files[path.name]:
+            yield Flaw("set", message("checked.changed", set=manifest.name))
+        for name, stated in manifest.files.items():
+            if name != path.name and (found := digest_of(path.parent / name)) != stated:
+                yield Flaw("set", message("checked.missing" if found is None else "checked.other", name=name))
 
 
 def _of_seal(source: bytes) -> Iterator[Flaw]:
     if sealed(source):
         return
     if not source.rstrip().endswith(END):
-        lines = source.count(b"\n") + 1
-        yield Flaw("torn", message("checked.torn", bytes=len(source), line=lines))
+        yield Flaw("torn", message("checked.torn", bytes=len(source), line=source.count(b"\n") + 1))
     else:
         yield Flaw("seal", message("checked.broken" if SEAL in source else "checked.unsealed"))
-
-
-def _of_set(path: Path, source: bytes, manifest: Manifest) -> Iterator[Flaw]:
-    """Tell which files of the set are others than were drawn together, and which are not there."""
-    if digest(source) != manifest.files[path.name]:
-        yield Flaw("set", message("checked.changed", set=manifest.name))
-    for name, stated in manifest.files.items():
-        if name != path.name and (found := digest_of(path.parent / name)) != stated:
-            yield Flaw("set", message("checked.missing" if found is None else "checked.other", name=name))

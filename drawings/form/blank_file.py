@@ -43,7 +43,11 @@ def see_blank(source: bytes, study: Study) -> None:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
     lines = [
         *_marks(sheet, study),
-        *_bent(ungiven(sheet.written)),
+        *(
+            group.name or group.title or type(group.strokes[0]).__name__
+            for group in groups(group for group in ungiven(sheet.written).groups if group.name not in PAGE)
+            if any(isinstance(stroke, BENT) for stroke in group.strokes)
+        ),
         *_astray(ungiven(sheet.written), study.scene.sheets),
         *_numbers(sheet.written, given(study.scene)),
     ]
@@ -59,13 +63,6 @@ def _marks(sheet: SeenSheet, study: Study) -> Iterator[str]:
     for point in sheet.measured.points:
         if point.name not in fixed or abs(point.stated - fixed[point.name]) > NEAR * abs(point.stated):
             yield f"{point.plan} {point.name}"
-
-
-def _bent(leaf: Leaf) -> Iterator[str]:
-    """Name the groups that have any curve, beside the page itself."""
-    for group in groups(group for group in leaf.groups if group.name not in PAGE):
-        if any(isinstance(stroke, BENT) for stroke in group.strokes):
-            yield group.name or group.title or type(group.strokes[0]).__name__
 
 
 def _astray(leaf: Leaf, sheets: Iterable[str]) -> Iterator[str]:

@@ -95,14 +95,9 @@ def measure(figure: LaidFigure, drafting: Drafting) -> Picture:
         mid = complex(wide, high) / 2
         return Picture(f"axes-{figure.name}", wide, high, mid, "l", "mm", margins, width, 0.0, exact=1.0)
     left, low, right, high = figure.reach
-    middle = _zero(figure) + complex(right - left, high - low) / 2
-    return Picture(figure.name, left + right, low + high, middle, figure.letter, figure.unit, margins, width, 0.0)
-
-
-def _zero(figure: LaidFigure) -> complex:
-    """Give where the pole lies in the figure's own measure: of a mechanism it is a fixed point of the scene."""
     x, y = map(float, figure.pole.get("value", "0 0").split()) if figure.what == FRAME else (0.0, 0.0)
-    return complex(x, y)
+    middle = complex(x, y) + complex(right - left, high - low) / 2
+    return Picture(figure.name, left + right, low + high, middle, figure.letter, figure.unit, margins, width, 0.0)
 
 
 def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
@@ -124,7 +119,6 @@ def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: 
 
 
 def _box(room: Picture, place: Place) -> Field:
-    """Give the paper that is left for the figure, mm."""
     middle, half = place.on(room.middle), complex(room.wide, room.high) / place.scale.mu / 2
     low, high = middle - half, middle + half
     return Field(low.real, low.imag, high.real, high.imag)
@@ -152,9 +146,8 @@ def _frame(figure: LaidFigure, fixed: Fixed, place: Place, hand: Hand) -> Iterat
         radius = symbols.HINGE * hand.symbol
         if name in fixed.hinges:
             yield from symbols.fixed_hinge(at, hand, radius)
-        circle = (
-            symbols.hinge(at, hand)[0] if name in fixed.hinges else Circle(at, symbols.POINT * hand.symbol, hand.body)
-        )
+        bare = Circle(at, symbols.POINT * hand.symbol, hand.body)
+        circle = symbols.hinge(at, hand)[0] if name in fixed.hinges else bare
         yield Group((circle,), "", _data(figure, place, kind, name, value), name)
 
 
@@ -165,7 +158,6 @@ def _data(figure: LaidFigure, place: Place, kind: str, name: str, value: complex
 
 
 def _guides(fixed: Fixed, room: Picture, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the line of each guide through its place from side to side, and ground at its ends."""
     box = _box(room, place)
     for guide in fixed.guides:
         ends = _across(place.on(guide.through), guide.direction, box)
@@ -202,8 +194,7 @@ def _graph(figure: LaidFigure, fixed: Fixed, spot: Spot, drafting: Drafting) -> 
     hand, box = drafting.hand, spot.box
     wide, high = (share * hand.letter for share in AXES)
     zero = complex(box.centre.real - wide / 2, box.bottom + MARGINS[1] * hand.letter + high / 2)
-    under = ";  ".join(figure.scales) or " "
-    head = heading(box, figure.heading.title, under, hand)
+    head = heading(box, figure.heading.title, ";  ".join(figure.scales) or " ", hand)
     ticks = [symbols.tick(zero + wide * (k + 1) / (fixed.positions + 1), 1 + 0j, hand) for k in range(fixed.positions)]
     axes = (*arrow(zero, zero + wide, hand), *arrow(zero - 0.5j * high, zero + 0.5j * high, hand))
     data = {"kind": "axes", "plan": figure.name}

@@ -123,7 +123,6 @@ def _is_table(value: Any) -> bool:
 
 
 def _worded(of: str, name: str, language: str) -> str:
-    """Word a table, a key or a value; one that no words are known of by its own name."""
     path, _, last = name.rpartition(".")
     known = words(language)
     phrase = next((known[key] for key in (f"{of}.{name}", f"{of}.{path}.*", f"{of}.{last}") if key in known), None)
@@ -301,10 +300,8 @@ def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: st
 
 def _loose(group: Group) -> list[Text]:
     """Give the letters of a figure that stand in its own groups, the headings left out."""
-    lettering = [
-        stroke for stroke in group.strokes if isinstance(stroke, Group) and not stroke.data and _heading(stroke) is None
-    ]
-    return [text for part in lettering for text in part.strokes if isinstance(text, Text)]
+    own = (stroke for stroke in group.strokes if isinstance(stroke, Group) and not stroke.data)
+    return [text for part in own if _heading(part) is None for text in part.strokes if isinstance(text, Text)]
 
 
 def _level(text: Text) -> str:
@@ -362,7 +359,6 @@ def _table(name: str, positions: tuple[int, ...], texts: Sequence[Text], known: 
 
 
 def _marked(text: Text) -> str:
-    """Give the lettering of a text as it is marked up."""
     if isinstance(text.content, str):
         return text.content
     marks = {-1: "_{%s}", 0: "%s", 1: "^{%s}"}

@@ -54,7 +54,6 @@ def _idle(machine: Machine) -> Machine | None:
 
 
 def _back(load: L) -> L:
-    """Let a load act on both strokes."""
     load = load._replace(during=ALWAYS)
     if isinstance(load, Force) and load.diagram is not None and not load.diagram.back:
         return load._replace(diagram=load.diagram._replace(back=load.diagram.sizes))

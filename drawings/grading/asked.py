@@ -76,27 +76,23 @@ def named(text: str) -> Any:
 
 
 # By technique: of a study and a leaf to the record of that sheet, where more is known of it than its quantities say.
-RECORDS: Final[Mapping[str, str]] = MappingProxyType(
-    {
-        "linkage": "drawings.grading.techniques.forces:record_of_linkage",
-        "forces": "drawings.grading.techniques.forces:record_of_forces",
-        "centres": "drawings.grading.techniques.forces:record_of_centres",
-        "transfer": "drawings.grading.techniques.forces:record_of_transfer",
-        "balance": "drawings.grading.techniques.rotor:record_of_balance",
-        "bank": "drawings.grading.techniques.rotor:record_of_bank",
-        "rotor": "drawings.grading.techniques.rotor:record_of_rotor",
-    }
-)
+RECORDS: Final[Mapping[str, str]] = {
+    "linkage": "drawings.grading.techniques.forces:record_of_linkage",
+    "forces": "drawings.grading.techniques.forces:record_of_forces",
+    "centres": "drawings.grading.techniques.forces:record_of_centres",
+    "transfer": "drawings.grading.techniques.forces:record_of_transfer",
+    "balance": "drawings.grading.techniques.rotor:record_of_balance",
+    "bank": "drawings.grading.techniques.rotor:record_of_bank",
+    "rotor": "drawings.grading.techniques.rotor:record_of_rotor",
+}
 # By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
-CURVES: Final[Mapping[str, str]] = MappingProxyType(
-    {
-        "dynamics": "drawings.grading.curves.dynamics_figures:figures_of_dynamics",
-        "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
-        "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
-        "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
-        "cam": "drawings.grading.curves.cam_figures:figures_of_cam",
-    }
-)
+CURVES: Final[Mapping[str, str]] = {
+    "dynamics": "drawings.grading.curves.dynamics_figures:figures_of_dynamics",
+    "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
+    "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
+    "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
+    "cam": "drawings.grading.curves.cam_figures:figures_of_cam",
+}
 # By what the scale of a plan is lettered, where not by the quantity of its marks.
 SYMBOLS: Final = MappingProxyType({"r": "l", "h": "l"})
 
@@ -248,7 +244,6 @@ def _ways(names: Collection[str], place: Place, expected: Mapping[Key, Expected]
 
 
 def _titles(sheet: Original) -> dict[Key, str]:
-    """Give what is written beside the vectors and points of a sheet."""
     return {
         (MARKS[group.data["kind"]], group.data["plan"], group.data["name"], position): group.title
         for group in groups(sheet.leaf.groups)
@@ -270,13 +265,11 @@ def ends_of(mark: MeasuredVector | MeasuredPoint) -> tuple[str, str]:
     return start, end
 
 
+KINEMATIC = ("velocities", "accelerations", "positions")  # plans that the words for them are called by
 # By what the data of a figure are called: the key of its name, and what of it is a part of that.
 _NAMED: Final = tuple(
     (re.compile(pattern), key)
     for pattern, key in (
-        (r"velocities", "velocities"),
-        (r"accelerations", "accelerations"),
-        (r"positions", "positions"),
         (r"forces-(?P<of>\d+)", "forces_of_link"),
         (r"forces-(?P<of>.+)", "forces_of_group"),
         (r"scheme (?P<of>\d+)", "scheme_of_link"),
@@ -298,6 +291,8 @@ def plan_named(plan: str) -> Message:
     >>> str(plan_named("forces-4-5")), str(plan_named("loop"))
     ('force plan of group 4-5', "Wittenbauer's loop")
     """
+    if plan in KINEMATIC:
+        return message(f"grade.named.{plan}")
     for pattern, key in _NAMED:
         if (found := pattern.fullmatch(plan)) is not None:
             return message(f"grade.named.{key}", **found.groupdict())

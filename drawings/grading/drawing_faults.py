@@ -109,11 +109,8 @@ def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator
     lost = {vector.end for vector in plan.lacking} - {end for _, end in plan.arrows}  # which need no letter
     places = ((letter, spot) for letter, spot in plan.places.items() if letter and letter not in lost)
     ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places]
-    free = [
-        (vector, plan.arrows[vector.letters])
-        for vector in plan.asked.vectors
-        if vector.letter and vector.letters in plan.arrows
-    ]
+    drawn = (vector for vector in plan.asked.vectors if vector.letter and vector.letters in plan.arrows)
+    free = [(vector, plan.arrows[vector.letters]) for vector in drawn]
     visible = [(vector, arrow) for vector, arrow in free if abs(arrow.vector) > 2 * SEEN]
     for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), along(*arrow)) for vector, arrow in visible]):
         for bearer in bearers:

@@ -82,11 +82,8 @@ class DrawnPlan:
     @property
     def fitted(self) -> float:
         """The scale by which it is nearest to what is asked for: of a plan on which none is written."""
-        pairs = [
-            (vector.true, self.arrows[vector.letters].vector)
-            for vector in self.asked.vectors
-            if vector.letters in self.arrows
-        ]
+        there = (vector for vector in self.asked.vectors if vector.letters in self.arrows)
+        pairs = [(vector.true, self.arrows[vector.letters].vector) for vector in there]
         size = sum(abs(vector) ** 2 for _, vector in pairs)
         return abs(sum(true * vector.conjugate() for true, vector in pairs)) / size if size else 1.0
 
@@ -168,7 +165,10 @@ def open_sides(plan: DrawnPlan, near: float) -> Iterator[Verdict]:
         if vector.corners is not None and vector.letters in plan.arrows and not vector.diagonal
     ]
     side = next(_apart(sides, near), None)
-    if side is not None and not _chained(sides, near):
+    # They may go round in another order: where one ends another begins, or beside it in a lane.
+    if side is not None and not all(
+        any(_joined(side, other, near) for other in sides if other is not side) for side in sides
+    ):
         spot = side.arrow.end
         yield Verdict(plan.asked.plan, plan.asked.position, "", verdict.UNCLOSED, at=(spot, spot))
 
@@ -189,11 +189,6 @@ def _apart(sides: Sequence[_Side], near: float) -> Iterator[_Side]:
         shift = gaps[0] if gaps else 0j
         for corner, end in zip(side.corners, side.arrow, strict=True):
             spots.setdefault(corner, end + shift)
-
-
-def _chained(sides: Sequence[_Side], near: float) -> bool:
-    """Tell whether the sides go round in some order: where one ends, another begins, or beside it in a lane."""
-    return all(any(_joined(side, other, near) for other in sides if other is not side) for side in sides)
 
 
 def _joined(ahead: _Side, behind: _Side, near: float) -> bool:

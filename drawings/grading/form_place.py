@@ -63,8 +63,8 @@ def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace
 def _places(leaf: Leaf) -> Iterator[FormPlace]:
     poles = {_of(group.data): group for group in groups(leaf.groups) if group.data.get("kind") == "pole"}
     found = [group for group in groups(leaf.groups) if group.data.get("kind") == KIND]
-    boxes = [_lines(group.strokes)[:CORNERS] for group in found]
-    loose = list(_loose(_lines(flat(leaf.groups)))) if not all(boxes) else []
+    boxes = [straight_lines(group.strokes)[:CORNERS] for group in found]
+    loose = list(_loose(straight_lines(flat(leaf.groups)))) if not all(boxes) else []
     again = iter(loose if len(loose) == boxes.count([]) else ())  # an editor has taken them out, and kept their order
     for group, own in zip(found, boxes, strict=True):
         inner = (mark for mark in groups(group.strokes) if mark.data.get("kind") == "pole")
@@ -78,7 +78,8 @@ def _places(leaf: Leaf) -> Iterator[FormPlace]:
             yield FormPlace(_of((mark or group).data), next(circles, None), *corners, scale, value)
 
 
-def _lines(strokes: Iterable[Stroke]) -> list[Line]:
+def straight_lines(strokes: Iterable[Stroke]) -> list[Line]:
+    """Give the straight lines among strokes."""
     return [stroke for stroke in strokes if isinstance(stroke, Line)]
 
 

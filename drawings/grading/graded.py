@@ -70,8 +70,6 @@ class Graded(NamedTuple):
 
 
 class _FoundOnSheet(NamedTuple):
-    """What of that is found on a sheet."""
-
     plans: Sequence[DrawnPlan]
     figures: Mapping[str, Sequence[DrawnFigure]]
     tables: Drawn
@@ -98,9 +96,7 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     said = tuple(_on_page(found, onlooker.moved) for found in said)
     scene = str(sheet.leaf.metadata.get("scene", ""))
     graded = Graded(PASS, said, paper=onlooker.page, scene=scene, drawn=tuple(plan.bare for plan in found.plans))
-    if graded.wrong:
-        return graded._replace(outcome=FAIL)
-    return graded._replace(outcome=UNREAD) if graded.unseen else graded
+    return graded._replace(outcome=FAIL if graded.wrong else UNREAD if graded.unseen else PASS)
 
 
 def _read(source: bytes) -> tuple[SeenSheet, Onlooker]:
@@ -145,7 +141,8 @@ def _verdicts(sheet: SeenSheet, found: _FoundOnSheet, task: SheetTask, by: Allow
         on_form = plan.place in placed and (plan.lettered or plan.plan == POSITIONS.plan)
         due = on_form if placed else plan.lettered or traced
         if plan.sheet in sheets and due and plan.place not in there:
-            yield from _missing(plan)
+            missing = Verdict(*plan.place, "", verdict.MISSING, unit=plan.unit)
+            yield from (missing._replace(name=vector.name, letters=vector.letters) for vector in plan.vectors)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=sheet.measured.quantum)
     filled = places_filled(sheet) if "form" in sheet.measured.metadata or every_axes(sheet) or placed else None
@@ -168,12 +165,6 @@ def _workings(sheet: SeenSheet, tables: Drawn) -> Iterator[Text]:
             yield text
 
 
-def _missing(plan: PlanAsked) -> Iterator[Verdict]:
-    """Name the vectors of a plan that is not drawn at all."""
-    for vector in plan.vectors:
-        yield Verdict(plan.plan, plan.position, vector.name, verdict.MISSING, unit=plan.unit, letters=vector.letters)
-
-
 def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:
     """Find the plans that are asked for on a sheet: by its marks, or by their places on our form."""
     found = (from_marks(plan, sheet.measured, written_scale(sheet, plan)) for plan in plans)
@@ -186,15 +177,12 @@ def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]
     whole = tuple(redrawn(plan, lines) for plan in marked)
     if not places or any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole
-    here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
-    left = [plan for plan in plans if plan.place not in there and (not here or plan.sheet in here)]
+    sheets, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
+    left = [plan for plan in plans if plan.place not in there and (not sheets or plan.sheet in sheets)]
     labels, words = spelled_labels(sheet.leaf.groups), list(texts(sheet.leaf.groups))
     where = {place.plan: place for place in places}
-    dotted = (
-        points_on_form(plan, where[plan.place], sheet.leaf, labels)
-        for plan in left
-        if plan.dotted and plan.place in where
-    )
+    here = (plan for plan in left if plan.dotted and plan.place in where)
+    dotted = (points_on_form(plan, where[plan.place], sheet.leaf, labels) for plan in here)
     points = [plan for plan in dotted if plan is not None]
     return (*whole, *plans_on_form(left, lines, words, labels, places), *points)
 

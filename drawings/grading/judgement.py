@@ -84,8 +84,7 @@ def mistaken(force: Mark, drawn: Mapping[Mark, complex]) -> Iterator[Slip]:
         moment, forced = np.ravel(again[term].point)[0], term.step.op == "moment"
         name = term.step.inputs[2].name if forced else term.name  # what has the moment: a force, or a couple
         for kind, value in ((verdict.MOMENT if forced else verdict.COUPLE, -moment), (verdict.FORGOTTEN, 0 * moment)):
-            there = continued(force, {**drawn, term: complex(value)})
-            if there is not None:
+            if (there := continued(force, {**drawn, term: complex(value)})) is not None:
                 yield Slip(kind, there, name)
 
 
@@ -109,17 +108,11 @@ class Judge:
 
     def verdicts(self) -> Iterator[Verdict]:
         """Judge the plan as a whole, then each vector that is asked for."""
-        whole = self._whole()
-        if whole is not None:
-            kind, times = whole
-            yield self._said(kind)
-            yield from (self._within(vector, times) for vector in self.drawn.asked.vectors)
-        else:
-            yield from self._each()
-
-    def _each(self) -> Iterator[Verdict]:
-        """Judge vector by vector: a place that is wrong costs once, at the first arrow that ends there."""
-        blamed = set[str]()
+        if (whole := self._whole()) is not None:
+            yield self._said(whole[0])
+            yield from (self._within(vector, whole[1]) for vector in self.drawn.asked.vectors)
+            return
+        blamed = set[str]()  # a place that is wrong costs once, at the first arrow that ends there
         for vector in sorted(self.drawn.asked.vectors, key=lambda vector: vector.auxiliary):
             said = self._verdict(vector)
             if not said.good and said.kind not in (verdict.MISSING, *verdict.UNGRADED):
@@ -184,12 +177,9 @@ class Judge:
             return back or PARTS.get(vector.name.partition("_")[0], verdict.REVERSED)
         if self._carried_mirrored(vector, value):
             return verdict.SIMILAR
-        if self._turned_over(vector, value):
+        other = None if vector.found is None else turned_over(vector.found.span.end)  # where its loci meet again
+        if vector.start == "" and other is not None and abs(value - other) <= self.allowed[vector.letters]:
             return verdict.BRANCH
-        return self._off(vector, value)
-
-    def _off(self, vector: VectorAsked, value: complex) -> str:
-        """Tell whether only the size or only the direction of a vector is wrong."""
         allowed = self.allowed[vector.letters]
         if not vector.start and not vector.letter:  # a point
             return verdict.WRONG
@@ -231,11 +221,6 @@ class Judge:
         there = mirrored(end, self.places)
         return there is not None and abs(value - (there - self.places.get(start, 0j))) <= self.allowed[vector.letters]
 
-    def _turned_over(self, vector: VectorAsked, value: complex) -> bool:
-        """Tell whether a point is at the other of the two places where its loci meet."""
-        other = None if vector.found is None else turned_over(vector.found.span.end)
-        return vector.start == "" and other is not None and abs(value - other) <= self.allowed[vector.letters]
-
     def _whole(self) -> tuple[str, Callable[[complex], complex]] | None:
         """Tell in what a plan is out as a whole, and how its vectors become right then."""
         pairs = [(vector, value) for vector in self.drawn.asked.vectors if (value := self.drawn.value(vector.letters))]
@@ -249,14 +234,12 @@ class Judge:
         return None
 
     def _said(self, kind: str, vector: VectorAsked | None = None, off: float | None = None) -> Verdict:
-        asked = self.drawn.asked
+        said = Verdict(*self.drawn.asked.place, "", kind, off, unit=self.drawn.asked.unit)
         if vector is None:
-            return Verdict(asked.plan, asked.position, "", kind, unit=asked.unit)
-        arrow = self.drawn.arrows.get(vector.letters)
-        return Verdict(
-            asked.plan, asked.position, vector.name, kind, off, self.allowed[vector.letters], asked.unit,
-            arrow and (arrow.start, arrow.end), vector.letters,
-        )  # fmt: skip
+            return said
+        arrow, allowed = self.drawn.arrows.get(vector.letters), self.allowed[vector.letters]
+        at = arrow and (arrow.start, arrow.end)
+        return said._replace(name=vector.name, allowed=allowed, at=at, letters=vector.letters)
 
 
 def _wholes(pairs: list[tuple[complex, complex]]) -> Iterator[tuple[str, Callable[[complex], complex]]]:

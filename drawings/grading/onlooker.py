@@ -78,7 +78,11 @@ class Onlooker(Observer):
         self.paper = super().opened(attributes)
         self.page = self.paper.width, self.paper.height
         if self.moved != STAY:
-            self.paper = _laid_back(self.paper, self.moved)
+            corners = (complex(x, y) for x in (0.0, self.paper.width) for y in (0.0, self.paper.height))
+            far = [(corner - self.moved.t) / self.moved.p for corner in corners]
+            back = Affine(1 / self.moved.p, 0j, -self.moved.t / self.moved.p)
+            wide, high = max(spot.real for spot in far), max(spot.imag for spot in far)
+            self.paper = Viewport(wide, high, back.after(self.paper.placing), self.paper.notes)
         return self.paper
 
     def leave(self) -> None:
@@ -98,15 +102,6 @@ class Onlooker(Observer):
         super()._add(outer, strokes, ink)
 
 
-def _laid_back(paper: Viewport, moved: Affine) -> Viewport:
-    """Give the paper of a sheet that was moved as a whole as it was before: all of the page is on it."""
-    corners = (complex(x, y) for x in (0.0, paper.width) for y in (0.0, paper.height))
-    far = [(corner - moved.t) / moved.p for corner in corners]
-    back = Affine(1 / moved.p, 0j, -moved.t / moved.p)
-    wide, high = max(spot.real for spot in far), max(spot.imag for spot in far)
-    return Viewport(wide, high, back.after(paper.placing), paper.notes)
-
-
 def _begun(text: Opened) -> Mapping[str, str]:
     """Give the attributes of a text as if it were set from its beginning, wherever it is anchored."""
     share, plain = SHARES.get(text.frame.look.text_anchor, 0.0), "".join(text.heard).strip()
@@ -120,7 +115,6 @@ def _begun(text: Opened) -> Mapping[str, str]:
 
 
 def _heads(attributes: Mapping[str, str]) -> frozenset[str]:
-    """Give the ends of an element that have a marker, by its attributes or its style."""
     if "marker" not in attributes.get("style", "") and not {BEGIN, END} & set(attributes):
         return frozenset()
     look = {**attributes, **declarations(said(attributes))}
@@ -175,9 +169,7 @@ def _segment(stroke: Stroke, heads: Mapping[int, Collection[str]], tips: Sequenc
     marked = heads.get(id(stroke), ())
     at_end = END in marked or _near(end, tips)
     at_start = BEGIN in marked or _near(start, tips)
-    if at_start and not at_end:
-        return Segment(end, start, True)
-    return Segment(start, end, at_end)
+    return Segment(end, start, True) if at_start and not at_end else Segment(start, end, at_end)
 
 
 def _near(spot: complex, tips: Sequence[complex]) -> bool:

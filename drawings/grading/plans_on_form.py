@@ -210,7 +210,6 @@ def scale_at(place: FormPlace, texts: Sequence[Text], plan: PlanAsked) -> float 
 
 
 def _distance(box: Box, arrow: Segment) -> float:
-    """Give how far a box is from an arrow, mm."""
     left, low, right, high = box
     corners = (complex(x, y) for x in (left, right) for y in (low, high))
     ends = min(off(spot, box) for spot in along(arrow.start, arrow.end))
@@ -218,7 +217,6 @@ def _distance(box: Box, arrow: Segment) -> float:
 
 
 def _from(spot: complex, arrow: Segment) -> float:
-    """Give how far a place is from an arrow, mm."""
     vector = arrow.end - arrow.start
     share = ((spot - arrow.start) * vector.conjugate()).real / abs(vector) ** 2 if vector else 0.0
     return abs(spot - arrow.start - vector * min(max(share, 0.0), 1.0)) if math.isfinite(share) else math.inf

@@ -45,7 +45,6 @@ def sheet_task(originals: Originals) -> SheetTask:
 
 
 def _of_plan(plan: PlanAsked) -> Iterator[tuple[str, tuple[Message, ...]]]:
-    """Give the steps by which the vectors of a plan are found, by their names."""
     for vector in plan.vectors:
         if vector.found is not None:
             yield vector.name, tuple(_steps(max(vector.found.span, key=lambda mark: mark.number)))
@@ -54,7 +53,6 @@ def _of_plan(plan: PlanAsked) -> Iterator[tuple[str, tuple[Message, ...]]]:
 
 
 def _of_curves(figures: Sequence[FigureAsked]) -> Iterator[tuple[str, tuple[Message, ...]]]:
-    """Give by what the values of curves are found, by their names."""
     for figure in figures:
         if figure.why is not None:
             hint = _hint(plan_named(figure.plan), figure.why)
@@ -90,15 +88,13 @@ def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
     names = (*(quantity.name for quantity in drawn), *(cell.quantity for cell in cells))
     slips = {key for name in names for key in (name, name.partition("_")[0])}
     idle = [f"points.{key}" for key in marking.points if key not in points]
-    figures = {
-        plan for quantity in (*drawn, *verdicts) for plan in (quantity.plan, *re.split("[- ]", quantity.plan)[:1])
-    }
-    idle += [f"caps.{key}" for key in marking.caps if key not in {*figures, OTHERS}]
+    plans = {quantity.plan for quantity in (*drawn, *verdicts)}
+    figures = {*plans, *(re.split("[- ]", plan)[0] for plan in plans), OTHERS}
+    idle += [f"caps.{key}" for key in marking.caps if key not in figures]
     return (*idle, *(f"tolerance.{key}" for key in marking.tolerance if key not in slips))
 
 
 def _drawn(task: SheetTask) -> Iterator[Verdict]:
-    """Give a verdict on each quantity that is drawn."""
     for plan in task.plans:
         names = (*(vector.name for vector in plan.vectors), *plan.ways)
         yield from (Verdict(plan.plan, plan.position, name, RIGHT) for name in names)

@@ -114,8 +114,7 @@ def _quotients(unit: str) -> Iterator[Worth]:
     """Read what is over and under strokes: all that is after one is under it, or its first factor alone."""
     over, *under = (list(map(_factor, _parts(part, "·"))) for part in _parts(unit, "/"))
     for top in _products(over):
-        for below in _products([factor for part in under for factor in part]):
-            yield top.times(below, -1)
+        yield from (top.times(below, -1) for below in _products([factor for part in under for factor in part]))
         if any(len(part) > 1 for part in under):
             for below in _products([part[0] for part in under]):
                 beside = _products([factor for part in under for factor in part[1:]])
@@ -142,12 +141,10 @@ def _products(factors: list[tuple[Worth, ...]]) -> Iterator[Worth]:
 
 
 def _factor(text: str) -> tuple[Worth, ...]:
-    """Read a factor with its power."""
     power = re.search(rf"(?:{_POWER.pattern}|\^\({_POWER.pattern}\))$", text)
     if power is None or text == "1":
         return tuple(_atoms(text))
-    times = int(power[1] or power[2])
-    return tuple(_raised(text[: power.start()], times))
+    return tuple(_raised(text[: power.start()], int(power[1] or power[2])))
 
 
 def _raised(text: str, power: int) -> Iterator[Worth]:
@@ -155,8 +152,7 @@ def _raised(text: str, power: int) -> Iterator[Worth]:
     if text.startswith("("):
         yield from (ONE.times(atom, power) for atom in _atoms(text))
         return
-    for row in _words(text, TOGETHER):
-        yield reduce(Worth.times, row[:-1], ONE).times(row[-1], power)
+    yield from (reduce(Worth.times, row[:-1], ONE).times(row[-1], power) for row in _words(text, TOGETHER))
 
 
 def _atoms(text: str) -> Iterator[Worth]:

@@ -198,10 +198,8 @@ def points_of(verdicts: Sequence[Verdict], marking: Marking) -> tuple[float, flo
         figures.setdefault((said.plan, position), []).append(said)
     won, most = Fraction(), Fraction()
     for (plan, _), every in figures.items():
-        there, got = (
-            sum((Fraction(str(round(points(said), 6))) for said in every), Fraction())
-            for points in (marking.most, marking.won)
-        )
+        roads = ([points(said) for said in every] for points in (marking.most, marking.won))
+        there, got = (sum((Fraction(str(round(one, 6))) for one in road), Fraction()) for road in roads)
         most += there
         won += there - min(there - got, Fraction(str(marking.cap(plan))))
     return round(float(max(won, Fraction())), 3), round(float(most), 3)

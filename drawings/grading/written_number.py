@@ -94,7 +94,6 @@ def value_of(found: re.Match[str]) -> tuple[float, float]:
 
 
 def _angle(found: re.Match[str], unit: str) -> WrittenNumber:
-    """Read an angle in degrees and minutes."""
     minutes = found["minutes"].replace(",", ".")
     value = float(found["degrees"]) + MINUTE * float(minutes)
     half = 0.5 * math.pow(10.0, -len(minutes.partition(".")[2])) * MINUTE

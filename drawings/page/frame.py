@@ -74,7 +74,6 @@ class TitleCell(NamedTuple):
 
     @property
     def _room(self) -> tuple[float, float]:
-        """The graph along and across its line of writing, mm."""
         return (self.height, self.width) if self.rotation % 180 else (self.width, self.height)
 
     def _takes(self, lines: list[str], size: float) -> bool:
@@ -130,7 +129,6 @@ def _broken(plain: str, size: float, room: float) -> list[str]:
 
 
 def _cut(line: str, size: float, room: float) -> str:
-    """Cut a line that is too long, with an ellipsis."""
     if _long(line, size) <= room:
         return line
     kept = bisect(range(1, len(line) + 1), room, key=lambda count: _long(f"{line[:count]}{ELLIPSIS}", size))
@@ -254,12 +252,8 @@ def _centring(size: tuple[float, float], field: Field, block: Field) -> Iterator
 
 def _trimming(size: tuple[float, float]) -> Iterator[Fill]:
     """Fill two overlapping rectangles in each corner, for the knife."""
-    for corner, way in (
-        (0j, 1 + 1j),
-        (complex(size[0], 0), -1 + 1j),
-        (complex(*size), -1 - 1j),
-        (1j * size[1], 1 - 1j),
-    ):
-        for wide, high in (TRIMMING, TRIMMING[::-1]):
-            across, up = way.real * wide, 1j * way.imag * high
+    wide, high = size
+    for corner, way in ((0j, 1 + 1j), (wide + 0j, -1 + 1j), (complex(wide, high), -1 - 1j), (1j * high, 1 - 1j)):
+        for long, short in (TRIMMING, TRIMMING[::-1]):
+            across, up = way.real * long, 1j * way.imag * short
             yield Fill((corner, corner + across, corner + across + up, corner + up), INK)

@@ -90,7 +90,6 @@ class Assignment:
         self._sound = set[Allowance]()
 
     def __repr__(self) -> str:
-        """Say it as a test that fails shows it."""
         return self.originals.path.name
 
     @property
@@ -105,22 +104,18 @@ class Assignment:
 
     def graded(self, path: Path, by: Allowance) -> Graded:
         """Grade a sheet; one that cannot be read is rejected with the reason."""
-        self._try_own(by)
-        return alone(path, partial(grade, task=self.task, by=Allowances(by)))
-
-    def held(self, path: Path) -> OnPaper | Graded:
-        """Hold a sheet against the one that the scene gives; one that cannot be read is rejected."""
-        _ = self.originals.sheets  # laid out once for all that are handed in
-        return alone(path, partial(held, path=path, originals=self.originals))
-
-    def _try_own(self, by: Allowance) -> None:
-        """Grade the scene's own sheets first: nobody is answered by what they do not pass."""
         if not self.task.sheets:
             raise AcceptanceError(message("accept.ungraded", scene=self.originals.path.name))
         if by not in self._sound:
             if grade_own(self.originals, self.task, Allowances(by)).outcome != PASS:
                 raise AcceptanceError(message("grade.self"))
             self._sound.add(by)
+        return alone(path, partial(grade, task=self.task, by=Allowances(by)))
+
+    def held(self, path: Path) -> OnPaper | Graded:
+        """Hold a sheet against the one that the scene gives; one that cannot be read is rejected."""
+        _ = self.originals.sheets  # laid out once for all that are handed in
+        return alone(path, partial(held, path=path, originals=self.originals))
 
 
 def assignment(scene: Assignment | FilePath) -> Assignment:

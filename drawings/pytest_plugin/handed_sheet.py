@@ -34,21 +34,17 @@ class ReadAngle(float):
     """
 
     def __sub__(self, other: float) -> float:
-        """Give by how much it is ahead of another, -180 to 180."""
         return math.remainder(float(self) - float(other), WHOLE)
 
     def __rsub__(self, other: float) -> float:
-        """Give by how much another is ahead of it."""
         return math.remainder(float(other) - float(self), WHOLE)
 
     def __eq__(self, other: object) -> bool:
-        """Tell whether another shows the same way."""
         if not isinstance(other, int | float):  # what is about so large compares by itself
             return NotImplemented
         return math.remainder(float(self) - float(other), WHOLE) == 0.0
 
     def __hash__(self) -> int:
-        """Hash as what it is within a turn."""
         return hash(float(self) % WHOLE)
 
 
@@ -70,7 +66,6 @@ class ReadVector(NamedTuple):
         return ReadAngle(math.degrees(cmath.phase(self.value)) % WHOLE)
 
     def __repr__(self) -> str:
-        """Say it as a test that fails shows it."""
         return f"{self.name} = {self.size:.4g} {self.unit} at {self.angle:.1f}°"
 
     @property
@@ -92,7 +87,6 @@ class ReadPlan:
     language: str
 
     def __repr__(self) -> str:
-        """Say it as a test that fails shows it."""
         return plan_told(self.name, self.position).worded(self.language)
 
     @property
@@ -118,15 +112,12 @@ class ReadPlan:
         if value is None:
             value = self.drawn.between(start, end)
         if value is None:
-            there = tuple(
-                f"{vector.name}" for vector in self.drawn.asked.vectors if vector.letters in self.drawn.arrows
-            )
+            there = tuple(one.name for one in self.drawn.asked.vectors if one.letters in self.drawn.arrows)
             where = plan_told(self.name, self.position)
             raise NotDrawnError(message("accept.no_vector", plan=where, name=name, names=there).worded(self.language))
         return ReadVector(name, value, self.drawn.asked.unit)
 
     def _letters(self, name: str) -> tuple[str, str]:
-        """Give the letters of the ends of a vector."""
         named = [vector.letters for vector in self.drawn.asked.vectors if vector.name == name]
         if named:
             return named[0]
@@ -148,9 +139,8 @@ def chosen(plans: Sequence[DrawnPlan], name: str, position: int | None, language
     if len(found) == 1:
         return ReadPlan(found[0], language)
     there = tuple(_faults(found or plans)) or (message("accept.nothing"),)
-    parts = {"name": name, "names": there} if position is None else {"name": name, "names": there, "position": position}
     key = f"accept.{'no' if not found else 'several'}_plan{'' if position is None else '_at'}"
-    raise NotDrawnError(message(key, **parts).worded(language))
+    raise NotDrawnError(message(key, name=name, names=there, position=position).worded(language))
 
 
 def named(plans: Sequence[DrawnPlan], name: str, position: int | None) -> list[DrawnPlan]:
@@ -168,7 +158,6 @@ def _called(plan: str, name: str) -> bool:
 
 
 def _faults(plans: Iterable[DrawnPlan]) -> Iterator[Message]:
-    """Name plans, each once with all its positions."""
     positions: dict[str, list[str]] = {}
     for plan, position in (plan.asked.place for plan in plans):
         positions.setdefault(plan, []).extend([] if position is None else [str(position)])
@@ -189,7 +178,6 @@ class HandedSheet:
     silent: bool = False
 
     def __repr__(self) -> str:
-        """Say it as a test that fails shows it."""
         return self.path.name
 
     @property
@@ -210,7 +198,6 @@ class HandedSheet:
         return chosen(found, name, position, self.language)
 
     def _read(self, scene: Assignment | None) -> tuple[DrawnPlan, ...]:
-        """Give the plans that are found on the sheet."""
         __tracebackhide__ = True
         changed = self.path.stat().st_mtime_ns if self.path.exists() else 0
         read = _read(self.path, changed, scene)
@@ -227,5 +214,4 @@ def handed(sheet: HandedSheet | FilePath) -> HandedSheet:
 
 @cache
 def _read(path: Path, changed: int, scene: Assignment | None) -> Graded:
-    """Read a sheet, once as long as it is not changed: of a known scene by its letters too, else by its marks alone."""
     return alone(path, by_its_marks) if scene is None else scene.graded(path, Allowance())

@@ -52,11 +52,8 @@ class Item(NamedTuple):
 def items(leaf: Leaf) -> list[Item]:
     """List what inks a sheet, from back to front."""
     tables = leaf.metadata.get("rows", {})
-    return [
-        item
-        for top, group in enumerate(leaf.groups)
-        for item in _within(group, Home(top, group.name, _lettering(group, tables)))
-    ]
+    homes = ((group, Home(top, group.name, _lettering(group, tables))) for top, group in enumerate(leaf.groups))
+    return [item for group, home in homes for item in _within(group, home)]
 
 
 def inside(stroke: Stroke, figure: str) -> list[Item]:
@@ -65,8 +62,7 @@ def inside(stroke: Stroke, figure: str) -> list[Item]:
 
 
 def _lettering(group: Group, tables: object) -> str:
-    stem = group.name.rpartition("-")[0]
-    if isinstance(tables, Mapping) and stem in tables:
+    if isinstance(tables, Mapping) and group.name.rpartition("-")[0] in tables:
         return "cell"
     if group.name.startswith("equations-"):
         return "equation"
@@ -135,17 +131,15 @@ def brought(stroke: Stroke, by: Affine) -> Stroke:
         case Polyline() | Fill():
             return stroke._replace(points=tuple(by(point) for point in stroke.points))
         case Arc(centre, radius, first, last):
-            return stroke._replace(
-                centre=by(centre), radius=radius * size, start_angle=first + turn, end_angle=last + turn
-            )
+            start, end = first + turn, last + turn
+            return stroke._replace(centre=by(centre), radius=radius * size, start_angle=start, end_angle=end)
         case Circle(centre, radius):
             return stroke._replace(centre=by(centre), radius=radius * size)
         case Curve():
             return stroke._replace(pieces=tuple(piece.placed(by.p, by.t) for piece in stroke.pieces))
         case Text():
-            return stroke._replace(
-                at=by(stroke.at), size=stroke.size * size, rotation=stroke.rotation + math.degrees(turn)
-            )
+            rotation = stroke.rotation + math.degrees(turn)
+            return stroke._replace(at=by(stroke.at), size=stroke.size * size, rotation=rotation)
 
 
 STILL = ("frame", "corners", "title-block", "notes")  # what every sheet has, by the names of its groups
@@ -189,7 +183,7 @@ class SheetFigures:
         """The rectangles that figures take, without the frame, which is around all of them."""
         corners: dict[str, list[complex]] = {}
         for item in items(self.leaf):
-            if item.home.figure and item.home.figure != STILL[0] and item.home.figure != STILL[1]:
+            if item.home.figure not in ("", *STILL[:2]):
                 corners.setdefault(item.home.figure, []).extend(spots(item.stroke))
         return {name: _box(places) for name, places in corners.items()}
 
@@ -242,7 +236,6 @@ def _box(places: list[complex]) -> Box:
 
 
 def _scale(size: str | None, unit: str | None) -> MarkScale | None:
-    """Read a scale that a mark states; of a stranger's that is no number there is none."""
     try:
         found = MarkScale(float(size or ""), unit or "")
     except ValueError:

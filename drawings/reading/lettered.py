@@ -254,7 +254,6 @@ def _askew(letters: Sequence[_Letter], size: float) -> _Line | None:
 
 
 def _turned_back(letter: _Letter, angle: float, near: float) -> _Letter:
-    """Turn a letter by an angle (rad) against its direction, and look it up again."""
     turn, (place, unit, glyph) = cmath.rect(1, -angle), letter
     trail = Trail(glyph.trail.signature, tuple(turn * point for point in glyph.trail.points))
     return turn * place, unit, SeenGlyph(trail, readings(trail, unit, near))

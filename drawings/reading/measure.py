@@ -62,20 +62,10 @@ def profile(mark: SheetMark, pole: complex, scale: float, stated: complex, resol
     deviation = _number(mark, "deviation")
     if not deviation >= 0:
         raise SheetRefused("deviation", who=mark.who, size=deviation)
-    return MeasuredProfile(
-        plan=mark.data.get("plan", ""),
-        quantity=mark.data.get("quantity", ""),
-        name=mark.data.get("name", ""),
-        position=None,
-        value=(start - pole) * turn,
-        stated=stated,
-        unit=mark.data.get("unit", ""),
-        scale=scale,
-        at=start,
-        pieces=tuple(piece.placed(turn, stated - start * turn) for piece in pieces(_parts(mark))),
-        deviation=deviation,
-        quantum=resolution * scale,
-    )
+    plan, quantity, name, unit = (mark.data.get(key, "") for key in ("plan", "quantity", "name", "unit"))
+    placed = tuple(piece.placed(turn, stated - start * turn) for piece in pieces(_parts(mark)))
+    values = (start - pole) * turn, stated, unit, scale, start, placed, deviation, resolution * scale
+    return MeasuredProfile(plan, quantity, name, None, *values)
 
 
 def _parts(mark: SheetMark) -> Iterator[tuple[complex, ...]]:

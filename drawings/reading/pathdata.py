@@ -245,7 +245,6 @@ def _past_gap(text: str, place: int) -> int:
 
 
 def _command(path: str, place: int, letter: str) -> tuple[str, int]:
-    """Read the next command's letter; one that is left out repeats the last."""
     if path[place] in _LETTERS:
         return path[place], _past_gap(path, place + 1)
     if letter == "" or letter in "Zz":

@@ -165,7 +165,12 @@ class _Reader:
 
     def _enter(self, name: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         if tag in _TELLING or self.hearing:
-            self._listen(tag, attributes)
+            telling_tag = tag == "style" or (tag == "metadata" and attributes.get("id") == "sheet")
+            # An editor may add elements to the description, and none to a style.
+            if self.hearing and (telling_tag or self.hearing == "style"):
+                raise SheetRefused("inside", tag=tag[:_SAID])
+            if telling_tag:
+                self.hearing, self.heard, self.heard_length, self.heard_depth = tag, [], 0, len(self.frames) + 1
         names, values = teller(tuple(attributes))
         alike = (self.frames[-1], name, names, values(attributes))
         if (frame := self.known.get(alike)) is None:
@@ -220,14 +225,6 @@ class _Reader:
         if not all(abs(size) <= limits.REACH for point in points for size in (point.real, point.imag)):
             raise SheetRefused("far_mark", who=called(data))
         sheet.marks.append(SheetMark(kind, data, points, tuple(map(len, shown))))
-
-    def _listen(self, tag: str, attributes: Mapping[str, str]) -> None:
-        """Begin to hear the text of a style or of the description; an editor may add elements to the latter."""
-        telling_tag = tag == "style" or (tag == "metadata" and attributes.get("id") == "sheet")
-        if self.hearing and (telling_tag or self.hearing == "style"):
-            raise SheetRefused("inside", tag=tag[:_SAID])
-        if telling_tag:
-            self.hearing, self.heard, self.heard_length, self.heard_depth = tag, [], 0, len(self.frames) + 1
 
     def _hear(self, text: str) -> None:
         if self.witness is not None:

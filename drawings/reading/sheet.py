@@ -181,11 +181,10 @@ class Observer:
             self._leave_aside(what)
         if frame.tag in SHAPES:
             try:
-                ink = ink_of(element.frame)
-                if not self._letter(element, ink):
+                if not self._letter(element, ink := ink_of(frame)):
                     self._line(element, ink)
             except SheetRefused:
-                self._leave_aside(f"<{element.frame.tag}>")
+                self._leave_aside(f"<{frame.tag}>")
 
     def hear(self, text: str) -> None:
         """Take the characters within the innermost element."""
@@ -274,12 +273,8 @@ class Observer:
         outer = self.open[-1]
         if text := _text(element):
             self._add(outer, (text,), element.ink)
-        group = Group(
-            tuple(element.strokes),
-            element.attributes.get("id", ""),
-            element.data or _data(element.attributes),
-            element.title,
-        )
+        name, data = element.attributes.get("id", ""), element.data or _data(element.attributes)
+        group = Group(tuple(element.strokes), name, data, element.title)
         if group.strokes or group.name or group.data or group.title:
             outer.strokes.append(group)
 
@@ -303,12 +298,10 @@ class Observer:
 def _text(element: Opened) -> Text | None:
     if not element.letters:
         return None
-    typed = [part for part in element.letters if isinstance(part, Typeset)]
-    lined = [part for part in element.letters if isinstance(part, PathLetters)]
-    said = element.attributes.get(_SAID, "")
-    if typed:
-        return joined(typed, said, _filled(element.ink.style.fill))
-    return written(lined, said, _penned(element.ink.style))
+    said, style = element.attributes.get(_SAID, ""), element.ink.style
+    if typed := [part for part in element.letters if isinstance(part, Typeset)]:
+        return joined(typed, said, _filled(style.fill))
+    return written([part for part in element.letters if isinstance(part, PathLetters)], said, _penned(style))
 
 
 def _penned(style: LineStyle) -> LineStyle:

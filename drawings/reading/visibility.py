@@ -307,6 +307,5 @@ def _contrast(light: tuple[int, int, int], deep: tuple[int, int, int]) -> float:
 
 
 def _light(parts: tuple[int, int, int]) -> float:
-    """Give the relative luminance of a colour of sRGB."""
     linear = [math.pow((part / 255 + 0.055) / 1.055, 2.4) if part > 10 else part / 255 / 12.92 for part in parts]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]

@@ -64,7 +64,8 @@ class Formula:
         text = ""
         for image in images:
             apart = " " if re.search(r"\\[a-z]+$", text) else ""
-            text += apart + self.letter(_lowered(image))
+            found = re.fullmatch(r"(\D+?)(\d+)('*)", image)  # the letter of an image: a3 as a_{3}
+            text += apart + self.letter(f"{found[1]}_{{{found[2]}}}{found[3]}" if found and "_" not in image else image)
         return text
 
     def line(self, points: str) -> str:
@@ -144,12 +145,6 @@ def _index(index: str) -> str:
     if not text.isascii() or (text.upper() != text and len(text) > 1):
         return _text(text)
     return re.sub(r"([A-Z])(\d+)", r"\1_{\2}", text)
-
-
-def _lowered(image: str) -> str:
-    """Lower the number of an image's letter: a3 as a_{3}."""
-    found = re.fullmatch(r"(\D+?)(\d+)('*)", image)
-    return f"{found[1]}_{{{found[2]}}}{found[3]}" if found and "_" not in image else image
 
 
 # A letter with an index, which a note has in braces and a name of a quantity bare: F_{us}, m_ID_I, R^t_12, J_0^*.
@@ -239,12 +234,8 @@ def drawn(leaves: Mapping[str, Sequence[Leaf]], language: str) -> Iterator[str]:
 
 def see(leaves: Mapping[str, Sequence[Leaf]], language: str, *starts: str) -> Iterator[str]:
     """Refer to the figures whose names begin so, sheet by sheet; to none where there are none."""
-    lines = [
-        word(language, "report.on_sheet", number=_number(leaf), figures=", ".join(figures))
-        for group in leaves.values()
-        for leaf in group
-        if (figures := _headings(leaf, starts, language))
-    ]
+    told = ((leaf, _headings(leaf, starts, language)) for group in leaves.values() for leaf in group)
+    lines = [word(language, "report.on_sheet", number=_number(leaf), figures=", ".join(on)) for leaf, on in told if on]
     if lines:
         yield f"\n{word(language, 'report.see', sheets='; '.join(lines))}"
 

@@ -190,15 +190,13 @@ NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which d
 
 def share(findings: Sequence[Quantity]) -> str:
     """Write the least power of ten of the largest values that no difference is beyond."""
-    shares = [_apart(finding) for finding in findings if finding.largest > 0]
+    shares = [
+        float(np.nanmax(finding.difference / np.fmax(np.abs(finding.construction), finding.largest), initial=0.0))
+        for finding in findings
+        if finding.largest > 0
+    ]
     power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
     return f"10^{{−{-power}}}" if power else "1"
-
-
-def _apart(finding: Quantity) -> float:
-    """Give the worst difference as a share of the largest value, or of its own where a jam makes that larger."""
-    sizes = np.fmax(np.abs(finding.construction), finding.largest)
-    return float(np.nanmax(finding.difference / sizes, initial=0.0))
 
 
 def gap_lines(gaps: Sequence[Gap]) -> list[Message]:

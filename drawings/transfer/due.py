@@ -143,5 +143,4 @@ class _ExpectedTransfer:
 def _swing(stations: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> tuple[float, float]:
     """Give from where to where the crank goes that cannot turn fully, counted from the first position of its way."""
     reached = np.unique(stations)
-    apart = np.diff(reached, append=reached[0] + TURN)
-    return 0.0, float(TURN - apart.max())
+    return 0.0, float(TURN - np.diff(reached, append=reached[0] + TURN).max())

@@ -112,7 +112,6 @@ def _vectors(shown: TurnedScheme, subject: Subject, place: Place, hand: Hand) ->
 
 
 def _angles(shown: TurnedScheme, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Mark right angles, and equal ones by as many arcs each."""
     for vertex, ways in right_angles(shown.images, shown.column, SHORT * shown.bones.reach):
         spot, (first, second) = place.on(vertex), (way * SQUARE * hand.symbol for way in ways)
         yield Polyline((spot + first, spot + first + second, spot + second), False, hand.drafted)
@@ -131,7 +130,6 @@ def _equal(equal: EqualAngle, count: int, place: Place, hand: Hand) -> Iterator[
 
 
 def _letters(shown: TurnedScheme, pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
-    """Letter the points and the images, each as that of all its points."""
     names: dict[Mark, list[str]] = {mark: [mark.name] for mark in shown.images}
     for point, mark in shown.plan.images.items():
         names.get(mark, []).append(shown.plan.letters[point])

@@ -93,11 +93,8 @@ class _TransferSheet:
             yield curve._replace(title=title, name=f"transfer-{order + 1}")
 
     def _tables(self) -> Iterator[RuledTable]:
-        """Tell by both roads what moves; nothing of what stays zero."""
-        lines = [
-            value_table.value_row(found, named(found, self.drafting.language), self.positions, self.drafting.language)
-            for found in listed(self.comparison)
-        ]
+        language, rows = self.drafting.language, listed(self.comparison)
+        lines = [value_table.value_row(row, named(row, language), self.positions, language) for row in rows]
         if lines:
             yield value_table.table(lines, self.positions, self.drafting)
 

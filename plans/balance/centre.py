@@ -71,22 +71,19 @@ class WeightBounds:
     def findings(self, ours: Balance, theirs: Balance) -> Iterator[Quantity]:
         """Compare every counterweight, and every mass that stays."""
         for weight, other in zip(ours.counterweights, theirs.counterweights, strict=True):
-            yield from self._of(weight, other)
+            slack, link = self.slack(weight.link), weight.link
+            named = COUNTERWEIGHTS, f"U_{link}", "kg*m"
+            yield Quantity.of(named, (weight.moment, other.moment), slack, max(abs(weight.moment), slack))
+            off = 2 * EPS * weight.mass + uncertain(weight, slack)
+            yield Quantity.of((COUNTERWEIGHTS, f"m_cw{link}", "kg"), (weight.mass, other.mass), off, weight.mass)
+            if weight.needed and other.needed:
+                place = slack / weight.mass + weight.distance * (4 * EPS + uncertain(weight, slack) / weight.mass)
+                named, far = (COUNTERWEIGHTS, f"r_cw{link}", "m"), abs(weight.centre) + weight.distance
+                yield Quantity.of(named, (weight.centre, other.centre), place, far)
         largest = max((abs(mass) for mass in ours.left.values()), default=0.0)
         for point in dict.fromkeys((*ours.left, *theirs.left)):
             pair = ours.left.get(point, 0j), theirs.left.get(point, 0j)
             yield Quantity.of((COUNTERWEIGHTS, f"m_{point}", "kg"), pair, self.loose(point), largest)
-
-    def _of(self, weight: Counterweight, other: Counterweight) -> Iterator[Quantity]:
-        slack, link = self.slack(weight.link), weight.link
-        named = COUNTERWEIGHTS, f"U_{link}", "kg*m"
-        yield Quantity.of(named, (weight.moment, other.moment), slack, max(abs(weight.moment), slack))
-        off = 2 * EPS * weight.mass + uncertain(weight, slack)
-        yield Quantity.of((COUNTERWEIGHTS, f"m_cw{link}", "kg"), (weight.mass, other.mass), off, weight.mass)
-        if weight.needed and other.needed:
-            place = slack / weight.mass + weight.distance * (4 * EPS + uncertain(weight, slack) / weight.mass)
-            named, far = (COUNTERWEIGHTS, f"r_cw{link}", "m"), abs(weight.centre) + weight.distance
-            yield Quantity.of(named, (weight.centre, other.centre), place, far)
 
 
 class ComparedPositions(NamedTuple):
@@ -194,7 +191,7 @@ class Centre:
 
     def polygons(self, theirs: MassCentre) -> Iterator[Quantity]:
         """Compare the polygons of static moments and of inertia forces."""
-        place, force = self._row(self.drawing.place, theirs.r), self._row(self.drawing.shaking.end, theirs.force)
+        place, force = self.row(self.drawing.place, theirs.r), self.row(self.drawing.shaking.end, theirs.force)
         static = self.sizes[0] / self.mass
         allowed = self.stretch.allowed(self.summed + self.given / self.mass, PLACE, static)
         yield Quantity.of((CENTRE, f"Σmr/m{self.mark}", "m"), (place, theirs.r), allowed, static)
@@ -211,11 +208,7 @@ class Centre:
             pair = np.array([ours]), np.array([theirs[link]])
             yield Quantity.of((CENTRE, f"h_{link}{self.mark}", "m"), pair, np.array([slack]), size)
 
-    def moments(self, like: MassCentre) -> Complexes:
-        """Give the polygon's sum of all static moments, kg*m, in which nothing is left out that is near to nothing."""
-        return self._row(self.drawing.polygon.end, like.r)
-
-    def _row(self, mark: Any, like: Complexes) -> Complexes:
+    def row(self, mark: Any, like: Complexes) -> Complexes:
         """Give a mark over the positions; where there is no place there is none of it."""
         return np.where(np.isnan(like), np.nan, np.broadcast_to(mark.point, len(like)))
 
@@ -257,7 +250,9 @@ class Centres:
     def _still(self, centre: Centre, ours: MassCentre) -> Quantity:
         """Hold what must rest: the mass centre, but for what is left at sliders and the share that the crank bears."""
         motion, left = self.stretch.motion.construction, self.ours.left
-        moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
+        moving = centre.row(centre.drawing.polygon.end, ours.r) - sum(
+            mass * motion.points[point].r for point, mass in left.items()
+        )
         # What the crank bears of the masses at sliders, kg*m in its frame
         share = self.study.share
         mechanism = self.study.linkage.mechanism
@@ -289,7 +284,6 @@ def frame_holds(forces: Kinetostatics) -> tuple[Complexes, Floats]:
 
 
 def _judged(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Quantity:
-    """Put two beside each other where both have an answer."""
     ours, theirs = pair
     theirs = np.where(np.isnan(theirs), ours, theirs)
     return Quantity.of((plan, name, unit), (np.where(np.isnan(ours), theirs, ours), theirs), allowed, largest)

@@ -150,7 +150,13 @@ class Drawing:
 def centre_drawing(points: MainPoints, accelerations: Plan) -> Drawing:
     """Draw the mass centre over the positions of an acceleration plan, and the inertia forces there."""
     main, turned = by_main_points(points, accelerations)
-    polygon, shaking = _moments(points, accelerations.positions), _forces(points, accelerations)
+    board = Board(POLYGON)
+    pole = board.given("0", 0j, because("static_start"))
+    vectors = [
+        (link, board.turn(f"m_{link}r_S{link}", mark, points.body(link).mass, because("moment_of_link", link=link)))
+        for link, mark in _centres(points, accelerations.positions)
+    ]
+    polygon, shaking = _chain(board, pole, vectors, "mr_S"), _forces(points, accelerations)
     place = polygon.board.turn("r_S", polygon.end, 1 / points.mass, because("over_mass"))
     force = shaking.board.turn("Φ", turned.end, -points.mass, because("main_vector"))
     return Drawing(main, polygon, place, turned, force, shaking, _moment(points, accelerations, shaking))
@@ -166,8 +172,7 @@ def by_main_points(points: MainPoints, accelerations: Plan) -> tuple[VectorChain
 def _main(points: MainPoints, plan: Plan, board: Board, start: Mark, name: str) -> VectorChain:
     """Lay the main-point vectors off end to end, each turned and stretched from an arm of its link on the plan."""
     pole = board.transfer("O" if plan is plan.positions else start.name, start, because("chain_start"))
-    vectors = list(_vectors(points, plan, board))
-    return _chain(board, pole, vectors, name)
+    return _chain(board, pole, list(_vectors(points, plan, board)), name)
 
 
 def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int, Mark]]:
@@ -198,19 +203,7 @@ def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str)
     return VectorChain(board, pole, tuple(sides))
 
 
-def _moments(points: MainPoints, positions: Plan) -> VectorChain:
-    """Lay the static moments of the links off end to end (figure 8.5)."""
-    board = Board(POLYGON)
-    pole = board.given("0", 0j, because("static_start"))
-    vectors = [
-        (link, board.turn(f"m_{link}r_S{link}", mark, points.body(link).mass, because("moment_of_link", link=link)))
-        for link, mark in _centres(points, positions)
-    ]
-    return _chain(board, pole, vectors, "mr_S")
-
-
 def _centres(points: MainPoints, plan: Plan) -> Iterator[tuple[int, Mark]]:
-    """Give the images of the mass centres of all links that have mass."""
     for stem in points.tree.stems:
         body = points.body(stem.link)
         if body.mass:
@@ -221,10 +214,8 @@ def _forces(points: MainPoints, accelerations: Plan) -> VectorChain:
     """Lay the inertia forces of the links off end to end: their closing is the main vector once more."""
     board = Board(SHAKING)
     pole = board.given("0", 0j, because("forces_start"))
-    vectors = [
-        (link, board.turn(f"Φ_{link}", mark, -points.body(link).mass, because("inertia_force")))
-        for link, mark in _centres(points, accelerations)
-    ]
+    centres, why = _centres(points, accelerations), because("inertia_force")
+    vectors = [(link, board.turn(f"Φ_{link}", mark, -points.body(link).mass, why)) for link, mark in centres]
     return _chain(board, pole, vectors, "ΣΦ")
 
 
@@ -232,10 +223,8 @@ def _moment(points: MainPoints, accelerations: Plan, shaking: VectorChain) -> Ma
     """Sum the moments of the inertia forces about the datum, and the inertia moments of the links."""
     board, positions = shaking.board, accelerations.positions
     places = dict(_centres(points, positions))
-    moments = [
-        board.moment(f"M(Φ_{side.link})", positions.pole, places[side.link], side.vector, because("about_shaft"))
-        for side in shaking.sides
-    ]
+    rows, why = ((side.link, side.vector) for side in shaking.sides), because("about_shaft")
+    moments = [board.moment(f"M(Φ_{link})", positions.pole, places[link], force, why) for link, force in rows]
     for link, reading in sorted(accelerations.readings.items()):
         inertia = points.body(link).inertia
         if inertia:

@@ -94,8 +94,7 @@ class Costs:
 
     def allowed(self, after: bool, index: str) -> tuple[Floats, Floats]:
         """Give how far main vector and the reaction of a pair, by its index, may be off over the turn, N."""
-        both = self.forces(after)
-        found = {reaction.name: reaction.allowed for reaction in both.reactions()}
+        found = {reaction.name: reaction.allowed for reaction in self.forces(after).reactions()}
         off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
         return self.centre(after).shaken, np.asarray(found[f"R_{index}"] + off)
 
@@ -247,7 +246,6 @@ def _centre(centre: MassCentre, vectors: Mapping[int, complex], datum: complex) 
 
 
 def _weight(weight: Counterweight) -> dict[str, Any]:
-    """Give a counterweight; one that is not needed has a mass of 0 and no place."""
     moment = _vector(weight.moment)
     data: dict[str, Any] = {"on": weight.link, "mass": weight.mass, "moment": moment, "begin": weight.begin}
     if not weight.needed:

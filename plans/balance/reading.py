@@ -42,7 +42,6 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
 
 
 def _lengths(form: BalanceTable) -> Iterator[tuple[Path, Decimal]]:
-    """Give the lengths m that a scene states."""
     for number, weight in enumerate(form.counterweights):
         sizes = {"radius": weight.radius, "at": weight.at, "thickness": weight.thickness}
         path: Path = ("balance", "counterweights", number)
@@ -137,8 +136,7 @@ def _float(value: Decimal | None) -> float | None:
 
 def survey_of(meaning: Meaning) -> BalanceSurvey:
     """Examine a scene's balancing."""
-    linkage = meaning.of(LinkageSurvey)
-    survey, form = replace(linkage, faults=[]), meaning.scene.of(BalanceForm).balance
+    survey, form = replace(meaning.of(LinkageSurvey), faults=[]), meaning.scene.of(BalanceForm).balance
     for number, weight in enumerate(form.counterweights):
         _check_carrier(survey, ("balance", "counterweights", number), weight)
     if form.aim != NONE:

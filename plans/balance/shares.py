@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -75,7 +75,7 @@ def forces_around(statics: Statics) -> Kinetostatics:
 def mass_centre(points: MainPoints, study: LinkageStudy, turn: CrankPositions) -> MassCentre:
     """Find the mass centre at crank positions, in blocks; NaN at gaps."""
     parts = [_part(points, study, turn.part(slice(start, start + BLOCK))) for start in range(0, len(turn), BLOCK)]
-    r, a, moment = (_joined([part[row] for part in parts]) for row in range(3))
+    r, a, moment = (np.concatenate([part[row] for part in parts]) for row in range(3))
     return MassCentre(CONSTRUCTION, turn.phi, points.mass, r, a, moment.real)
 
 
@@ -94,10 +94,6 @@ def _part(points: MainPoints, study: LinkageStudy, turn: CrankPositions) -> tupl
     for row in (a, moment):
         row[drafts.lost | drafts.unborne] = np.nan
     return r, a, moment
-
-
-def _joined(rows: Sequence[npt.NDArray[Any]]) -> npt.NDArray[Any]:
-    return rows[0] if len(rows) == 1 else np.concatenate(rows)
 
 
 HALVINGS = 53  # of an interval of shares: as many as a number has binary digits
@@ -208,7 +204,6 @@ class Superposition:
         return np.asarray(first + share * step)
 
     def _borne(self, share: float) -> Complexes:
-        """Superpose reaction and moment at a share."""
         (first, step, mass, turning), here = self._bears, self.burden(share)
         more, slower = here.mass - self.first.mass, here.inertia - self.first.inertia
         return np.asarray(first + share * step + more * mass + slower * turning)

@@ -72,11 +72,8 @@ def reciprocating(mechanism: Mechanism, groups: Sequence[Assur], task: BalanceTa
     """Give the sliders of the frame whose rods hang on the crank and carry nothing, each with the crank's pin."""
     crank = mechanism.links[mechanism.drive.link].points
     rods = (group for group in groups if isinstance(group, Dyad) and group.kind == "RRP")
-    return {
-        rod.pin: rod.hinge(0)
-        for rod in rods
-        if rod.hosts[1] == FRAME and rod.hinge(0) in crank and task.place(rod.links[0]) is None
-    }
+    hung = (rod for rod in rods if rod.hosts[1] == FRAME and rod.hinge(0) in crank)
+    return {rod.pin: rod.hinge(0) for rod in hung if task.place(rod.links[0]) is None}
 
 
 def _share(found: Substitution, groups: Sequence[Assur], share: float) -> None:

@@ -69,7 +69,6 @@ def line_of(mechanism: Mechanism, link: int, begin: str) -> complex:
 
 
 def _mass(place: Site, need: SumTerm, begin: str, along: complex) -> float:
-    """Find the mass: the given one, or that of a radius, of a place on the link's line, or of a sector."""
     if place.mass is not None:
         return place.mass
     if place.radius is not None:
@@ -179,8 +178,7 @@ def _root(mechanism: Mechanism, stems: Mapping[int, Stem], left: Sequence[int]) 
 
 def _sliding(mechanism: Mechanism, stems: Mapping[int, Stem], left: Sequence[int]) -> Iterator[Stem]:
     """Give the links that slide on the frame, then those that slide on others that are there."""
-    known = (FRAME, *stems)
-    for parent in known:
+    for parent in (FRAME, *stems):
         for slide in mechanism.slides:
             for link, other in ((slide.slider, slide.owner), (slide.owner, slide.slider)):
                 if other == parent and link in left:

@@ -76,7 +76,6 @@ GOLDEN: Final = (math.sqrt(5) - 1) / 2  # the section of the axis that no divisi
 
 
 def _load(x: Floats) -> Floats:
-    """Give the load where the tool cuts."""
     return np.where((x > JUMPS[0]) & (x < JUMPS[1]), 1.0, 0.0)
 
 
@@ -171,8 +170,7 @@ def bank(study: Study, _: Demand) -> Iterator[Timing]:
         off = {mark.name: abs(complex(mark.point - true.vectors[n].point)) for n, mark in few.vectors.items()}
         return Errors.of({name: away / largest for name, away in off.items()})
 
-    for count in FEW:
-        yield Timing(partial(_few, found, count), count, {ORDINATES: judge})
+    yield from (Timing(partial(_few, found, count), count, {ORDINATES: judge}) for count in FEW)
 
 
 def _few(found: BankStudy, count: int) -> Harmonics:

@@ -11,10 +11,10 @@ from plans.scene.faults import Path
 from plans.words.words import Message, message, placed
 
 # One token of TOML. Possessive repeats keep every text, closed or not, linear; a string may lack its end.
+STRING = r"\"\"\"(?:[^\"\\]|\\.|\"(?!\"\"))*+(?:\"{3,5}|\\?\Z)|'''(?:[^']|'(?!''))*+(?:'{3,5}|\Z)"
+STRING += r"|\"(?:[^\"\\\n]|\\[^\n])*+\"?|'[^'\n]*+'?"
 TOKEN = (
-    r"(?P<blank>[ \t\r]+|\#[^\n]*)|(?P<line>\n)"
-    r"|(?P<text>\"\"\"(?:[^\"\\]|\\.|\"(?!\"\"))*+(?:\"{3,5}|\\?\Z)|'''(?:[^']|'(?!''))*+(?:'{3,5}|\Z)"
-    r"|\"(?:[^\"\\\n]|\\[^\n])*+\"?|'[^'\n]*+'?)"
+    rf"(?P<blank>[ \t\r]+|\#[^\n]*)|(?P<line>\n)|(?P<text>{STRING})"
     r"|(?P<mark>[\[\]{}=,.])|(?P<bare>[^\s\[\]{}=,.\"'\#]+)|(?P<other>.)"
 )
 
@@ -111,7 +111,6 @@ class Places:
         return path
 
     def _last(self, path: Path) -> Path:
-        """Lead into the last table of an array of tables."""
         return (*path, self._arrays[path]) if path in self._arrays else path
 
     def _repeat(self, path: Path, first: int | None, second: int) -> None:
@@ -199,8 +198,6 @@ PARTS_LIMIT = 16
 NESTING_LIMIT = 32
 MARKS_LIMIT = 150_000  # commas, equals signs and brackets: room for 100,000 positions; tomllib reads as many in 0.3 s
 
-STRING = r"\"\"\"(?:[^\"\\]|\\.|\"(?!\"\"))*+(?:\"{3,5}|\\?\Z)|'''(?:[^']|'(?!''))*+(?:'{3,5}|\Z)"
-STRING += r"|\"(?:[^\"\\\n]|\\[^\n])*+\"?|'[^'\n]*+'?"
 _PART = r"(?:[A-Za-z0-9_-]++|\"(?:[^\"\\\n]|\\[^\n])*+\"|'[^'\n]*+')"
 # What a pre-scan has to see: comments and strings to skip, too long dotted keys, brackets.
 GUARD = re.compile(

@@ -95,10 +95,8 @@ def named(name: FieldReader, entry: FieldReader, *checks: Check, first: Check | 
         if not isinstance(value, dict):
             refused.append(Refusal(path, "not_a_table", {}, value))
             return REFUSED
-        pairs = [
-            (name.read(key, (*path, key), refused), entry.read(part, (*path, key), refused))
-            for key, part in value.items()
-        ]
+        rows = ((key, part, (*path, key)) for key, part in value.items())
+        pairs = [(name.read(key, way, refused), entry.read(part, way, refused)) for key, part, way in rows]
         return REFUSED if len(refused) > before else _all(checks, dict(pairs), path, refused)
 
     def form() -> Form:

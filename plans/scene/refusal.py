@@ -110,8 +110,7 @@ def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     known = list(holders_of(tables[pattern]))
     elsewhere = [table for table in tables if table != pattern and key in holders_of(tables[table])]
     homes = [] if elsewhere or key in known else [home for kind in tables[()] if (home := kind.home_of(key))]
-    kinds = tables[pattern]
-    stated = ((name, kind.keys[name].also) for kind in kinds for name in kind.keys)
+    stated = ((name, kind.keys[name].also) for kind in tables[pattern] for name in kind.keys)
     other = next((name for name, also in stated if key.casefold() in also), "")
     near = [other] if other else nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()

@@ -151,7 +151,6 @@ class Meaning:
         self._surveys: dict[str, Survey] = {}
 
     def __getitem__(self, technique: str) -> Survey:
-        """Give the survey of a technique's part."""
         if technique not in self._surveys:
             self._surveys[technique] = techniques()[technique].survey(self)
         return self._surveys[technique]

@@ -181,9 +181,8 @@ def _text(data: bytes, file: str) -> str:
 
 def _encoding(data: bytes) -> str:
     """Name the encoding that Notepad or a spreadsheet may have used: by its mark, or by every other byte being 0."""
-    for mark, encoding in ENCODINGS:
-        if data.startswith(mark):
-            return encoding
+    if marked := next((encoding for mark, encoding in ENCODINGS if data.startswith(mark)), ""):
+        return marked
     start = data[:ZEROS]
     halves = (start[0::2], start[1::2])
     one_sided = any(half and not any(half) and b"\0" not in other for half, other in (halves, halves[::-1]))

@@ -54,7 +54,6 @@ def _findings(study: TransferStudy, motion: MotionComparison) -> Iterator[Quanti
 
 
 def _of_motion(of: TransferFunctions, motion: MotionComparison, order: Order) -> Quantity:
-    """Find what the plan of an order at 1 rad/s tells of the same."""
     name = f"{order.link.symbol}_{of.of}" if isinstance(of.of, int) else f"{order.point.symbol}_{of.of.point}"
     return next(found for found in motion.of(order.plan) if found.name == name)
 
@@ -67,11 +66,8 @@ def _bound(of: TransferFunctions, plan: TurnedPlan) -> Any:
 
 def listed(comparison: TransferComparison) -> list[Quantity]:
     """List what tables tell: all that is anywhere more than rounding."""
-    return [
-        found
-        for found in comparison.findings
-        if np.nanmax(np.abs(found.analysis), initial=0.0) > np.nanmax(found.allowed, initial=0.0)
-    ]
+    sizes = ((found, np.nanmax(np.abs(found.analysis), initial=0.0)) for found in comparison.findings)
+    return [found for found, size in sizes if size > np.nanmax(found.allowed, initial=0.0)]
 
 
 def by_scales(found: Sequence[Quantity], scales: Mapping[str, float], k: int) -> Mapping[tuple[str, int], float]:
@@ -85,9 +81,8 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     plan, linkage = study.of(TransferStudy).turned, study.of(TransferStudy).linkage
     read = {of.names[0]: tuple(of.shown(plan)) for of in functions(linkage.mechanism)}
     named = {mark.name: (mark,) for mark in plan.board if mark.name.endswith("'")} | read
-    found = named.get(name) or sum((named.get(end, ()) for end in name.split(" ")), ())  # "a' b'": of a vector
-    if not found:
+    if name not in named:
         return NoMark(tuple(named), message("mark.marks", marks=", ".join(read)), tuple(read)[:1])
     wanted = position_of(linkage, position)
-    steps = in_position(behind(*found), wanted, len(linkage.turn))
+    steps = in_position(behind(*named[name]), wanted, len(linkage.turn))
     return Explanation(title(linkage, name, wanted), steps, {**UNITS, TRANSFER: "m"}, (), POSITIONS.plan)

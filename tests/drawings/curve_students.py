@@ -61,16 +61,11 @@ def drawn(
     leaf = sheet.leaf
     for key, own in values.items():
         asked = task.figure(key)
-        moves = _moves(asked, own)
+        moves = np.asarray(np.nan_to_num(own - asked.true) / asked.scale)
         groups = tuple(_group(one, asked, moves, along) for one in leaf.groups)
         leaf = leaf._replace(groups=groups)
     kept = (_kept(one, keep) for one in leaf.groups)
     return svg(leaf._replace(groups=tuple(one for one in kept if isinstance(one, Group))))
-
-
-def _moves(asked: FigureAsked, values: Complexes) -> Complexes:
-    """Give by how much each value moves on paper, mm."""
-    return np.asarray(np.nan_to_num(values - asked.true) / asked.scale)
 
 
 def _kept(one: Stroke, keep: Keep) -> Stroke | None:

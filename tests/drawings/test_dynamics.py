@@ -19,7 +19,7 @@ from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.dynamics.report import notes_of
 from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, sheets
-from drawings.grading.curves.run_figures import Bare
+from drawings.grading.curves.run_figures import speeds_before
 from drawings.page.page import drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Kind, Line, Polyline
@@ -85,7 +85,7 @@ def swinging(delta: float) -> tuple[Speeds, Floats]:
 
 def drawn_on(true: Speeds, surplus: Floats) -> Floats:
     own = {SURPLUS: np.asarray(1j * surplus), INERTIA: (MASSES - true.inertia).astype(np.complex128)}
-    return Bare(true)(own).imag
+    return speeds_before(true, own).imag
 
 
 @pytest.mark.parametrize("delta", [0.1, 1.0, 1.5, 1.9])

@@ -74,12 +74,6 @@ def written(source: bytes) -> Iterator[str]:
     yield from re.findall(r"<(?:title|desc|metadata)[^>]*>([^<]*)<", text)
 
 
-def spellings(number: float) -> Iterator[str]:
-    """Write a number as a sheet may: digits without sign, power and zeros at the ends, rounded to each length."""
-    for digits in ROUNDED:
-        yield f"{number:.{digits - 1}e}".split("e")[0].replace(".", "").rstrip("0")
-
-
 @pytest.mark.rest
 @pytest.mark.parametrize("path", first(IN_TURN))
 def test_no_result_is_written_on_a_form(path: Path) -> None:
@@ -91,7 +85,9 @@ def test_no_result_is_written_on_a_form(path: Path) -> None:
         for road in ("construction", "analysis")
         for number in results(json.loads(json_text(study.numbers(technique, road).plain())))
         for scale in (1.0, 57.29577951308232)
-        for spelling in spellings(number * scale)
+        for spelling in (
+            f"{(number * scale):.{digits - 1}e}".split("e")[0].replace(".", "").rstrip("0") for digits in ROUNDED
+        )
         if len(spelling) > 2
     }
     assert leaves and len(answers) > 10

@@ -93,20 +93,15 @@ def left_over(run: Run, found: Kinetostatics) -> dict[int, tuple[Complexes, Floa
     return {link: sums for link, sums in rest.items() if link != FRAME}
 
 
-def in_balance(run: Run) -> None:
+@examples(3, 50)
+@given(run=runs())
+def test_every_link_is_in_equilibrium_and_slides_push_square_to_their_line(run):
     found = run.forces
     allowed = ROUNDINGS * EPS * largest(run, found) * len(run.mechanism.links)
-    # Arms are no longer than the places themselves, measured from the datum.
     reach = run.road.constraints.size + np.max([np.abs(point.r) for point in run.motion.points.values()], axis=0)
     for link, (force, moment) in left_over(run, found).items():
         assert (np.abs(force) <= allowed).all(), link
         assert (np.abs(moment) <= allowed * reach).all(), link
-
-
-@examples(3, 50)
-@given(run=runs())
-def test_every_link_is_in_equilibrium_and_slides_push_square_to_their_line(run):
-    in_balance(run)
     for key, reaction in run.forces.reactions.items():
         if reaction.along is not None:
             along = (reaction.along.conj() * reaction.force).real

@@ -104,12 +104,8 @@ def rates_of(study: Study, kind: str, positions: Collection[int | None]) -> Rate
     """Give what the rates of some positions are read off."""
     if kind not in PLANS:
         return {}
-    plans = (
-        (k, order, study.of(LinkageStudy).drafts([k]).plan(order.number))
-        for k in positions
-        if k is not None
-        for order in ORDERS[1:]
-    )
+    known, drafts = [k for k in positions if k is not None], study.of(LinkageStudy).drafts
+    plans = ((k, order, drafts([k]).plan(order.number)) for k in known for order in ORDERS[1:])
     return {
         (folded(Text(0j, f"{order.link.symbol}_{{{link}}}").plain), k): reading
         for k, order, plan in plans
@@ -153,9 +149,8 @@ def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _TablePart]]:
     leaf, expected = plain(sheet.leaf, sheet.leaf.lettering), originals.expected(sheet)
-    bands = (
-        (table_of(sheet.kind, group.name), next(texts((group,)), None)) for group in groups(leaf.groups) if group.name
-    )
+    bare = (group for group in groups(leaf.groups) if group.name)
+    bands = ((table_of(sheet.kind, group.name), next(texts((group,)), None)) for group in bare)
     corners = [(text, name) for name, text in bands if name and text is not None]
     if not corners:
         return
@@ -206,22 +201,15 @@ class _Own:
         read = tuple(map(folded, _bare(self.labels[label].plain).split(" = "))) if head == self.plan else ()
         hand = self._value((label, position, self.beside[0]))
         name, place = self._called(key, quantity)
+        told = hand is not None or self.sought[1] != "values"  # where it lies by a dead centre
+        shown = int(place) if self.sought[1] in POSITIONS and place.isdigit() else position
         return CellAsked(
-            name,
-            quantity,
-            place,
-            value,
-            self._printed(key, value),
-            unit,
-            largest,
-            hand,
-            told=hand is not None or self.sought[1] != "values",  # where it lies by a dead centre
-            position=int(place) if self.sought[1] in POSITIONS and place.isdigit() else position,
+            name, quantity, place, value, self._printed(key, value), unit, largest, hand, told=told, position=shown,
             read=read,
             reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
             sheet=self.cells[key].sheet.name,
             altered=tuple((kind, due) for kind, row in self.cells[key].altered if (due := _due(row)) is not None),
-        )
+        )  # fmt: skip
 
     def _printed(self, key: Key, value: float) -> float:
         """Give how far what is printed may be from the value: by its last digit, and by what both roads differ by."""
@@ -242,7 +230,6 @@ class _Own:
         return (quantity if self.sought[1] in POSITIONS else f"{quantity} ({row})"), row
 
     def _worded(self, key: Key) -> tuple[str, str]:
-        """Give the quantity of a cell and its unit."""
         label, head = self.labels[key[0]], self.heads[key[2]]
         named = head if self.across else label
         unit = next((text.plain.rpartition(", ")[2] for text in (head, label) if ", " in text.plain), "")
@@ -270,7 +257,6 @@ def _altered(row: Expected, others: Sequence[Alteration]) -> tuple[tuple[str, Ex
 
 
 def _bare(plain: str) -> str:
-    """Give the name of a quantity without its unit."""
     return plain.rpartition(", ")[0] if ", " in plain else plain
 
 

@@ -55,9 +55,8 @@ class BesideTables(NamedTuple):
                 value = plan.value(vector.letters)
                 if value is None or not value or not vector.true:
                     continue
-                if _read(vector.name, language) in cell.read or (
-                    unit == folded(cell.unit) and cell.is_(abs(vector.true))
-                ):
+                sized = unit == folded(cell.unit) and cell.is_(abs(vector.true))
+                if sized or _read(vector.name, language) in cell.read:
                     yield abs(value), mm
                 elif cell.unit == DEGREE and cell.is_(math.degrees(cmath.phase(vector.true))):
                     yield math.degrees(cmath.phase(value)), math.degrees(mm / abs(value))
@@ -174,9 +173,8 @@ class CellJudge:
     def _following(self, said: Mapping[Key, Verdict]) -> dict[Key, tuple[str, str]]:
         """Give the cells that are out by the factor of another one of their row that is wrong before, or follows."""
         found = dict[Key, tuple[str, str]]()
-        out = [
-            key for key, one in said.items() if one.kind in (verdict.WRONG, verdict.FOLLOWS) and key in self._numbers
-        ]
+        kinds = (verdict.WRONG, verdict.FOLLOWS)
+        out = [key for key, one in said.items() if one.kind in kinds and key in self._numbers]
         for key in (key for key in out if said[key].kind == verdict.WRONG):
             before = out[: out.index(key)]
             beside = [other for other in out if said[other].kind == verdict.FOLLOWS or other in before]
@@ -227,10 +225,11 @@ class CellJudge:
 
     def _misfit(self, wrong: Sequence[Key], times: float) -> float:
         """Give how far numbers are at the most from being out by a factor, as a share of what they may be."""
-        rows = [
-            (self._numbers[key].value, self.asked.cells[key].true * times, self._allowed(key, times)) for key in wrong
-        ]
-        return max(abs(value - due) / min(may, ALIKE * abs(due)) if due else math.inf for value, due, may in rows)
+        dues = ((key, self.asked.cells[key].true * times) for key in wrong)
+        return max(
+            abs(self._numbers[key].value - due) / min(self._allowed(key, times), ALIKE * abs(due)) if due else math.inf
+            for key, due in dues
+        )
 
     def _beside(self, key: Key, step: int) -> float | None:
         """Give the true value of a quantity so many places further; the last of a turn goes before the first."""
@@ -256,20 +255,13 @@ class CellJudge:
 
 
 def _apart(value: float, true: float, unit: str) -> float:
-    """Give how far a value is from the true one; a whole turn is nothing."""
     return abs(math.remainder(value - true, FULL)) if unit == DEGREE else abs(value - true)
 
 
 def _factors(unit: str) -> Iterator[tuple[str, float, str]]:
     """Give by what a number is out that is told in another unit, or twice."""
-    for power in POWERS:
-        yield verdict.DECADE, 10.0**power, f"10^{power}"
-        yield verdict.DECADE, 10.0**-power, f"10^-{power}"
-    if unit in ANGLES:
-        yield verdict.DEGREES, A_RADIAN, ""
-        yield verdict.DEGREES, 1 / A_RADIAN, ""
-    if unit in SPEEDS:
-        yield verdict.TURNS, A_MINUTE, ""
-        yield verdict.TURNS, 1 / A_MINUTE, ""
-    yield verdict.TWICE, 2.0, ""
-    yield verdict.TWICE, 0.5, ""
+    yield from ((verdict.DECADE, 10.0**power, f"10^{power}") for size in POWERS for power in (size, -size))
+    for kind, times, units in (
+        (verdict.DEGREES, A_RADIAN, ANGLES), (verdict.TURNS, A_MINUTE, SPEEDS), (verdict.TWICE, 2.0, (unit,))
+    ):  # fmt: skip
+        yield from ((kind, factor, "") for factor in (times, 1 / times) if unit in units)

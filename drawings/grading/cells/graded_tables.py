@@ -47,7 +47,6 @@ def tables_drawn(sheet: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
 
 
 def _doubled(asked: TableAsked, first: Mapping[Key, SeenCell], second: Mapping[Key, SeenCell]) -> Iterator[Key]:
-    """Give the cells in which two copies of a table have numbers that differ."""
     for key in (key for key in asked.cells if key in first and key in second):
         ours, theirs = (" ".join(text.plain for text in cells[key].texts) for cells in (first, second))
         if ours and theirs and ours != theirs:

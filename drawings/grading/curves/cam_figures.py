@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -63,17 +63,17 @@ class _CamSheet:
         return self.cam.expected
 
     @property
+    def _exact(self) -> Mapping[str, Floats]:
+        law = self.expected.after
+        return {ACCELERATION: law.bend, VELOCITY: law.slope, TRAVEL: law.s}
+
+    @property
     def _drawn(self) -> bool:
         """Whether the sizes are found by a diagram: the face of a rocker has none."""
         return not (self.expected.cam.flat and self.expected.cam.rocks)
 
     def laws(self) -> Iterator[FigureAsked]:
         """Give the diagrams of the law, each integrated from the one before."""
-        exact = {
-            ACCELERATION: self.expected.after.bend,
-            VELOCITY: self.expected.after.slope,
-            TRAVEL: self.expected.after.s,
-        }
         courses, other = {VELOCITY: self.cam.velocity, TRAVEL: self.cam.travel}, self.cam.swapped
         for key, row in self.cam.rows.items():
             plan = law_named(self.expected.cam, key)
@@ -83,7 +83,7 @@ class _CamSheet:
                 swapped = () if law is None else (Mistake(verdict.PHASES, law),)
                 yield from self.sheet.figure(
                     key, plan, by_number(marks), np.asarray(1j * row.after), kind=ORDINATES, stepped=chorded,
-                    slack=np.abs(row.after - exact[key]), linear=chorded,
+                    slack=np.abs(row.after - self._exact[key]), linear=chorded,
                     paper=self.sheet.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
                     course=courses.get(key), why=because("integral_chord") if chorded else None,
                     mistakes=swapped,
@@ -92,12 +92,13 @@ class _CamSheet:
     @cached_property
     def _ends(self) -> dict[tuple[str, int | None], int]:
         count = len(self.cam.turned)
-        return {
-            **{("D", k): k for k in range(count)},
-            ("O", None): count,
-            ("R_0", None): count + 1,
-            ("L", None): count + 2,
-        }
+        places: list[tuple[str, int | None]] = [
+            *(("D", k) for k in range(count)),
+            ("O", None),
+            ("R_0", None),
+            ("L", None),
+        ]
+        return {place: k for k, place in enumerate(places)}
 
     def sizes(self) -> Iterator[FigureAsked]:
         """Give the diagram of the main sizes."""
@@ -137,10 +138,7 @@ class _CamSheet:
 
     def _sized(self) -> Floats:
         """Give by how much D is out that is laid off by the chords of the law."""
-        off = [
-            self.cam.rows[key].after - exact
-            for key, exact in zip((VELOCITY, TRAVEL), (self.expected.after.slope, self.expected.after.s), strict=True)
-        ]
+        off = (self.cam.rows[key].after - self._exact[key] for key in (VELOCITY, TRAVEL))
         size = np.hypot(*(row[self.cam.numbered] for row in off))
         length = self.expected.cam.follower.length if self.expected.cam.rocks else 1.0
         return np.concatenate((size * (length or 1.0), np.zeros(3)))

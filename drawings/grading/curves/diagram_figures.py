@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -42,14 +42,11 @@ def load_diagrams(sheet: SceneSheet, statics: Statics) -> Iterator[FigureAsked]:
         marks = {name: mark for (name, _), mark in sheet.marks(plan).items()}
         whole = next((marks[name] for name in WHOLE if name in marks), None)
         if isinstance(whole, MeasuredVector):
-            sizes = {
-                (name, None): k for k, name in enumerate([whole.name, *(name for name in OVERRUNS if name in marks)])
-            }
+            names = (whole.name, *(name for name in OVERRUNS if name in marks))
+            sizes = {(name, None): k for k, name in enumerate(names)}
             yield from sheet.figure(f"{plan} sizes", plan, sizes, kind=LENGTHS, why=because("tool_stroke"))
-            corners = [mark for name, mark in marks.items() if (name, None) not in sizes]
-            yield from _corners(
-                sheet, load, whole, [corner for corner in corners if isinstance(corner, MeasuredVector)]
-            )
+            corners = (mark for name, mark in marks.items() if name not in names)
+            yield from _corners(sheet, load, whole, [mark for mark in corners if isinstance(mark, MeasuredVector)])
 
 
 class Corner(NamedTuple):
@@ -112,7 +109,7 @@ def _figure(sheet: SceneSheet, rows: Mapping[str, ExpectedRow], key: str, speed:
     above = KEYS[k - 1] if k else None  # that it is the derivative of
     whole = bool(np.isclose(row.axis.turned[-1] - row.axis.turned[0], TURN))
     paper = sheet.paper(plan, row.axis.turned, places)
-    course = None if above is None else Slope(above, rows[above].at, row.at, row.axis.turned / speed, whole)
+    course = None if above is None else partial(_slope, rows[above], row, row.axis.turned / speed, whole)
     yield from sheet.figure(
         key, plan, by_number(marks, places), np.asarray(1j * row.at), slack=_slack(row), kind=ORDINATES,
         paper=paper, behind=() if above is None else (above,), course=course, linear=above is not None,
@@ -128,24 +125,19 @@ def _slack(row: ExpectedRow) -> Floats:
     return np.nan_to_num(np.abs(row.result(row.axis.turned) - row.at))
 
 
-@dataclass(frozen=True)
-class Slope:
-    """A diagram as the slope of the one above it, which a student may have drawn otherwise."""
+def _slope(
+    above: ExpectedRow, row: ExpectedRow, times: Floats, whole: bool, drawn: Mapping[str, Complexes]
+) -> Complexes:
+    """Give a diagram as the slope of the one above it, which a student may have drawn otherwise, over times, s.
 
-    above: str
-    risen: Floats  # the true one above
-    true: Floats
-    times: Floats  # s
-    whole: bool  # whether the last position is the first again
-
-    def __call__(self, drawn: Mapping[str, Complexes]) -> Complexes:
-        """Give the derivative."""
-        moved, times = drawn[self.above].imag - self.risen, self.times
-        if self.whole:
-            moved = np.concatenate((moved[-2:-1], moved, moved[1:2]))
-            times = np.concatenate(([times[0] - times[-1] + times[-2]], times, [times[-1] + times[1] - times[0]]))
-            return np.asarray(1j * (self.true + np.gradient(moved, times)[1:-1]))
-        return np.asarray(1j * (self.true + np.gradient(moved, times)))
+    Of a `whole` turn the last position is the first again.
+    """
+    moved = drawn[above.key].imag - above.at
+    if whole:
+        moved = np.concatenate((moved[-2:-1], moved, moved[1:2]))
+        times = np.concatenate(([times[0] - times[-1] + times[-2]], times, [times[-1] + times[1] - times[0]]))
+        return np.asarray(1j * (row.at + np.gradient(moved, times)[1:-1]))
+    return np.asarray(1j * (row.at + np.gradient(moved, times)))
 
 
 def figures_of_cyclogram(_: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:

@@ -190,11 +190,8 @@ def scales_on(asked: FigureAsked, sheet: SeenSheet) -> tuple[Mapping[str, float]
         found = stated_scales(texts((group,)), asked.stated)
     else:
         every = [stated_scales((text,), asked.stated) for text in texts(sheet.leaf.groups)]
-        found = {
-            letter: mu
-            for letter, mu in mus.items()
-            if any(_ratio(scales.get(letter, 0.0), mu) == 1.0 for scales in every)
-        }
+        ours = (name for name, mu in mus.items() if any(_ratio(one.get(name, 0.0), mu) == 1.0 for one in every))
+        found = {letter: mus[letter] for letter in ours}
     return {**asked.scales, **found}, mus.keys() <= found.keys()
 
 
@@ -262,5 +259,4 @@ class _OnAxis:
 
 
 def _hits(curve: Complexes, spots: Complexes) -> int:
-    """Count the places that a curve goes through."""
     return int((away(curve, spots) <= THROUGH).sum())

@@ -121,11 +121,8 @@ class _GradedDynamics:
 
     def _tangents(self, turn: TurnCourses) -> Iterator[FigureAsked]:
         wheel, ratio = turn.wheel, turn.scales[0] / turn.scales[1]
-        drawn = {
-            vector.name: vector
-            for vector in self.sheet.measured.vectors
-            if vector.plan == LOOP and vector.position is None
-        }
+        loop = (vector for vector in self.sheet.measured.vectors if vector.plan == LOOP)
+        drawn = {vector.name: vector for vector in loop if vector.position is None}
         slopes = np.array([complex(1.0, slope * ratio) for slope in wheel.slopes])
         bearings = np.array(
             [drawn[name].value if name in drawn else slope for name, slope in zip(TANGENTS, slopes, strict=True)]
@@ -148,5 +145,4 @@ class _GradedDynamics:
         )  # fmt: skip
 
     def _aside(self, key: str, names: Sequence[str], true: Complexes, **how: Any) -> Iterator[FigureAsked]:
-        """Give what stands beside the loop."""
         yield from self.sheet.figure(key, LOOP, {(name, None): k for k, name in enumerate(names)}, true, **how)

@@ -107,10 +107,12 @@ class _Answer:
 
     def _stepped(self, start: int, end: int, expected: Complexes) -> bool:
         """Tell whether the step from one place to another is as it is due."""
+        return self._step_off(start, end, expected) <= float(self.allowed[end]) * self.asked.step(start, end)
+
+    def _step_off(self, start: int, end: int, expected: Complexes) -> float:
         drawn = self.drawn.values
         begun = drawn[start] if self.drawn.there[start] else expected[start]
-        apart = self.asked.off(drawn[end : end + 1] - begun, expected[end : end + 1] - expected[start])
-        return bool(apart[0] <= self.allowed[end] * self.asked.step(start, end))
+        return float(self.asked.off(drawn[end : end + 1] - begun, expected[end : end + 1] - expected[start])[0])
 
     @property
     def good(self) -> bool:
@@ -212,10 +214,8 @@ class _Answer:
     def _of_step(self, said: Verdict, k: int) -> Verdict:
         """Give by how much the step to a place is out that is itself within what slips may add up to."""
         last = max(np.flatnonzero(self.near[:k]).tolist(), default=0)
-        drawn, true = self.drawn.values, self.asked.true
-        begun = drawn[last] if self.drawn.there[last] else true[last]
-        off = float(self.asked.off(drawn[k : k + 1] - begun, true[k : k + 1] - true[last])[0])
-        return said._replace(off=off, allowed=float(self.allowed[k]) * self.asked.step(last, k))
+        allowed = float(self.allowed[k]) * self.asked.step(last, k)
+        return said._replace(off=self._step_off(last, k, self.asked.true), allowed=allowed)
 
     def _goes_on(self, k: int) -> bool:
         """Tell whether a value of a curve that is drawn on from place to place is right from the one before it."""
@@ -283,7 +283,7 @@ def figure_verdicts(
                 yield from judge.verdicts(one, one.allowed(allowed(figure), scales))
                 continue
             judge.pass_by(figure)
-            if filled is not None and not (figure.plan in filled and (figure.curved or _is_graph(figure))):
+            if filled is not None and not (figure.plan in filled and (figure.curved or figure.is_graph)):
                 continue
             if sheet in marked or (found if filled is None else not filled[figure.plan]):
                 yield from _missing(figure)
@@ -291,11 +291,6 @@ def figure_verdicts(
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
         if kept is not None:
             kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]
-
-
-def _is_graph(asked: FigureAsked) -> bool:
-    """Tell whether a figure has axes of its own on a form, and would be read there."""
-    return asked.kind == ORDINATES and asked.paper is not None
 
 
 def _missing(asked: FigureAsked) -> Iterator[Verdict]:

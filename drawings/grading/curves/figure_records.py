@@ -122,6 +122,11 @@ class FigureAsked:
         return 1.0 if self.on_paper else tuple(self.scales.values())[-1]
 
     @property
+    def is_graph(self) -> bool:
+        """Whether it has axes of its own, and would be read there on a form."""
+        return self.kind == ORDINATES and self.paper is not None
+
+    @property
     def largest(self) -> float:
         """The largest of its values that are known, true units: at a dead centre one may be none."""
         return float(np.nanmax(np.abs(self.true), initial=0.0))
@@ -207,11 +212,8 @@ class SceneSheet(NamedTuple):
 
     def vectors(self, plan: str) -> dict[int, MeasuredVector]:
         """Give the ordinates of a graph by their positions."""
-        return {
-            vector.position: vector
-            for vector in self.measured.vectors
-            if vector.plan == plan and vector.position is not None
-        }
+        ordinates = (vector for vector in self.measured.vectors if vector.plan == plan)
+        return {vector.position: vector for vector in ordinates if vector.position is not None}
 
     def scales(self, plan: str, *figures: str) -> dict[str, float]:
         """Give the scales that are written over a figure, by their letters."""

@@ -11,12 +11,12 @@ import numpy as np
 from drawings.checks.hold import off
 from drawings.checks.readers import Frame
 from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, away, chains, foot, heights, nearness
-from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
+from drawings.grading.curves.figure_records import FigureAsked
 from drawings.grading.drawn_plan import Arrow
-from drawings.grading.form_place import FormPlace, form_places
+from drawings.grading.form_place import FormPlace, form_places, straight_lines
 from drawings.grading.written_number import stated_scales
 from drawings.lettering.lettering import bounds
-from drawings.paper.strokes import GIVEN, Curve, Fill, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import GIVEN, Curve, Fill, Group, Line, Polyline
 from drawings.paper.walk import flat, groups, texts
 from drawings.reading.sheet import SeenSheet
 from plans.model.motion import Complexes, Floats
@@ -79,16 +79,12 @@ def _is_own(line: Complexes) -> bool:
 def every_axes(sheet: SeenSheet) -> dict[str, Blank]:
     """Give all axes of a form by the plans that they are for; those that an editor has regrouped by their order."""
     found = [group for group in groups(sheet.leaf.groups) if group.data.get("kind") == AXES]
-    blanks = {group.data.get("plan", ""): _blank(_lines(group.strokes)) for group in found}
+    blanks = {group.data.get("plan", ""): _blank(straight_lines(group.strokes)) for group in found}
     empty = [plan for plan, blank in blanks.items() if blank is None]
-    loose = list(_loose(_lines(flat(sheet.leaf.groups)))) if empty else []
+    loose = list(_loose(straight_lines(flat(sheet.leaf.groups)))) if empty else []
     if len(loose) == len(empty):
         blanks |= dict(zip(empty, loose, strict=True))
     return {plan: blank for plan, blank in blanks.items() if blank is not None}
-
-
-def _lines(strokes: Iterable[Stroke]) -> list[Line]:
-    return [line for line in strokes if isinstance(line, Line)]
 
 
 def _loose(lines: Sequence[Line]) -> Iterator[Blank]:
@@ -113,7 +109,6 @@ def _blank(lines: Sequence[Line]) -> Blank | None:
 
 
 def _is_tick(line: Line, origin: complex) -> bool:
-    """Tell whether a line is a tick of the abscissa."""
     upright = abs((line.end - line.start).real) <= PLACED and abs(line.end - line.start) < SHORT
     return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
 
@@ -140,14 +135,13 @@ def places_filled(sheet: SeenSheet) -> dict[str, bool]:
 
 
 def _within(sheet: SeenSheet, place: FormPlace) -> list[Complexes]:
-    """Give the lines that may be curves whose middles lie within a place."""
     return [line for line in chains(_ink(sheet)) if place.off(complex(line.mean())) == 0]
 
 
 def from_form(asked: FigureAsked, sheet: SeenSheet) -> DrawnFigure | None:
     """Give a figure by what is drawn on its axes or in its place on a form; None where nothing of it is there."""
     blank = every_axes(sheet).get(asked.plan)
-    if asked.kind == ORDINATES and asked.paper is not None and blank is not None:
+    if asked.is_graph and blank is not None:
         return (_course if asked.returns else _graph)(asked, sheet, blank)
     return _line(asked, sheet, blank) if asked.curved else None
 
@@ -292,7 +286,6 @@ def _graph(asked: FigureAsked, sheet: SeenSheet, blank: Blank) -> DrawnFigure | 
 
 
 def _arrows(frame: Frame, places: Floats, high: Floats) -> dict[int, Arrow]:
-    """Give where the values of a curve stand on paper."""
     feet = frame.zero + frame.along * places
     ends = feet + frame.rise * high
     return {k: Arrow(complex(feet[k]), complex(ends[k])) for k in np.flatnonzero(np.isfinite(high)).tolist()}
@@ -322,7 +315,6 @@ def _step(blank: Blank, written: Mapping[str, float], turn: float | None) -> flo
 
 
 def _fitted(asked: FigureAsked, high: Floats) -> float:
-    """Give the scale by which a graph is nearest to what is asked for."""
     there, true = ~np.isnan(high), (asked.true / asked.way).real
     size = float((high[there] ** 2).sum())
     return abs(float((true[there] * high[there]).sum())) / size if size else 1.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Final, NamedTuple
@@ -114,10 +114,8 @@ class TurnCourses(NamedTuple):
     @property
     def true(self) -> dict[str, Complexes]:
         """The graphs by analysis."""
-        return {
-            name: np.asarray((1 if name == INERTIA else 1j) * row, dtype=np.complex128)
-            for name, row in self.expected.graphs.items()
-        }
+        ways = ((name, row if name == INERTIA else 1j * row) for name, row in self.expected.graphs.items())
+        return {name: np.asarray(row, dtype=np.complex128) for name, row in ways}
 
 
 # Shares of a stage at which its curve is read, by how the instants there are written: of the first, of any other.
@@ -169,7 +167,6 @@ def _instants(run: MachineRun) -> Iterator[tuple[str, float]]:
 
 
 def _rising(run: MachineRun) -> tuple[Floats, Floats]:
-    """Give the instants of a run with their speeds, one of both where two stages meet."""
     kept = np.append(np.diff(run.t) > 0, True)
     return run.t[kept], run.omega[kept]
 
@@ -190,22 +187,14 @@ def bare_speeds(sheet: SceneSheet, expected: AnalysedTurn, exact: AnalysedTurn) 
         BEFORE, BEFORE, by_number(marks, dict(enumerate(places))), np.asarray(1j * before.omega), kind=ORDINATES,
         scales={"ω": next(iter(marks.values())).scale}, paper=paper, why=because("speed_by_energy"), behind=behind,
         slack=np.abs(before.omega - (before if sure is None else sure).omega), mistakes=flywheeled,
-        course=Bare(before) if behind else None,
+        course=partial(speeds_before, before) if behind else None,
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Bare:
-    """The speeds without the flywheel as they follow from surplus energies and inertias."""
-
-    true: Speeds
-
-    def __call__(self, drawn: Mapping[str, Complexes]) -> Complexes:
-        """Find the energy at which the mean of the least and the greatest speed is what it must be."""
-        surplus, inertia = drawn[SURPLUS].imag, drawn[INERTIA].real + self.true.inertia
-        expected = float(np.ptp(self.true.omega) / 2 + self.true.omega.min())
-        energy = energy_at(expected, surplus, inertia)
-        if energy is None:  # with such energies the machine would stop: nothing follows from them
-            return np.full(len(surplus), complex(np.nan, np.nan))
-        omega = np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia)
-        return np.asarray(1j * omega)
+def speeds_before(true: Speeds, drawn: Mapping[str, Complexes]) -> Complexes:
+    """Give the speeds without the flywheel by surplus energies and inertias: their mean is what it must be."""
+    surplus, inertia = drawn[SURPLUS].imag, drawn[INERTIA].real + true.inertia
+    energy = energy_at(float(np.ptp(true.omega) / 2 + true.omega.min()), surplus, inertia)
+    if energy is None:  # with such energies the machine would stop: nothing follows from them
+        return np.full(len(surplus), complex(np.nan, np.nan))
+    return np.asarray(1j * np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia))

@@ -134,8 +134,7 @@ def _sides(drawn: ForcePlans, cut: CutGroup) -> Iterator[Found]:
 
 def _marks(drawn: ForcePlans, cut: CutGroup) -> Iterator[tuple[str, Mark]]:
     """Give the marks of the forces of a cut by their names."""
-    for load in cut.loads:
-        yield load.name, load.force
+    yield from ((load.name, load.force) for load in cut.loads)
     for support in cut.reactions:
         yield from ((part.name, part) for part in support.parts)
         yield support.force.name, support.force
@@ -156,8 +155,7 @@ def _lever(drawn: ForcePlans, drafting: Drafting) -> Iterator[Found]:
         return
     shown, board = hanging(drawn.plan, drawn.lever, 0), Board(LEVER)
     pole = board.given(shown.pole, 0j)
-    for name, _, place in shown.images:
-        yield Found(name, Span(pole, board.given(name, place)))
+    yield from (Found(name, Span(pole, board.given(name, place))) for name, _, place in shown.images)
     for term in balance(shown, drafting):
         if term.dimensioned:
             yield _arm(LEVER, term.arm, (0j, term.at), term.direction)
@@ -169,5 +167,4 @@ def _arm(plan: str, letter: str, ends: tuple[complex, complex], direction: compl
     about, at = board.given("about", ends[0]), board.given("at", ends[1])
     along = board.given("along", direction)
     foot = board.meet(name, board.parallel("action", at, along), board.square("square", about, along))
-    slant = Slip(verdict.SLANT, ends[1] - ends[0])
-    return Found(name, Span(about, foot), slips=(slant,))
+    return Found(name, Span(about, foot), slips=(Slip(verdict.SLANT, ends[1] - ends[0]),))

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from drawings.balance.due import Balanced, ChainVector
+from drawings.balance.due import Balanced
 from drawings.balance.graphs import SHAKING
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME
 from drawings.balance.sheet import MOMENTS
@@ -187,9 +187,9 @@ def _moments(expected: Balanced) -> Iterator[Found]:
     }
     vectors = list(expected.moments())
     sides, corners = _spans(MOMENTS, vectors)
-    for moment, side, found in zip(vectors, sides, corners, strict=True):
-        wrong = (Slip(verdict.PRODUCT, moment.value * times, of) for of, times in slips[moment.name])
-        yield Found(moment.name, side, found, slips=tuple(wrong))
+    for (name, value), side, found in zip(vectors, sides, corners, strict=True):
+        wrong = (Slip(verdict.PRODUCT, value * times, of) for of, times in slips[name])
+        yield Found(name, side, found, slips=tuple(wrong))
     if corners:
         whole = Span(corners[0].start, corners[-1].end)
         yield Found(RESULT, whole, whole, diagonal=True)
@@ -201,37 +201,36 @@ def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
     sides, corners = _spans(SCHEME + state, vectors)
     board = Board(SCHEME + state)
     datum = board.given("O", 0j)
-    for vector, side in zip(vectors, sides, strict=True):
+    for (name, value), side in zip(vectors, sides, strict=True):
         # drawn beside links and one another, in lanes: their ends need not meet on paper
-        yield Found(vector.name, side, slips=tuple(_lacking(expected, state, vector)))
+        yield Found(name, side, slips=tuple(_lacking(expected, state, name, value)))
     if corners:
         yield Found(CENTRE, Span(corners[0].start, corners[-1].end))
-    for name, place in expected.points.items():
-        yield Found(name, Span(datum, board.given(name, place)))
+    yield from (Found(name, Span(datum, board.given(name, place))) for name, place in expected.points.items())
     for weight in expected.weights(state):
         place, begin = (expected.at(weight.link, spot) for spot in (weight.centre, weight.origin))
         name, other = f"m_cw{weight.link}", Slip(verdict.HEAVY, 2 * begin - place)
         yield Found(name, Span(datum, board.given(name, place)), slips=(other,))
 
 
-def _spans(plan: str, vectors: Sequence[ChainVector]) -> tuple[list[Span], list[Span]]:
+def _spans(plan: str, vectors: Sequence[tuple[str, complex]]) -> tuple[list[Span], list[Span]]:
     """Lay vectors end to end as a student does; give each from nothing, and between its corners."""
     board = Board(plan)
     pole = board.given("0", 0j)
     sides, corners, end = list[Span](), list[Span](), pole
-    for number, side in enumerate(vectors, 1):
-        vector: Mark = board.given(side.name, side.value)
+    for number, (name, value) in enumerate(vectors, 1):
+        vector: Mark = board.given(name, value)
         start, end = end, board.lay_off(f"{plan}:{number}", end, vector)
         sides.append(Span(pole, vector))
         corners.append(Span(start, end))
     return sides, corners
 
 
-def _lacking(expected: Balanced, state: str, side: ChainVector) -> Iterator[Slip]:
+def _lacking(expected: Balanced, state: str, name: str, value: complex) -> Iterator[Slip]:
     """Give what the vector of a link is without the masses of one that follows it."""
     tree, solid = expected.study.tree, expected.solid(state)
     whole = sum(body.mass for body in solid)
-    stem = next((stem for stem in tree.stems if side.name == f"h_{stem.link}"), None)
+    stem = next((stem for stem in tree.stems if name == f"h_{stem.link}"), None)
     if stem is None:
         return
     angle = float(expected.comparison.motion.analysis.links[stem.link].angle[expected.shown])
@@ -239,7 +238,7 @@ def _lacking(expected: Balanced, state: str, side: ChainVector) -> Iterator[Slip
         behind = set(tree.behind(other.link))
         mass = sum(body.mass for body in solid if body.link in behind)
         arm = (other.at - stem.origin) * cmath.rect(1.0, angle)
-        yield Slip(verdict.FORGOTTEN, side.value - arm * mass / whole, f"m_{'+'.join(map(str, sorted(behind)))}")
+        yield Slip(verdict.FORGOTTEN, value - arm * mass / whole, f"m_{'+'.join(map(str, sorted(behind)))}")
 
 
 def _shaking(expected: Balanced) -> Iterator[Found]:

@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.frame import NUMBERS, TitleCell, write_title
+from drawings.page.frame import NUMBERS, TitleCell, rectangle, write_title
 from drawings.paper.hand import Field, Hand
-from drawings.paper.strokes import Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 
 Segments = tuple[tuple[tuple[int, int], tuple[int, int]], ...]
 
@@ -21,8 +21,7 @@ THICK: Segments = (
 )  # fmt: skip
 THIN: Segments = (
     *(((0, y), (65, y)) for y in (40, 45, 50, 5, 10, 15, 20, 25)),
-    ((140, 20), (140, 35)),
-    ((145, 20), (145, 35)),
+    *(((x, 20), (x, 35)) for x in (140, 145)),
 )
 ROLES = ("drawn", "checked", "technical", "norms", "approved")
 # What is printed in the form; graphs 14 to 18 are the table of changes, 10 the roles.
@@ -65,15 +64,11 @@ def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str
             yield Line(corner + complex(*start), corner + complex(*end), LineStyle(width, cap="round"))
     for key, graph in CAPTIONS.items():
         yield from graph.letter(corner, word(language, key))
-    filled = {key: text for key, text in _entries(entries).items() if text}
+    filled = {key: text for key, text in {**entries, "date": short_date(entries.get("date", ""))}.items() if text}
     for key, graph in ENTRIES.items():
         yield from graph.letter(corner, filled[key]) if key in filled else ()
     yield Group(tuple(numbers(corner, entries.get("sheet", ""), entries.get("sheets", ""))), NUMBERS)
     yield from write_title(TITLE, corner, filled.get("title", ""), filled.get("subtitle", ""))
-
-
-def _entries(entries: Mapping[str, str]) -> dict[str, str]:
-    return {**entries, "date": short_date(entries.get("date", ""))}
 
 
 def numbers(corner: complex, sheet: str, sheets: str) -> Iterator[Stroke]:
@@ -107,7 +102,7 @@ def repeated(field: Field, upright: bool) -> Field:
 def extra(field: Field, place: Field, designation: str, name: str, hand: Hand, language: str) -> Iterator[Stroke]:
     """Draw the extra graphs around a field: 19 to 23, 26 at its place, 31 and 32."""
     yield from _strip(complex(field.left - sum(STRIP_WIDTHS), field.bottom), hand, language)
-    yield _outlined(place, hand)
+    yield rectangle(place, LineStyle(hand.main))
     corner = complex(place.left, place.bottom)
     turn = 180.0 if place.width > place.height else -90.0  # upside down, or read from the right
     if designation:
@@ -121,17 +116,10 @@ def _strip(corner: complex, hand: Hand, language: str) -> Iterator[Stroke]:
     narrow, wide = STRIP_WIDTHS
     height = sum(high for _, high in STRIP)
     main = LineStyle(hand.main, cap="round")
-    for x in (0.0, narrow):
-        yield Line(corner + x, corner + complex(x, height), main)
+    yield from (Line(corner + x, corner + complex(x, height), main) for x in (0.0, narrow))
     at = corner
     yield Line(at, at + narrow + wide, main)
     for key, high in STRIP:
         yield from TitleCell(0, 0, narrow, high, 2.5, rotation=90.0).letter(at, word(language, key))
         at += 1j * high
         yield Line(at, at + narrow + wide, main)
-
-
-def _outlined(place: Field, hand: Hand) -> Polyline:
-    left, bottom, right, top = place
-    corners = (complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top))
-    return Polyline(corners, True, LineStyle(hand.main))
