@@ -208,6 +208,22 @@ class HeldBody(NamedTuple):
         open_ = third * crosses[0] + first * crosses[1] + second * crosses[2]
         return open_, over / sum(sine**2 for sine in crosses)
 
+    def locus(self, known: Known, pose: BodyPose, out: int, turns: Sequence[float]) -> list[complex]:
+        """Give where a lead's hinge goes that is let go, as the body turns by some angles on the two others."""
+        found = []
+        for angle in turns:
+            there = BodyPose(pose.reach, pose.turn * np.exp(1j * angle))
+            for _ in range(ROUNDS):
+                held = self.held(known, there)
+                (one, first), (two, second) = (
+                    (held.along[k], held.misses[k]) for k in range(len(self.leads)) if k != out
+                )
+                shift = 1j * (second * one - first * two) / cross(one, two)
+                there = BodyPose(there.reach - shift, there.turn)
+            spot = there.turn * (self.leads[out].at - self.leads[0].at)
+            found.append(complex(known.places[0] + there.reach + spot))
+        return found
+
     def closed(self, known: Known, pose: BodyPose) -> tuple[BodyPose, Any]:
         """Close poses that are near to an assembly; tell where that is done."""
         last: Any = np.inf

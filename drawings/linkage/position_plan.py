@@ -18,7 +18,7 @@ from drawings.linkage.guides import arrows, axes, grounds
 from drawings.linkage.numbering import apart, crank_numbers, crank_places, same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
-from drawings.linkage.special_points import special_letters, special_lines, special_spots
+from drawings.linkage.special_points import false_positions, special_letters, special_lines, special_spots
 from drawings.linkage.trajectories import phases, trajectories
 from drawings.page.page import Drafting
 from drawings.paper.hand import Field, Hand
@@ -137,6 +137,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     senses = arrows(pairs)
     extremes, lines, notches = list(_extremes(pairs)), axes(bones, place, hand), list(_notches(bones, place, hand))
     special = special_lines(bones, place, hand)
+    notches += false_positions(bones, place, hand)
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
     grounded = grounds(pairs, ink)

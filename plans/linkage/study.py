@@ -15,6 +15,7 @@ from geometry.errors import ConstructionError, DraftError
 from plans.linkage import ram
 from plans.linkage.assembly import Assembly, Barrier, SketchError, assembly, margins
 from plans.linkage.drafts import Drafts, forget, gaps_of, reached, without_velocity
+from plans.linkage.dyads import KINDS
 from plans.linkage.primary import CrankPositions, even, from_direction, listed
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
@@ -121,9 +122,14 @@ class LinkageStudy:
     def groups(self) -> tuple[Assur, ...]:
         """The Assur groups in solving order."""
         try:
-            return decompose(self.mechanism)
+            groups = decompose(self.mechanism)
         except StructureError as error:
             raise StructureError(self._at("links", error), error.links, error.found, error.needed) from None
+        if self.mechanism.through and any(KINDS[group.kind].branched for group in groups):
+            line, column = self.scene.place(("mechanism", "through"))
+            where = f"{self.scene.file}:{line}:{column}: mechanism.through"
+            raise StructureError(placed(where, message("structure.through")))
+        return groups
 
     def _at(self, table: str, error: DraftError) -> Message:
         """Say of a table of the mechanism, where it stands in the scene's file, what is wrong."""

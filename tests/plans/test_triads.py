@@ -12,18 +12,22 @@ import numpy as np
 import pytest
 
 from geometry.branch import AssemblyBranch
+from geometry.errors import DraftError
 from geometry.three_leads import BodyPose
 from plans.analytic.kinematics import solve
 from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan, rate
+from plans.linkage.quantities import compare
+from plans.linkage.study import LinkageStudy
 from plans.model.decomposition import decompose
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, Way
 from plans.model.triad import Triad, TriadLead
+from plans.scene.scene import parse_scene
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.force_cases import ROADS, compared, of_road
 from tests.plans.replays import Replay
-from tests.plans.scenes import scene
+from tests.plans.scenes import changed, scene
 from tests.plans.studies import shown, study_of, value
 from tests.plans.test_dyads import GUIDES, direction, guided
 
@@ -267,3 +271,45 @@ def test_no_mark_is_farther_out_than_its_bound(kinds: str) -> None:
     for position in (0, 1, 89):
         for mark, error, bound in replay.errors(position, Fraction(4 * position)):
             assert error <= bound or not bound > 0, mark.name
+
+
+@pytest.mark.parametrize("kinds", ["RR RR PR", "PR RP RP"])
+def test_both_roads_tell_where_the_leads_cannot_be_met(kinds: str) -> None:
+    """A branch ends where the three lines of force meet in one point; beyond it positions are out of reach."""
+    comparison = compare(study_of(by_chance(kinds, 20), 0, 24))
+    ours, theirs = (
+        [(gap.position, gap.plan, gap.reason) for gap in road.gaps]
+        for road in (comparison.construction, comparison.analysis)
+    )
+    assert ours == theirs
+    assert {reason for _, _, reason in ours} == {"out of reach"}
+    assert comparison.agrees
+
+
+PLATE = scene(
+    'title = "Plate"',
+    frame="O = [0, 0]; A2 = [0.5, 0]; A3 = [0.55, 0.5]",
+    links="OA1 A1B1 B1B2B3 A2B2 A3B3",
+    lengths="OA1 = 0.03; A1B1 = 0.25; B1B2 = 0.34; B1B3 = 0.28; B2B3 = 0.25; A2B2 = 0.2; A3B3 = 0.27",
+    sketch="B1 = [0.08, 0.22]; B2 = [0.42, 0.18]; B3 = [0.30, 0.40]",
+    drive="link = 1; speed = 1; start = 0; positions = 12",
+)
+BETWEEN = "B1 = [0.171, 0.142]\nB2 = [0.490, 0.176]\nB3 = [0.3326, 0.3516]"
+AS_SHOWN = "B1 = [0.08, 0.22]\nB2 = [0.42, 0.18]\nB3 = [0.30, 0.40]"
+REFUSED = {
+    "between two assemblies": ([(AS_SHOWN, BETWEEN)], "can be assembled in"),
+    "change points": ([("[mechanism.frame]", '[mechanism]\nthrough = "inertia"\n[mechanism.frame]')], "three-lead"),
+    "a lead that slides twice": (
+        [('2 = "A1B1"', '2 = "P"'), ("A1B1 = 0.25\n", ""),
+         ("[mechanism.sketch]", '[[mechanism.slides]]\nlink = 2\nalong = "OA1"\n'
+          '[[mechanism.slides]]\nlink = 2\nalong = "B1B2"\n[mechanism.sketch]')],
+        "link 2 slides both",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("why", REFUSED)
+def test_what_no_triad_can_be_is_refused_by_name(why: str) -> None:
+    changes, said = REFUSED[why]
+    with pytest.raises(DraftError, match=said):
+        LinkageStudy(parse_scene(changed(PLATE, *changes))).motion(0)
