@@ -54,8 +54,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     positions = leaves[0].metadata["centred"] if leaves else ()
     slack = {row.name: row.allowed for row in comparison.findings}
     places = {pair: common(mechanism, comparison.moving.analysis, pair) for pair in pairs(mechanism.links)}
-    positions, count = comparison.plans.of("positions"), len(comparison.analysis.phi)
-    rough = [2 * max(float(row.allowed[k]) for row in positions) for k in range(count)]
+    bounds, count = comparison.plans.of("positions"), len(comparison.analysis.phi)
+    rough = [2 * max(float(row.allowed[k]) for row in bounds) for k in range(count)]
     for k in positions:
         for name, moved in comparison.analysis.points.items():
             still = name in mechanism.links[FRAME].points  # the one that all places are measured from is no point

@@ -112,7 +112,6 @@ def _answer(end: Connection, work: _Work) -> Any:
 
 
 def _work(path: Path, grading: Callable[[bytes], object], end: Connection) -> None:
-    """Grade one sheet, whatever is in it."""
     _limit()
     end.send(answered(path, grading))
     end.close()

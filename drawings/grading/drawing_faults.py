@@ -42,13 +42,9 @@ def written_scale(sheet: SeenSheet, asked: PlanAsked) -> float | None:
 
 def _around(leaf: Leaf, asked: PlanAsked) -> list[Group]:
     """Give the groups at the top that hold marks of a plan, and of no other."""
-    wanted = asked.plan, str(asked.position)
-    found = []
-    for group in leaf.groups:
-        marks = (mark.data for mark in groups((group,)) if "kind" in mark.data)
-        if {(data.get("plan"), data.get("position", "None")) for data in marks} == {wanted}:
-            found.append(group)
-    return found
+    marks = ((group, [mark.data for mark in groups((group,)) if "kind" in mark.data]) for group in leaf.groups)
+    places = ((group, {(data.get("plan"), data.get("position", "None")) for data in rows}) for group, rows in marks)
+    return [group for group, found in places if found == {(asked.plan, str(asked.position))}]
 
 
 def _scales(strokes: Sequence[Group], plan: PlanAsked) -> list[float]:
@@ -110,9 +106,9 @@ def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator
     places = ((letter, spot) for letter, spot in plan.places.items() if letter and letter not in lost)
     ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places]
     drawn = (vector for vector in plan.asked.vectors if vector.letter and vector.letters in plan.arrows)
-    free = [(vector, plan.arrows[vector.letters]) for vector in drawn]
-    visible = [(vector, arrow) for vector, arrow in free if abs(arrow.vector) > 2 * SEEN]
-    for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), along(*arrow)) for vector, arrow in visible]):
+    free = ((vector, plan.arrows[vector.letters]) for vector in drawn)
+    seen = ((vector, arrow) for vector, arrow in free if abs(arrow.vector) > 2 * SEEN)
+    for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), along(*arrow)) for vector, arrow in seen]):
         for bearer in bearers:
             away = bearer.away(labels, bearer.letter)
             if away > CLOSED and any(_takes(labels, bearer, other) for other in bearers):

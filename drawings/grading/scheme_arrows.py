@@ -54,13 +54,12 @@ def _headed(group: Group) -> Complexes | None:
     """
     kind, shaft = group.data.get("kind"), group.strokes[0] if group.strokes else None
     tips = [spot for head in group.strokes if isinstance(head, Fill) for spot in head.points]
+    path: Complexes | None = None
     if kind == "force" and isinstance(shaft, Line):
-        path: Complexes | None = np.array([shaft.start, shaft.end])
+        path = np.array([shaft.start, shaft.end])
     elif kind == "couple" and tips:
         arcs = ([arc.at(share) for share in SHARES.tolist()] for arc in group.strokes if isinstance(arc, Arc))
         path = next((np.array(arc) for arc in arcs), next(chains(group.strokes), None))
-    else:
-        return None
     if path is None:
         return None
     ends = [any(abs(end - tip) <= TIP for tip in tips) for end in (path[0], path[-1])]

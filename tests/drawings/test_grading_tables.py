@@ -35,14 +35,11 @@ def said(own: TableTask, source: bytes) -> list[str]:
 def test_of_a_blank_form_all_cells_are_missing() -> None:
     own = table_task("shaper")
     leaf = form_of(own.originals.study)["kinematics"][0]
-    graded = grade(svg(leaf), SheetTask(task("shaper").plans, tables=own.tables), HAND)
+    asked = SheetTask(task("shaper").plans, tables=own.tables)
+    graded = grade(svg(leaf), asked, HAND)
     assert graded.outcome == FAIL
     assert {one.kind for one in graded.verdicts if one.plan.startswith("table")} == {"missing"}
-    alone = grade(
-        svg(tables_of(own.originals.sheets[0]._replace(leaf=leaf))),
-        SheetTask(task("shaper").plans, tables=own.tables),
-        HAND,
-    )
+    alone = grade(svg(tables_of(own.originals.sheets[0]._replace(leaf=leaf))), asked, HAND)
     assert alone.outcome == UNREAD  # with its plans lost it is not marked down
 
 

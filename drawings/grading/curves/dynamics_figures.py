@@ -124,9 +124,8 @@ class _GradedDynamics:
         loop = (vector for vector in self.sheet.measured.vectors if vector.plan == LOOP)
         drawn = {vector.name: vector for vector in loop if vector.position is None}
         slopes = np.array([complex(1.0, slope * ratio) for slope in wheel.slopes])
-        bearings = np.array(
-            [drawn[name].value if name in drawn else slope for name, slope in zip(TANGENTS, slopes, strict=True)]
-        )
+        sides = zip(TANGENTS, slopes, strict=True)
+        bearings = np.array([drawn[name].value if name in drawn else slope for name, slope in sides])
         true = np.abs(bearings) * slopes / np.abs(slopes)
         swapped = np.abs(bearings) * slopes[::-1] / np.abs(slopes[::-1])
         yield from self._aside(

@@ -131,8 +131,7 @@ def _order_polygon(expected: Bank, polygon: OrderPolygon, plan: str, forces: dic
 def _vector(board: Board, polygon: OrderPolygon, member: Member, forces: dict[str, Mark]) -> Mark:
     """Lay down the force of a mechanism, or its moment: the force multiplied by its place."""
     name = letters(polygon.kind, polygon.signed, member.name)
-    force = forces.get(letters(FORCE, polygon.signed, member.name))
-    if polygon.kind == MOMENT and force is not None:
+    if polygon.kind == MOMENT and (force := forces.get(letters(FORCE, polygon.signed, member.name))) is not None:
         return board.turn(name, force, float(member.place))
     vector = board.given(name, polygon.sides[name])
     if polygon.kind == FORCE:
