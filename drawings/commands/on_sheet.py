@@ -41,7 +41,8 @@ def laid_out(study: Study) -> Mapping[str, Sequence[Leaf]]:
 
 def standing(study: Study, names: Iterable[str], cam: str = "") -> list[str]:
     """Give what sheets, of one cam where it is named, and report say of a letter: its value, else where it stands."""
-    both = (lettered for name in names for lettered in (name, letter(study.scene.sheet.language, name)))
+    bare = (re.sub("[{}]", "", name) for name in names)
+    both = (lettered for name in bare for lettered in (name, letter(study.scene.sheet.language, name)))
     plain = {Text(0j, with_index(lettered)).plain for lettered in both}
     pattern = re.compile(rf"(?<!\w)(?:{'|'.join(map(re.escape, plain))})(?![\w'′])(\s*[=≈])?")
     leaves = laid_out(study)

@@ -81,8 +81,9 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     plan, linkage = study.of(TransferStudy).turned, study.of(TransferStudy).linkage
     read = {of.names[0]: tuple(of.shown(plan)) for of in functions(linkage.mechanism)}
     named = {mark.name: (mark,) for mark in plan.board if mark.name.endswith("'")} | read
-    if name not in named:
+    found = named.get(name) or sum((named.get(end, ()) for end in name.split(" ")), ())  # "a' b'": of a vector
+    if not found:
         return NoMark(tuple(named), message("mark.marks", marks=", ".join(read)), tuple(read)[:1])
     wanted = position_of(linkage, position)
-    steps = in_position(behind(*named[name]), wanted, len(linkage.turn))
+    steps = in_position(behind(*found), wanted, len(linkage.turn))
     return Explanation(title(linkage, name, wanted), steps, {**UNITS, TRANSFER: "m"}, (), POSITIONS.plan)

@@ -25,7 +25,7 @@ CELL = re.compile(r"(, [^,]+)? \[\d+\]$")  # behind the name of a row: its unit,
 # What a sheet letters, though it rests on no step and is no quantity: axes, dimensions that are given, times.
 GIVEN = ("load_diagram", "flywheel_sketch", "tachogram", "manufacturing", "bars")
 WORDLESS = {"riveter"}  # its table of the reduction has angles alone for rows
-EQUAL = re.compile(r"(?<![\w^])([ΣΔ]*[^\W\d_][′']*(?:[_^]\w+)*)\s*=")  # what a phrase gives the value of
+EQUAL = re.compile(r"(?<![\w^·])([ΣΔ]*[^\W\d_][′']*(?:[_^]\w+)*)\s*=")  # what a phrase gives the value of: no factor
 
 
 def letters(leaf: Leaf) -> Iterator[tuple[int, str]]:
