@@ -247,7 +247,8 @@ class HeldBody(NamedTuple):
         if clear:
             return Meeting(found.reach, found.turn, across, (arm, 1.0), 0.0, clear)
         reach, turn = (np.where(ok, row, np.nan) for row in (found.reach, found.turn))
-        miss = np.where(ok | ~np.isfinite(short), 0.0, short)
+        begun = np.isfinite(sum(known.places) + sum(known.ways))  # else a group before fails
+        miss = np.where(ok | ~begun, 0.0, np.where(np.isfinite(short), short, self.size))
         return Meeting(reach, turn, np.where(ok, across, np.where(miss > 0, 0.0, np.nan)), (arm, 1.0), miss, clear)
 
 
