@@ -12,8 +12,9 @@ from drawings.checks.expected import Cell, Expected, cells
 from drawings.lettering.words import fixed, with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from plans.centres.kennedy import CENTRES, InstantCentre, letter, pairs
-from plans.centres.quantities import CentresComparison, common
+from plans.centres.centrodes import named, plan_of, window
+from plans.centres.kennedy import CENTRES, InstantCentre, Pair, letter, pairs
+from plans.centres.quantities import CentresComparison, SolvedCentrodes, common, placed_with
 from plans.centres.study import CentresStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import VELOCITIES
@@ -79,7 +80,32 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
                 if centre.over:
                     yield Expected(Kind.POINT, CENTRES, letter(pair), complex(place[k]), off, k, may_lack=True)
             yield from cells(CENTRES, with_index(letter(pair)), told, k)
+    for pair in found.centrodes:
+        for k in positions:
+            yield from _rolling(study, pair, k, rough[k])
     for by, _ in spun(comparison):
         name = f"{with_index(by.name)}, {drafting.word('rad/s')}"
         for k in positions:
             yield from cells(RATES, name, [(float(by.analysis[k]), float(by.allowed[k]))] * 3, k, digits=DIGITS)
+
+
+def _rolling(study: Study, pair: Pair, k: int, rough: float) -> Iterator[Expected]:
+    """Give the points of a scheme with the centrodes of two links, and each piece of both as its link stands there."""
+    found, comparison, plan = study.of(CentresStudy), study.of(CentresComparison), plan_of(pair)
+    mechanism, moved = found.linkage.mechanism, comparison.analysis
+    points = {name: complex(motion.r[k]) for name, motion in moved.points.items()}
+    for name, spot in points.items():
+        still = name in mechanism.links[FRAME].points
+        yield Expected(Kind.POINT, plan, name, spot, rough, k, may_lack=still)
+    place = next(row for row in comparison.findings if row.name == letter(pair))
+    spot, off = complex(place.analysis[k]), float(place.allowed[k])
+    shown = window([*points.values()])
+    if abs(spot - shown[0]) <= shown[1]:
+        yield Expected(Kind.POINT, plan, letter(pair), spot, off, k)
+    solved = SolvedCentrodes.of(found, pair)
+    for link, path in solved.paths.items():
+        stood = placed_with(mechanism, moved, link, path, k)
+        near = np.abs(stood - shown[0]) <= shown[1]
+        slack = float(np.max(solved.allowed[near], initial=0.0)) + rough
+        for name, piece in named(stood, link, shown).items():
+            yield Expected(Kind.CURVE, plan, name, piece, slack, k)

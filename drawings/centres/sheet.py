@@ -9,7 +9,7 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Final
 
-from drawings.centres import scheme
+from drawings.centres import centrodes, scheme
 from drawings.centres.due import DIGITS, cells_of, expected, spun
 from drawings.centres.scheme import CentresScheme, polygon, room
 from drawings.layout.contents import Panel
@@ -22,7 +22,7 @@ from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import FRAME, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
-from plans.centres.kennedy import CENTRES, letter, pairs
+from plans.centres.kennedy import CENTRES, Pair, letter, pairs
 from plans.centres.quantities import CentresComparison
 from plans.centres.study import CentresForm, CentresStudy
 from plans.quantity import Quantity
@@ -60,11 +60,20 @@ class _CentresSheet:
             exhibit(scheme, CentresScheme(one, self.study.at(k), k), drafting, weight=1.5, scale=CENTRES)
             for k, one in poses
         ]
+        for pair, made in self.study.centrodes.items():
+            paths = {link: made.path(link) for link in pair}
+            for k, one in poses:
+                touching = self._touching(pair, k)
+                shows.append(exhibit(centrodes, centrodes.stood(one, pair, k, paths, touching), drafting, weight=1.5))
         draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
         shows.append(Exhibit(Panel(room(drafting)), draw))
         title, facts = drafting.word("centres sheet title"), partial(figures_facts, centred=list(self.positions))
         tables, said = tuple(self._tables()), tuple(self._notes())
         return Draft(CENTRES, title, tuple(shows), tables, said, facts, later=lambda scales: {})  # graded by the scales
+
+    def _touching(self, pair: Pair, k: int) -> complex | None:
+        centre = self.study.at(k).found.get(pair)
+        return None if centre is None or centre.infinite else centre.place
 
     def _tables(self) -> Iterator[RuledTable]:
         """Tell each centre and each rate in the positions that are drawn."""
@@ -93,6 +102,9 @@ class _CentresSheet:
         yield word("centres known")
         yield word("centres over", pole=mechanism.drive.pivot)
         yield word("centres rates")
+        for first, second in self.study.linkage.scene.of(CentresForm).centres.rolling:
+            key = "note" if (first, second) in self.study.centrodes else "none"
+            yield word(f"centrodes {key}", first=first, second=second, letter=with_index(letter((first, second))))
         every, told = pairs(mechanism.links), list[str]()
         for k in self.positions:
             if lost := [with_index(letter(pair)) for pair in every if pair not in self.study.at(k).found]:
@@ -101,7 +113,9 @@ class _CentresSheet:
             yield word("centres open", told="; ".join(told))
 
 
-FORM: Final = {"kennedy-": FRAME}
+FORM: Final = {"kennedy-": FRAME, "centrodes-": FRAME}
 SHEETS: Final = {
-    "centres": SheetKind(leaves, expected, {"kennedy-": "length"}, of_linkage, figures=FORM, tables=(CENTRES, "rates"))
+    "centres": SheetKind(
+        leaves, expected, dict.fromkeys(FORM, "length"), of_linkage, figures=FORM, tables=(CENTRES, "rates")
+    )
 }

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark, behind
+from geometry.board import Mark, at, behind
 from geometry.meet import EPS
 from geometry.precision import errors
-from plans.centres.kennedy import CENTRES, Kennedy, Pair, letter, pairs
+from plans.centres.centrodes import Flags, own
+from plans.centres.kennedy import CENTRES, Kennedy, Pair, hinge_of, letter, pairs
 from plans.centres.study import CentresStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.marks import UNITS, position_of, title
-from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, read_bound
+from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, read_bound, road_of
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import POSITIONS, VELOCITIES, Complexes, Floats, Motion, evenly
 from plans.quantity import Comparison, Quantity
@@ -44,11 +45,6 @@ def spin(mechanism: Mechanism, motion: Motion, link: int) -> tuple[Complexes, Fl
     return (motion.points[name].v if link != FRAME else none + 0j) - 1j * omega * motion.points[name].r, omega
 
 
-def hinge_of(mechanism: Mechanism, pair: Pair) -> str | None:
-    """Give the hinge that joins two links, if one does."""
-    return next((point for point, links in mechanism.hinges.items() if {*pair} <= {*links}), None)
-
-
 @np.errstate(invalid="ignore", divide="ignore")  # links that turn alike have none
 def common(mechanism: Mechanism, motion: Motion, pair: Pair) -> Complexes:
     """Give by analysis the places in which two links have one velocity, (N,) m: their hinge, or far where they turn."""
@@ -56,6 +52,61 @@ def common(mechanism: Mechanism, motion: Motion, pair: Pair) -> Complexes:
         return motion.points[hinge].r
     (first, one), (second, two) = (spin(mechanism, motion, link) for link in pair)
     return np.asarray(-(first - second) / (1j * (one - two)))
+
+
+class Solved(NamedTuple):
+    """The centre of two links by analysis over a motion, (N,) m each, and how far off it may be."""
+
+    place: Complexes
+    allowed: Floats
+    sure: Flags  # whether the links move against each other: two that move as one have a centre anywhere
+
+
+@np.errstate(invalid="ignore", divide="ignore")
+def solved(mechanism: Mechanism, motion: Motion, pair: Pair, kappa: Floats) -> Solved:
+    """Find a centre by analysis; kappa bounds the rounding of its rates, as a share of the largest."""
+    fastest = max(float(np.nanmax(np.abs(point.v))) for point in motion.points.values())
+    (_, one), (_, two) = (spin(mechanism, motion, link) for link in pair)
+    place, fast = common(mechanism, motion, pair), np.maximum(np.abs(one), np.abs(two))
+    apart = np.abs(one - two) if hinge_of(mechanism, pair) is None else fast
+    return Solved(place, kappa * (fast * np.abs(place) + fastest) / apart, apart > kappa * fast)
+
+
+def within(mechanism: Mechanism, motion: Motion, link: int, places: Complexes) -> Complexes:
+    """Give places in the axes of a link, by analysis."""
+    if link == FRAME:
+        return places
+    name, local = next(iter(mechanism.links[link].points.items()))
+    return np.asarray(local + (places - motion.points[name].r) * np.exp(-1j * motion.links[link].angle))
+
+
+def placed_with(mechanism: Mechanism, motion: Motion, link: int, own_places: Complexes, k: int) -> Complexes:
+    """Give where places in the axes of a link lie in a position, by analysis."""
+    if link == FRAME:
+        return own_places
+    name, local = next(iter(mechanism.links[link].points.items()))
+    return np.asarray(motion.points[name].r[k] + (own_places - local) * np.exp(1j * motion.links[link].angle[k]))
+
+
+class SolvedCentrodes(NamedTuple):
+    """The centrodes of two links by analysis, in the axes of each, (N,) m, and how far off both roads may be."""
+
+    paths: dict[int, Complexes]
+    allowed: Floats
+
+    @classmethod
+    @np.errstate(invalid="ignore", divide="ignore")
+    def of(cls, study: CentresStudy, pair: Pair) -> SolvedCentrodes:
+        """Solve the motion over the turn for r + iv/ω of one link against the other."""
+        linkage, made = study.linkage, study.centrodes[pair]
+        road = road_of(linkage.paced(evenly))
+        motion = road.motion(made.phi, VELOCITIES.number)
+        kappa = ANALYSIS * EPS * road.conditions(motion) ** 2
+        found = solved(linkage.mechanism, motion, pair, kappa)
+        sure = np.where(found.sure & made.free, found.place, np.nan)
+        paths = {link: within(linkage.mechanism, motion, link, sure) for link in pair}
+        turned = [kappa * np.abs(path) for path in paths.values()]
+        return cls(paths, np.asarray(found.allowed + sum(turned) + sum(made.allowed.values())))
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # centres at infinity, and gaps, are NaN on both roads
@@ -68,6 +119,10 @@ def compare_centres(study: CentresStudy) -> CentresComparison:
     found = (*both.places(), *both.rates())
     ours, theirs = (road._replace(gaps=()) for road in (motion.construction, motion.analysis))  # told of the motion
     return CentresComparison(ours, theirs, found, motion, moving, motion=motion)
+
+
+def _bound(mark: Mark) -> float:
+    return float(np.ravel(errors(mark)[mark].place)[0])
 
 
 class _Compared:
@@ -83,22 +138,26 @@ class _Compared:
         return {mark: float(np.ravel(error.place)[0]) for mark, error in bounds.items()}
 
     def places(self) -> Iterator[Quantity]:
-        """Compare the centres that are not at infinity."""
-        fastest = max(float(np.nanmax(np.abs(point.v))) for point in self.moving.points.values())
+        """Compare the centres that are not at infinity; those with centrodes in the axes of both links too."""
         for pair in pairs(self.mechanism.links):
-            ours, bound = np.full(self.count, np.nan + 0j), np.full(self.count, np.nan)
-            found = np.zeros(self.count, bool)
-            for k in self.study.whole:
-                centre = self.study.at(k).found.get(pair)
-                if centre is not None and not centre.infinite:
-                    ours[k], bound[k], found[k] = centre.place, self.bounds[k][centre.mark], True
-            (_, one), (_, two) = (spin(self.mechanism, self.moving, link) for link in pair)
-            theirs, fast = common(self.mechanism, self.moving, pair), np.maximum(np.abs(one), np.abs(two))
-            apart = np.abs(one - two) if hinge_of(self.mechanism, pair) is None else fast
-            found &= apart > self.kappa * fast  # two links that for a moment move as one have a centre anywhere
-            allowed = np.where(found, bound + self.kappa * (fast * np.abs(theirs) + fastest) / apart, np.nan)
-            both = np.where(found, ours, np.nan), np.where(found, theirs, np.nan)
-            yield Quantity.of((CENTRES, letter(pair), "m"), both, allowed)
+            theirs = solved(self.mechanism, self.moving, pair, self.kappa)
+            whole = {k: one for k in self.study.whole if (one := self.study.at(k).of(*pair)) and not one.infinite}
+            marks = {k: one.mark for k, one in whole.items()}
+            yield self._place(letter(pair), marks, theirs)
+            for link in (n for n in pair if n != FRAME and pair in self.study.centrodes):
+                own_place = within(self.mechanism, self.moving, link, theirs.place)
+                allowed = theirs.allowed + self.kappa * np.abs(own_place)
+                carried = {k: self.study.carried(k, pair, link) for k in whole}
+                yield self._place(own(letter(pair), link), carried, Solved(own_place, allowed, theirs.sure))
+
+    def _place(self, name: str, marks: dict[int, Mark], theirs: Solved) -> Quantity:
+        ours, bound = np.full(self.count, np.nan + 0j), np.full(self.count, np.nan)
+        for k, mark in marks.items():
+            ours[k] = at(mark.point, 0)
+            bound[k] = self.bounds[k][mark] if mark in self.bounds[k] else _bound(mark)
+        found = theirs.sure & ~np.isnan(ours)
+        both = np.where(found, ours, np.nan), np.where(found, theirs.place, np.nan)
+        return Quantity.of((CENTRES, name, "m"), both, np.where(found, bound + theirs.allowed, np.nan))
 
     def rates(self) -> Iterator[Quantity]:
         """Compare the rates of the links."""
@@ -117,12 +176,14 @@ class _Compared:
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a centre in a position: P_02, P_13."""
     found = study.of(CentresStudy)
-    named = {letter(pair): pair for pair in pairs(found.linkage.mechanism.links)}
+    named: dict[str, tuple[Pair, int]] = {letter(pair): (pair, FRAME) for pair in pairs(found.linkage.mechanism.links)}
+    named |= {own(letter(pair), link): (pair, link) for pair in found.centrodes for link in pair if link != FRAME}
     if name not in named:
         return NoMark(tuple(named), message("mark.marks", marks=", ".join(named)), tuple(named)[:1])
-    wanted = position_of(found.linkage, position)
-    centre = found.at(wanted).found.get(named[name])
+    wanted, (pair, link) = position_of(found.linkage, position), named[name]
+    centre = found.at(wanted).found.get(pair)
     if centre is None:
         raise UnknownMark(message("mark.open_centre", mark=name, position=wanted))
-    heading, steps = title(found.linkage, name, wanted), tuple(behind(centre.mark))
+    mark = centre.mark if link == FRAME else found.carried(wanted, pair, link)
+    heading, steps = title(found.linkage, name, wanted), tuple(behind(mark))
     return Explanation(heading, steps, {**UNITS, CENTRES: "m"}, (), POSITIONS.plan)

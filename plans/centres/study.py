@@ -8,32 +8,69 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.board import Reading, at
+from geometry.board import Mark, Reading, at
 from geometry.meet import cross
-from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy
+from plans.centres.centrodes import Centrodes, carried, centrodes, own
+from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy, Pair, hinge_of, letter
+from plans.linkage.reading import fields as g
 from plans.linkage.reading.form import ChosenTable
 from plans.linkage.reading.linkage import see_positions
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.linkage.study import LinkageStudy
-from plans.model.mechanism import FRAME
+from plans.model.mechanism import FRAME, Mechanism
+from plans.scene import fields as f
+from plans.scene.faults import Path
+from plans.scene.readers import many
 from plans.scene.scene import Meaning, TechniqueForm
 from plans.scene.tables import key, table
 from plans.words.words import because
 
 
+class CentresTable(ChosenTable):
+    """What is asked for of instant centres."""
+
+    centrodes: tuple[str, ...] = key(
+        many(g.PAIR, f.NO_REPEATS, first=f.FEW),
+        (),
+        meaning='Pairs of links whose centrodes are drawn (центроиды): ["0-2"], paths of P_02 on both over the turn.',
+    )
+
+    @property
+    def rolling(self) -> tuple[Pair, ...]:
+        """The pairs whose centrodes are asked for."""
+        both = (pair.split("-") for pair in self.centrodes)
+        return tuple((int(one), int(two)) for one, two in both)
+
+
 class CentresForm(TechniqueForm):
     """What a scene says of the instant centres of its linkage."""
 
-    centres: ChosenTable = key(
-        table(ChosenTable),
-        ChosenTable(),
+    centres: CentresTable = key(
+        table(CentresTable),
+        CentresTable(),
         meaning="Instant centres of all links (мгновенные центры), by Aronhold and Kennedy.",
     )
 
 
 def survey_of(meaning: Meaning) -> LinkageSurvey:
-    """See that the positions are there."""
-    return see_positions(meaning, CENTRES, meaning.scene.of(CentresForm).centres.positions)
+    """See that the positions are there, and that the links whose centrodes are asked for roll on each other."""
+    asked = meaning.scene.of(CentresForm).centres
+    survey = see_positions(meaning, CENTRES, asked.positions)
+    mechanism = meaning.of(LinkageSurvey).mechanism
+    for index, pair in enumerate(asked.rolling):
+        if mechanism is not None:
+            _see_rolling(survey, (CENTRES, "centrodes", index), pair, mechanism)
+    return survey
+
+
+def _see_rolling(survey: LinkageSurvey, path: Path, pair: Pair, mechanism: Mechanism) -> None:
+    first, second = pair
+    if not all(survey.know_link(path, link) for link in pair if link != FRAME):
+        return
+    if (hinge := hinge_of(mechanism, pair)) is not None:
+        survey.report(path, "centrode_hinge", first=first, second=second, hinge=hinge)
+    elif mechanism.turning_with[first] == mechanism.turning_with[second]:
+        survey.report(path, "centrode_translates", first=first, second=second)
 
 
 class CentreRate(NamedTuple):
@@ -68,6 +105,20 @@ class CentresStudy:
         if k not in self._found:
             self._found[k] = Kennedy(self.linkage.drafts((k,)).positions)
         return self._found[k]
+
+    def carried(self, k: int, pair: Pair, link: int) -> Mark:
+        """Give a centre of a position in the axes of a link; once carried it is used again."""
+        found = self.at(k)
+        name = own(letter(pair), link)
+        if link != FRAME and name in found.board:
+            return found.board[name]
+        return carried(found.board, found.plan, found.found[pair].mark, link)
+
+    @cached_property
+    def centrodes(self) -> dict[Pair, Centrodes]:
+        """The centrodes that are asked for."""
+        asked = self.linkage.scene.of(CentresForm).centres.rolling
+        return centrodes(self.linkage, asked) if asked else {}
 
     def rates(self, k: int) -> dict[int, CentreRate]:
         """Find how each link turns in a position: from link to link, over the centres that lie farthest apart."""
