@@ -123,10 +123,10 @@ def window(points: Sequence[complex]) -> Window:
     return sum(points) / len(points), SHOWN * size
 
 
-def named(path: Complexes, link: int, shown: Window) -> dict[str, Complexes]:
-    """Name the pieces of a centrode that are shown, broken where it goes to infinity: p_2, or p_2.1, p_2.2."""
+def named(path: Complexes, name: str, shown: Window) -> dict[str, Complexes]:
+    """Name the pieces of a curve that are shown, broken where it goes to infinity: p_2, or p_2.1, p_2.2."""
     middle, most = shown
     near = np.abs(path - middle) <= most
     breaks = np.flatnonzero(~(near[1:] & near[:-1] & (np.abs(np.diff(path)) < LEAP * most))) + 1
     found = [piece for piece in np.split(path, breaks) if len(piece) > 2]
-    return {f"p_{link}" if len(found) == 1 else f"p_{link}.{n}": piece for n, piece in enumerate(found, 1)}
+    return {name if len(found) == 1 else f"{name}.{n}": piece for n, piece in enumerate(found, 1)}

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from geometry.board import Mark, at, behind
-from geometry.meet import EPS
+from geometry.meet import EPS, cross
 from geometry.precision import errors
+from plans.analytic.kinematics import Analysis
 from plans.centres.centrodes import Flags, own
 from plans.centres.kennedy import CENTRES, Kennedy, Pair, hinge_of, letter, pairs
 from plans.centres.study import CentresStudy
@@ -54,12 +55,16 @@ def common(mechanism: Mechanism, motion: Motion, pair: Pair) -> Complexes:
     return np.asarray(-(first - second) / (1j * (one - two)))
 
 
+SURE = 1e-3  # a radius known to no more than this share is that of a path all but straight
+
+
 class Solved(NamedTuple):
     """The centre of two links by analysis over a motion, (N,) m each, and how far off it may be."""
 
     place: Complexes
     allowed: Floats
     sure: Flags  # whether the links move against each other: two that move as one have a centre anywhere
+    start: Complexes | float = 0.0  # from where its distance is told
 
 
 @np.errstate(invalid="ignore", divide="ignore")
@@ -70,6 +75,44 @@ def solved(mechanism: Mechanism, motion: Motion, pair: Pair, kappa: Floats) -> S
     place, fast = common(mechanism, motion, pair), np.maximum(np.abs(one), np.abs(two))
     apart = np.abs(one - two) if hinge_of(mechanism, pair) is None else fast
     return Solved(place, kappa * (fast * np.abs(place) + fastest) / apart, apart > kappa * fast)
+
+
+class Curving(NamedTuple):
+    """Velocities and accelerations by analysis, of a drive that turns evenly: how paths curve hangs on no rate."""
+
+    motion: Motion
+    road: Analysis
+
+    @property
+    def kappa(self) -> Floats:
+        """What bounds the rounding of accelerations, as a share of the largest."""
+        return np.asarray(ANALYSIS * EPS * self.road.conditions(self.motion) ** 3)
+
+    def _largest(self, order: int) -> float:
+        return max(float(np.nanmax(np.abs(point[order]))) for point in self.motion.points.values())
+
+    @np.errstate(invalid="ignore", divide="ignore")  # a link that only translates for a moment
+    def inflection(self, mechanism: Mechanism, link: int) -> Solved:
+        """Find the inflection pole: from the pole by its acceleration over ω²."""
+        moved, turned = self.motion.points[next(iter(mechanism.links[link].points))], self.motion.links[link]
+        arm, omega = 1j * moved.v / turned.omega, np.abs(turned.omega)
+        pole = moved.r + arm
+        way = (moved.a + (1j * turned.epsilon - omega**2) * arm) / omega**2
+        fastest, most = self._largest(1), self._largest(2)
+        swift = float(np.nanmax(omega)) + float(np.nanmax(np.abs(turned.epsilon)))
+        off = fastest / omega + most / omega**2 + (np.abs(way) + np.abs(arm)) * (swift / omega + swift / omega**2)
+        return Solved(pole + way, self.kappa * off, omega > self.kappa * swift, pole)
+
+    @np.errstate(invalid="ignore", divide="ignore")  # a path without curvature in a position, or a point that rests
+    def centre(self, point: str) -> Solved:
+        """Find the centre of curvature of a point's path: on its normal, as far as |v|³/|v × a|."""
+        r, v, a = self.motion.points[point][:3]
+        turning, speed = np.asarray(cross(v, a)), np.abs(v)
+        fastest, most = self._largest(1), self._largest(2)
+        radius = speed**3 / np.abs(turning)
+        off = 3 * fastest / speed + (speed * most + np.abs(a) * fastest) / np.abs(turning)
+        allowed = self.kappa * (radius * off + np.abs(r))
+        return Solved(r + 1j * v * speed**2 / turning, allowed, self.kappa * off < SURE, r)
 
 
 def within(mechanism: Mechanism, motion: Motion, link: int, places: Complexes) -> Complexes:
@@ -116,7 +159,7 @@ def compare_centres(study: CentresStudy) -> CentresComparison:
     rests = not np.any(study.linkage.rates.omega)
     moving = compare(study.linkage.paced(evenly), VELOCITIES.number) if rests else motion
     both = _Compared(study, motion, moving)
-    found = (*both.places(), *both.rates())
+    found = (*both.places(), *both.rates(), *both.curvature())
     ours, theirs = (road._replace(gaps=()) for road in (motion.construction, motion.analysis))  # told of the motion
     return CentresComparison(ours, theirs, found, motion, moving, motion=motion)
 
@@ -159,6 +202,31 @@ class _Compared:
         both = np.where(found, ours, np.nan), np.where(found, theirs.place, np.nan)
         return Quantity.of((CENTRES, name, "m"), both, np.where(found, bound + theirs.allowed, np.nan))
 
+    def curvature(self) -> Iterator[Quantity]:
+        """Compare inflection poles and centres of curvature, with the distances from pole and point."""
+        if not self.study.curving:
+            return
+        linkage = self.study.linkage
+        road = road_of(linkage.paced(evenly))
+        curving = Curving(road.motion(linkage.turn.phi), road)
+        for link in dict.fromkeys(self.study.curving.values()):
+            circles = {k: circle for k in self.study.whole if (circle := self.study.inflection(k, link)) is not None}
+            ends = {k: (circle.inflection, circle.diameter) for k, circle in circles.items()}
+            yield from self._ended((f"W_{link}", f"δ_{link}"), ends, curving.inflection(self.mechanism, link))
+        for point in self.study.curving:
+            drawn = {k: (one.centre, one.radius) for k in self.study.whole if (one := self.study.curvature(k, point))}
+            yield from self._ended((f"O_{point}", f"ρ_{point}"), drawn, curving.centre(point))
+
+    def _ended(self, names: tuple[str, str], drawn: dict[int, tuple[Mark, Mark]], theirs: Solved) -> Iterator[Quantity]:
+        """Compare a centre, and how far it is from where its radius or its diameter begins."""
+        centres = {k: both[0] for k, both in drawn.items()}
+        yield self._place(names[0], centres, theirs)
+        arms = {k: both[1] for k, both in drawn.items()}
+        reach = theirs._replace(place=theirs.place - theirs.start, start=0.0)
+        found = self._place(names[1], arms, reach)
+        sizes = np.abs(found.construction), np.abs(found.analysis)
+        yield Quantity.of((CENTRES, names[1], "m"), sizes, found.allowed)
+
     def rates(self) -> Iterator[Quantity]:
         """Compare the rates of the links."""
         for link in (n for n in sorted(self.mechanism.links) if n not in (FRAME, self.mechanism.drive.link)):
@@ -176,6 +244,8 @@ class _Compared:
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a centre in a position: P_02, P_13."""
     found = study.of(CentresStudy)
+    if name in (curves := _curves(found, position_of(found.linkage, position))):
+        return _explained(found, name, position_of(found.linkage, position), curves[name])
     named: dict[str, tuple[Pair, int]] = {letter(pair): (pair, FRAME) for pair in pairs(found.linkage.mechanism.links)}
     named |= {own(letter(pair), link): (pair, link) for pair in found.centrodes for link in pair if link != FRAME}
     if name not in named:
@@ -185,5 +255,17 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if centre is None:
         raise UnknownMark(message("mark.open_centre", mark=name, position=wanted))
     mark = centre.mark if link == FRAME else found.carried(wanted, pair, link)
+    return _explained(found, name, wanted, mark)
+
+
+def _explained(found: CentresStudy, name: str, wanted: int, mark: Mark) -> Explanation:
     heading, steps = title(found.linkage, name, wanted), tuple(behind(mark))
     return Explanation(heading, steps, {**UNITS, CENTRES: "m"}, (), POSITIONS.plan)
+
+
+def _curves(found: CentresStudy, k: int) -> dict[str, Mark]:
+    """Give the marks of curvature in a position by their letters."""
+    circles = [circle for link in {*found.curving.values()} if (circle := found.inflection(k, link)) is not None]
+    marks = [mark for circle in circles for mark in (circle.inflection, circle.diameter, circle.tangent)]
+    marks += [mark for point in found.curving for mark in (found.curvature(k, point) or ())[:2]]
+    return {mark.name: mark for mark in marks}

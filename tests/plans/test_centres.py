@@ -183,3 +183,56 @@ def test_a_rod_that_only_translates_has_no_centrodes():
     even = FOUR_BAR | {"frame": "O = [0, 0]; C = [0.4, 0]", "lengths": "OA = 0.1; AB = 0.4; CB = 0.1"}
     study = rolling(even | {"sketch": "A = [0.05, 0.09]; B = [0.45, 0.09]"})
     assert not study.of(CentresStudy).centrodes and study.of(CentresComparison).agrees
+
+
+CROSS_SLIDE = {
+    "frame": "O = [0, 0]",
+    "links": "B BC C",
+    "lengths": "BC = 0.2",
+    "points": "K = { on = 2, at = [0.06, 0] }",
+    "slides": [
+        "link = 1; along = { through = [0, 0], angle = 0 }",
+        "link = 3; along = { through = [0, 0], angle = 90 }",
+    ],
+    "sketch": "B = [0.1, 0]; C = [0, 0.17]",
+}
+COUPLER = FOUR_BAR | {"points": "K = { on = 2, at = [0.2, 0.15] }"}
+ROD = SLIDER_CRANK | {"points": "K = { on = 2, at = [0.07, -0.03] }"}
+
+
+def curving(mechanism: dict[str, str | list[str]], drive: str = "link = 1; speed = -7; positions = 7") -> Study:
+    return Study(parse_scene(scene('sheets = ["centres"]', **mechanism, drive=drive, centres='curvature = ["K"]')))
+
+
+def test_a_trammel_has_the_radius_of_its_ellipse_and_its_rod_as_diameter():
+    """K parts the rod in 60 and 140 mm: half axes of its ellipse, whose radius is (a⁴y² + b⁴x²)^1.5/(ab)⁴."""
+    study = curving(CROSS_SLIDE, "link = 1; stroke = { from = 0.02, to = 0.18, speed = 0.2 }; positions = 5")
+    found = {row.name: row for row in study.of(CentresComparison).findings}
+    assert found["δ_2"].construction == pytest.approx(0.2)
+    assert np.abs(found["W_2"].construction).max() < 1e-12
+    k, (a, b) = study.of(CentresComparison).analysis.points["K"].r, (0.14, 0.06)
+    worked = (a**4 * k.imag**2 + b**4 * k.real**2) ** 1.5 / (a * b) ** 4
+    assert found["ρ_K"].construction == pytest.approx(worked)
+
+
+@pytest.mark.parametrize("mechanism", [COUPLER, ROD], ids=["four-bar", "slider-crank"])
+def test_bobillier_finds_the_curvature_that_accelerations_tell(mechanism):
+    study = curving(mechanism)
+    compared = study.of(CentresComparison)
+    rows = [row for row in compared.findings if row.name in ("W_2", "δ_2", "O_K", "ρ_K")]
+    assert compared.agrees and len(rows) == 4
+    for row in rows:
+        known = np.isfinite(row.analysis)
+        assert known.sum() >= 5 and (row.allowed[known] < 1e-8 * (1 + np.abs(row.analysis[known]) ** 2)).all(), row.name
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "point", "said"),
+    [
+        (COUPLER, "O", "is fixed"), (COUPLER, "A", "circle about O"), (ROD, "B", "straight guide"),
+        (COUPLER, "Z", "no point Z"), (SIX_LINK | {"points": "K = { on = 2, at = [0.1, 0] }"}, "K", "two pins"),
+    ],
+)  # fmt: skip
+def test_points_without_such_a_curvature_are_told(mechanism, point, said):
+    asked = {"drive": "link = 1; speed = 1; positions = 4", "centres": f'curvature = ["{point}"]'}
+    assert said in str(parse_scene(scene('sheets = ["centres"]', **mechanism, **asked)).meaning.faults[0])
