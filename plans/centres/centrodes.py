@@ -124,9 +124,18 @@ def window(points: Sequence[complex]) -> Window:
 
 
 def named(path: Complexes, name: str, shown: Window) -> dict[str, Complexes]:
-    """Name the pieces of a curve that are shown, broken where it goes to infinity: p_2, or p_2.1, p_2.2."""
+    """Name the pieces of a curve that are shown, each of them once, broken at infinity: p_2, or p_2.1, p_2.2."""
     middle, most = shown
     near = np.abs(path - middle) <= most
     breaks = np.flatnonzero(~(near[1:] & near[:-1] & (np.abs(np.diff(path)) < LEAP * most))) + 1
-    found = [piece for piece in np.split(path, breaks) if len(piece) > 2]
+    pieces = [piece for piece in np.split(path, breaks) if len(piece) > 2]
+    longest = sorted(range(len(pieces)), key=lambda n: -len(pieces[n]))
+    again = {n for k, n in enumerate(longest) if any(_lies_on(pieces[n], pieces[other]) for other in longest[:k])}
+    found = [piece for n, piece in enumerate(pieces) if n not in again]
     return {name if len(found) == 1 else f"{name}.{n}": piece for n, piece in enumerate(found, 1)}
+
+
+def _lies_on(piece: Complexes, other: Complexes) -> bool:
+    """Tell whether a piece goes where another one does: each of its places is hard by one of that."""
+    off = np.abs(piece[:, None] - other[None]).min(axis=1)
+    return bool(off.max() < 0.75 * np.abs(np.diff(other)).max())

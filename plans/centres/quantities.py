@@ -200,7 +200,10 @@ class _Compared:
             bound[k] = self.bounds[k][mark] if mark in self.bounds[k] else _bound(mark)
         found = theirs.sure & ~np.isnan(ours)
         both = np.where(found, ours, np.nan), np.where(found, theirs.place, np.nan)
-        return Quantity.of((CENTRES, name, "m"), both, np.where(found, bound + theirs.allowed, np.nan))
+        placed = Quantity.of((CENTRES, name, "m"), both, np.where(found, bound + theirs.allowed, np.nan))
+        still = placed.largest <= np.nanmax(placed.allowed, initial=0.0)  # in the datum itself: no per cent of that
+        size = max((self.study.at(k).size for k in self.study.whole), default=0.0)
+        return placed._replace(largest=size) if still else placed
 
     def curvature(self) -> Iterator[Quantity]:
         """Compare inflection poles and centres of curvature, with the distances from pole and point."""
@@ -249,7 +252,8 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     named: dict[str, tuple[Pair, int]] = {letter(pair): (pair, FRAME) for pair in pairs(found.linkage.mechanism.links)}
     named |= {own(letter(pair), link): (pair, link) for pair in found.centrodes for link in pair if link != FRAME}
     if name not in named:
-        return NoMark(tuple(named), message("mark.marks", marks=", ".join(named)), tuple(named)[:1])
+        every = *named, *curves
+        return NoMark(every, message("mark.marks", marks=", ".join(every)), every[:1])
     wanted, (pair, link) = position_of(found.linkage, position), named[name]
     centre = found.at(wanted).found.get(pair)
     if centre is None:
