@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -12,15 +12,17 @@ from drawings.checks.expected import Cell, Expected, cells
 from drawings.lettering.words import fixed, with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from plans.centres.kennedy import CENTRES, InstantCentre, letter, pairs
-from plans.centres.quantities import CentresComparison, common
+from plans.centres.centrodes import Window, named, plan_of, window
+from plans.centres.curvature import circle_of, curvature_plan
+from plans.centres.kennedy import CENTRES, InstantCentre, Pair, letter, pairs
+from plans.centres.quantities import CentresComparison, SolvedCentrodes, common, placed_with
 from plans.centres.study import CentresStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import VELOCITIES
 from plans.quantity import Quantity
 from plans.study import Study
 
-RATES, DIGITS, PLACES = "rates", 5, 2  # digits of a rate; decimals of mm and degrees
+RATES, CURVATURE, DIGITS, PLACES = "rates", "curvature", 5, 2  # digits of a rate; decimals of mm and degrees
 HALF = 180.0
 
 
@@ -73,7 +75,78 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
                 if centre.over:
                     yield Expected(Kind.POINT, CENTRES, letter(pair), complex(place[k]), off, k, may_lack=True)
             yield from cells(CENTRES, with_index(letter(pair)), told, k)
+    for k in positions:
+        yield from _curves(study, k, rough[k])
     for by, _ in spun(comparison):
         name = f"{with_index(by.name)}, {drafting.word('rad/s')}"
         for k in positions:
             yield from cells(RATES, name, [(float(by.analysis[k]), float(by.allowed[k]))] * 3, k, digits=DIGITS)
+
+
+def _rolling(study: Study, pair: Pair, k: int, rough: float) -> Iterator[Expected]:
+    """Give the points of a scheme with the centrodes of two links, and each piece of both as its link stands there."""
+    found, comparison, plan = study.of(CentresStudy), study.of(CentresComparison), plan_of(pair)
+    mechanism, moved = found.linkage.mechanism, comparison.analysis
+    points = {name: complex(motion.r[k]) for name, motion in moved.points.items()}
+    yield from _posed(found, plan, points, k, rough)
+    shown = window([*points.values()])
+    yield from _marked(comparison, plan, letter(pair), k, shown)
+    solved = SolvedCentrodes.of(found, pair)
+    for link, path in solved.paths.items():
+        stood = placed_with(mechanism, moved, link, path, k)
+        near = np.abs(stood - shown[0]) <= shown[1]
+        slack = float(np.max(solved.allowed[near], initial=0.0)) + rough
+        for name, piece in named(stood, f"p_{link}", shown).items():
+            yield Expected(Kind.CURVE, plan, name, piece, slack, k)
+
+
+def _posed(found: CentresStudy, plan: str, points: Mapping[str, complex], k: int, rough: float) -> Iterator[Expected]:
+    still = found.linkage.mechanism.links[FRAME].points
+    for name, spot in points.items():
+        yield Expected(Kind.POINT, plan, name, spot, rough, k, may_lack=name in still)
+
+
+def _marked(comparison: CentresComparison, plan: str, name: str, k: int, shown: Window) -> Iterator[Expected]:
+    """Give a point of a figure of curves, if it is shown."""
+    row = next(row for row in comparison.findings if row.name == name)
+    spot, (middle, most) = complex(row.analysis[k]), shown
+    if abs(spot - middle) <= most:
+        yield Expected(Kind.POINT, plan, name, spot, float(row.allowed[k]), k)
+
+
+def _curved(study: Study, point: str, k: int, rough: float) -> Iterator[Expected]:
+    """Give the scheme, pole, inflection pole and centre of curvature of a point, and the inflection circle."""
+    found, comparison, plan = study.of(CentresStudy), study.of(CentresComparison), curvature_plan(point)
+    points, link = {name: complex(one.r[k]) for name, one in comparison.analysis.points.items()}, found.curving[point]
+    yield from _posed(found, plan, points, k, rough)
+    shown, pole, end = window([*points.values()]), letter((FRAME, link)), f"W_{link}"
+    for name in (pole, end, f"O_{point}"):
+        yield from _marked(comparison, plan, name, k, shown)
+    rows = {row.name: row for row in comparison.findings if row.name in (pole, end)}
+    places = [complex(rows[name].analysis[k]) for name in (pole, end)]
+    slack = float(sum(row.allowed[k] for row in rows.values()))
+    for name, piece in named(circle_of(*places), f"i_{link}", shown).items():
+        yield Expected(Kind.CURVE, plan, name, piece, slack, k)
+
+
+def sizes(comparison: CentresComparison) -> list[Quantity]:
+    """List the diameters of inflection circles and the radii of curvature."""
+    return [row for row in comparison.findings if row.plan == CENTRES and row.name[:2] in ("δ_", "ρ_")]
+
+
+def length(value: float, drafting: Drafting) -> str:
+    """Write a radius in mm; of none a dash."""
+    return "—" if math.isnan(value) else written(1000 * value, drafting)
+
+
+def _curves(study: Study, k: int, rough: float) -> Iterator[Expected]:
+    """Give all figures of curves in a position, and the cells of radii and diameters."""
+    found, drafting = study.of(CentresStudy), drafting_of(study.scene)
+    for pair in found.centrodes:
+        yield from _rolling(study, pair, k, rough)
+    for point in found.curving:
+        yield from _curved(study, point, k, rough)
+    for row in sizes(study.of(CentresComparison)):
+        true, off = 1000 * float(row.analysis[k]), 1000 * float(row.allowed[k]) + 10.0**-PLACES / 2
+        told = [None if math.isnan(true) else (true, off)] * 2
+        yield from cells(CURVATURE, f"{with_index(row.name)}, {drafting.word('mm')}", told, k)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import chain
 from typing import Final
 
-from drawings.centres import scheme
-from drawings.centres.due import DIGITS, cells_of, expected, spun
+from drawings.centres import curves, scheme
+from drawings.centres.curves import ShownCurves
+from drawings.centres.due import CURVATURE, DIGITS, cells_of, expected, length, sizes, spun
 from drawings.centres.scheme import CentresScheme, polygon, room
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed, with_index
-from drawings.linkage.pose import pose, shown
+from drawings.linkage.pose import Pose, pose, shown
 from drawings.linkage.positions import of_linkage
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
@@ -55,14 +56,22 @@ class _CentresSheet:
     def draft(self) -> Draft:
         """Title, figures, tables and notes."""
         linkage, drafting = self.study.linkage, self.drafting
-        poses = ((k, pose(linkage, self.comparison.construction, k)) for k in self.positions)
+        poses = [(k, pose(linkage, self.comparison.construction, k)) for k in self.positions]
         schemes = (CentresScheme(one, self.study.at(k), k) for k, one in poses)
         shows = [exhibit(scheme, one, drafting, weight=1.5, scale=CENTRES) for one in schemes]
+        shows += [exhibit(curves, one, drafting, weight=1.5) for one in self._curves(poses)]
         draw = partial(polygon, self.study.at(self.positions[0]), drafting=drafting)
         shows.append(Exhibit(Panel(room(drafting)), draw))
         title, facts = drafting.word("centres sheet title"), partial(figures_facts, centred=list(self.positions))
         tables, said = tuple(self._tables()), tuple(self._notes())
         return Draft(CENTRES, title, tuple(shows), tables, said, facts, later=lambda scales: {})  # graded by the scales
+
+    def _curves(self, poses: Sequence[tuple[int, Pose]]) -> Iterator[ShownCurves]:
+        """Show the centrodes, then the curvature of paths that are asked for."""
+        for pair in self.study.centrodes:
+            yield from (curves.centrodes(self.study, pair, one, k, self.drafting) for k, one in poses)
+        for name in self.study.curving:
+            yield from (curves.curvature(self.study, name, one, k, self.drafting) for k, one in poses)
 
     def _tables(self) -> Iterator[RuledTable]:
         """Tell each centre and each rate in the positions that are drawn."""
@@ -78,6 +87,16 @@ class _CentresSheet:
         if rates:
             heads = word("by centres"), word("by plan"), word("by analysis")
             yield table(rates, word("quantity"), heads, text, self.positions)._replace(name="rates")
+        if curved := [self._sized(row) for row in sizes(self.comparison)]:
+            both = word("by construction"), word("by analysis")
+            yield table(curved, word("quantity"), both, text, self.positions)._replace(name=CURVATURE)
+
+    def _sized(self, size: Quantity) -> TableRow:
+        """Write a radius or a diameter by both roads, mm."""
+        told = (
+            length(float(row[k]), self.drafting) for k in self.positions for row in (size.construction, size.analysis)
+        )
+        return TableRow(f"{with_index(size.name)}, {self.drafting.word('mm')}", tuple(told))
 
     def _rate(self, by: Quantity, plan: Quantity) -> TableRow:
         """Write a rate with the decimals of its largest by centres, by plan and by analysis."""
@@ -91,6 +110,14 @@ class _CentresSheet:
         yield word("centres known")
         yield word("centres over", pole=mechanism.drive.pivot)
         yield word("centres rates")
+        for first, second in self.study.linkage.scene.of(CentresForm).centres.rolling:
+            key = "note" if (first, second) in self.study.centrodes else "none"
+            yield word(f"centrodes {key}", first=first, second=second, letter=with_index(letter((first, second))))
+        if self.study.curving:
+            yield word("curvature note")
+            links = {*self.study.curving.values()}
+            if none := [k for k in self.positions for link in links if self.study.inflection(k, link) is None]:
+                yield word("curvature none", positions=", ".join(map(str, dict.fromkeys(none))))
         every, told = pairs(mechanism.links), list[str]()
         for k in self.positions:
             if lost := [with_index(letter(pair)) for pair in every if pair not in self.study.at(k).found]:
@@ -99,7 +126,9 @@ class _CentresSheet:
             yield word("centres open", told="; ".join(told))
 
 
-FORM: Final = {"kennedy-": FRAME}
+FORM: Final = {"kennedy-": FRAME, "centrodes-": FRAME, "curvature-": FRAME}
 SHEETS: Final = {
-    "centres": SheetKind(leaves, expected, {"kennedy-": "length"}, of_linkage, figures=FORM, tables=(CENTRES, "rates"))
+    "centres": SheetKind(
+        leaves, expected, dict.fromkeys(FORM, "length"), of_linkage, figures=FORM, tables=(CENTRES, "rates", CURVATURE)
+    )
 }

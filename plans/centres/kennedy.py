@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import combinations
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 
 from geometry.board import Board, Mark, at
-from geometry.meet import cross
+from geometry.meet import Vectors, cross
 from plans.linkage import leads
 from plans.linkage.plan import Plan
+from plans.model.mechanism import Mechanism
 from plans.words.words import because
 
 CENTRES = "centres"
@@ -47,7 +48,7 @@ class CentreLine(NamedTuple):
     """The line of the centres that two links have with a third; of two at infinity there is none to be drawn."""
 
     over: int
-    ends: tuple[InstantCentre, InstantCentre]  # the first is not at infinity, if either is not
+    ends: tuple[InstantCentre, ...]  # both; the first is not at infinity, if either is not
     along: complex  # its unit direction; 0: it lies at infinity
 
 
@@ -65,12 +66,24 @@ def letter(pair: Pair) -> str:
     return f"P_{pair[0]}{pair[1]}" if pair[1] < 10 else f"P_{pair[0]},{pair[1]}"
 
 
+def hinge_of(mechanism: Mechanism, pair: Pair) -> str | None:
+    """Give the hinge that joins two links, if one does."""
+    return next((point for point, links in mechanism.hinges.items() if {*pair} <= {*links}), None)
+
+
 class Kennedy:
     """The centres of a position as they are found; what two lines that are one leave open is not among them."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, like: Kennedy | None = None) -> None:
+        """Find them; over many positions at once `like` those of one, over the same links."""
         self.plan, self.board = plan, Board(CENTRES)
         self.found: dict[Pair, InstantCentre] = {centre.pair: centre for centre in self._known()}
+        for centre in like.found.values() if like else ():
+            if centre.over:
+                one, two = (CentreLine(link, self._ends(centre.pair, link), 1) for link in centre.over)
+                self._draw(centre.pair, one, two, centre.infinite)
+        if like is not None:
+            return
         places = [at(mark.point, 0) for mark in plan.letters.values()]
         self.size = max(abs(place - other) for place in places for other in places)
         every = pairs(plan.mechanism.links)
@@ -100,17 +113,20 @@ class Kennedy:
         twos = list(combinations(drawn, 2))
         sharp = [abs(float(cross(one.along, two.along))) for one, two in twos]
         if sharp and max(sharp) > max(least, PARALLEL):
-            one, two = twos[int(np.argmax(sharp))]
-            why = because("kennedy", first=one.over, second=two.over)
-            mark = self.board.meet(letter(pair), self._line(one), self._line(two), why=why)
-            self.found[pair] = InstantCentre(pair, mark, False, (one.over, two.over))
+            self._draw(pair, *twos[int(np.argmax(sharp))])
         elif not least and len(loci) > 1 and drawn and (len(loci) > len(drawn) or self._apart(drawn)):
-            first, second = (drawn[0], *(locus for locus in loci if locus is not drawn[0]))[:2]
-            why = because("kennedy_parallel", first=first.over, second=second.over)
-            along = self._along(first)
-            mark = self.board.turn(letter(pair), along, 1.0 / abs(at(along.point, 0)), why)
-            self.found[pair] = InstantCentre(pair, mark, True, (first.over, second.over))
+            self._draw(pair, drawn[0], next(locus for locus in loci if locus is not drawn[0]), infinite=True)
         return pair in self.found
+
+    def _draw(self, pair: Pair, first: CentreLine, second: CentreLine, infinite: bool = False) -> None:
+        """Draw a centre where two lines meet, or at infinity along the first."""
+        why = because("kennedy_parallel" if infinite else "kennedy", first=first.over, second=second.over)
+        if infinite:
+            along = self._along(first)
+            mark = self.board.turn(letter(pair), along, 1.0 / cast(Vectors, np.abs(along.point)), why)
+        else:
+            mark = self.board.meet(letter(pair), self._line(first), self._line(second), why=why)
+        self.found[pair] = InstantCentre(pair, mark, infinite, (first.over, second.over))
 
     def _apart(self, drawn: list[CentreLine]) -> bool:
         """Tell whether parallel lines are more than one line."""
@@ -125,12 +141,17 @@ class Kennedy:
         first, second = (end.mark for end in locus.ends)
         return self.board.parallel(f"{first.name}{second.name}", first, self._along(locus), because("centres_in_line"))
 
+    def _ends(self, pair: Pair, link: int) -> tuple[InstantCentre, ...]:
+        """Give the centres of two links with a third, as far as they are known, those at infinity last."""
+        ends = (end for one in pair if (end := self.of(one, link)) is not None)
+        return tuple(sorted(ends, key=lambda end: end.infinite))
+
     def _locus(self, pair: Pair, link: int) -> CentreLine | None:
         """Give the line of the centres of two links with a third, if both are known and apart."""
-        ends = [end for one in pair if one != link and (end := self.of(one, link)) is not None]
-        if link in pair or len(ends) < 2:
+        ends = () if link in pair else self._ends(pair, link)
+        if len(ends) < 2:
             return None
-        first, second = sorted(ends, key=lambda end: end.infinite)
+        first, second = ends
         if first.infinite:
             return CentreLine(link, (first, second), 0j)
         way = second.place if second.infinite else second.place - first.place

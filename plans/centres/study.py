@@ -8,32 +8,96 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.board import Reading, at
+from geometry.board import Mark, Reading, at
 from geometry.meet import cross
-from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy
+from plans.centres.centrodes import Centrodes, carried, centrodes, own
+from plans.centres.curvature import Curvature, Inflection, general, pins
+from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy, Pair, hinge_of, letter
+from plans.linkage.reading import fields as g
 from plans.linkage.reading.form import ChosenTable
 from plans.linkage.reading.linkage import see_positions
 from plans.linkage.reading.survey import LinkageSurvey
 from plans.linkage.study import LinkageStudy
-from plans.model.mechanism import FRAME
+from plans.model.mechanism import FRAME, Mechanism
+from plans.scene import fields as f
+from plans.scene.faults import Path
+from plans.scene.readers import many
 from plans.scene.scene import Meaning, TechniqueForm
 from plans.scene.tables import key, table
 from plans.words.words import because
 
 
+class CentresTable(ChosenTable):
+    """What is asked for of instant centres."""
+
+    centrodes: tuple[str, ...] = key(
+        many(g.PAIR, f.NO_REPEATS, first=f.FEW),
+        (),
+        meaning='Pairs of links whose centrodes are drawn (центроиды): ["0-2"], paths of P_02 on both over the turn.',
+    )
+
+    curvature: tuple[str, ...] = key(
+        many(f.POINT, f.NO_REPEATS, first=f.FEW),
+        (),
+        meaning='Points ["K"] of links in general motion: inflection circle, centre of curvature by Bobillier.',
+    )
+
+    @property
+    def rolling(self) -> tuple[Pair, ...]:
+        """The pairs whose centrodes are asked for."""
+        both = (pair.split("-") for pair in self.centrodes)
+        return tuple((int(one), int(two)) for one, two in both)
+
+
 class CentresForm(TechniqueForm):
     """What a scene says of the instant centres of its linkage."""
 
-    centres: ChosenTable = key(
-        table(ChosenTable),
-        ChosenTable(),
+    centres: CentresTable = key(
+        table(CentresTable),
+        CentresTable(),
         meaning="Instant centres of all links (мгновенные центры), by Aronhold and Kennedy.",
     )
 
 
 def survey_of(meaning: Meaning) -> LinkageSurvey:
-    """See that the positions are there."""
-    return see_positions(meaning, CENTRES, meaning.scene.of(CentresForm).centres.positions)
+    """See that the positions are there, and that the links whose centrodes are asked for roll on each other."""
+    asked = meaning.scene.of(CentresForm).centres
+    survey = see_positions(meaning, CENTRES, asked.positions)
+    mechanism = meaning.of(LinkageSurvey).mechanism
+    for index, pair in enumerate(asked.rolling):
+        if mechanism is not None:
+            _see_rolling(survey, (CENTRES, "centrodes", index), pair, mechanism)
+    for index, point in enumerate(asked.curvature):
+        if mechanism is not None and survey.know((CENTRES, "curvature", index), [point]):
+            _see_curving(survey, (CENTRES, "curvature", index), point, mechanism)
+    return survey
+
+
+def _see_curving(survey: LinkageSurvey, path: Path, point: str, mechanism: Mechanism) -> None:
+    """See that a point's link moves generally, by two pins whose centres of curvature are known."""
+    links = [link for link in mechanism.links if point in mechanism.links[link].points]
+    pivots = (hinge for link in links if link != FRAME and (hinge := hinge_of(mechanism, (FRAME, link))))
+    link = general(mechanism, point)
+    if not links:
+        return  # its own row is at fault
+    if FRAME in links:
+        survey.report(path, "curvature_fixed", point=point)
+    elif (pivot := next(pivots, None)) is not None:
+        survey.report(path, "curvature_pivot", point=point, pivot=pivot)
+    elif link is None:
+        survey.report(path, "curvature_straight", point=point)
+    elif len(pins(mechanism, link)) < 2:
+        survey.report(path, "curvature_pins", point=point, link=link)
+
+
+def _see_rolling(survey: LinkageSurvey, path: Path, pair: Pair, mechanism: Mechanism) -> None:
+    first, second = pair
+    if not all(survey.know_link(path, link) for link in pair if link != FRAME):
+        return
+    if (hinge := hinge_of(mechanism, pair)) is not None:
+        survey.report(path, "centrode_hinge", first=first, second=second, hinge=hinge)
+    elif mechanism.turning_with[first] == mechanism.turning_with[second]:
+        survey.report(path, "centrode_translates", first=first, second=second)
 
 
 class CentreRate(NamedTuple):
@@ -50,6 +114,8 @@ class CentresStudy:
         self.linkage = linkage
         self.made: dict[str, None] = {}
         self._found: dict[int, Kennedy] = {}
+        self._inflections: dict[tuple[int, int], Inflection | None] = {}
+        self._centres: dict[tuple[int, str], Curvature | None] = {}
 
     def construct(self, plans: Collection[str]) -> None:
         """Find the centres, if they are asked for."""
@@ -68,6 +134,39 @@ class CentresStudy:
         if k not in self._found:
             self._found[k] = Kennedy(self.linkage.drafts((k,)).positions)
         return self._found[k]
+
+    def carried(self, k: int, pair: Pair, link: int) -> Mark:
+        """Give a centre of a position in the axes of a link; once carried it is used again."""
+        found = self.at(k)
+        name = own(letter(pair), link)
+        if link != FRAME and name in found.board:
+            return found.board[name]
+        return carried(found.board, found.plan, found.found[pair].mark, link)
+
+    @cached_property
+    def centrodes(self) -> dict[Pair, Centrodes]:
+        """The centrodes that are asked for."""
+        asked = self.linkage.scene.of(CentresForm).centres.rolling
+        return centrodes(self.linkage, asked) if asked else {}
+
+    @property
+    def curving(self) -> dict[str, int]:
+        """The points whose centres of curvature are asked for, with their links."""
+        asked = self.linkage.scene.of(CentresForm).centres.curvature
+        return {point: link for point in asked if (link := general(self.linkage.mechanism, point)) is not None}
+
+    def inflection(self, k: int, link: int) -> Inflection | None:
+        """Give the inflection circle of a link in a position; None where Bobillier's rays give none."""
+        if (k, link) not in self._inflections:
+            self._inflections[k, link] = Inflection.of(self.at(k), link)
+        return self._inflections[k, link]
+
+    def curvature(self, k: int, point: str) -> Curvature | None:
+        """Give the centre of curvature of a point's path in a position, and the radius to it."""
+        if (k, point) not in self._centres:
+            circle = self.inflection(k, self.curving[point])
+            self._centres[k, point] = None if circle is None else circle.centre(point)
+        return self._centres[k, point]
 
     def rates(self, k: int) -> dict[int, CentreRate]:
         """Find how each link turns in a position: from link to link, over the centres that lie farthest apart."""

@@ -9,7 +9,7 @@ import pytest
 
 from geometry.meet import EPS, cross
 from plans.centres.kennedy import Kennedy
-from plans.centres.quantities import CentresComparison
+from plans.centres.quantities import CentresComparison, SolvedCentrodes
 from plans.centres.study import CentresStudy
 from plans.scene.scene import parse_scene
 from plans.study import Study
@@ -117,3 +117,122 @@ def test_a_drive_that_rests_has_its_centres_too_and_no_rates():
     assert compared.agrees
     assert all(np.abs(one.analysis).max() == 0 for one in compared.findings if one.unit == "rad/s")
     assert np.isfinite(next(one for one in compared.findings if one.name == "P_02").analysis).all()
+
+
+ASKED = 'centrodes = ["0-2"]'
+CARDAN = SLIDER_CRANK | {
+    "lengths": "OA = 0.2; AB = 0.2",
+    "slides": ["link = 3; along = { through = [0, 0], angle = 0 }"],
+    "sketch": "B = [0.3, 0]",
+}
+CROSSED = FOUR_BAR | {"frame": "O = [0, 0]; C = [0.2, 0]", "lengths": "OA = 0.3; AB = 0.2; CB = 0.3"}
+CROSSED |= {"sketch": "A = [0.15, 0.26]; B = [-0.04, 0.19]"}
+
+
+def rolling(mechanism: dict[str, str | list[str]], asked: str = ASKED, first: float = 60.0) -> Study:
+    drive = f"link = 1; speed = -7; positions = [{first}, {first + 10}]"
+    return Study(parse_scene(scene('sheets = ["centres"]', **mechanism, drive=drive, centres=asked)))
+
+
+def paths(study: Study) -> list[np.ndarray]:
+    [(pair, made)] = study.of(CentresStudy).centrodes.items()
+    both = [made.path(link) for link in pair]
+    return [path[~np.isnan(both[0] + both[1])] for path in both]
+
+
+def test_the_centrodes_of_a_cross_slide_are_circles_of_which_the_smaller_rolls_in_the_greater():
+    fixed, moving = paths(rolling(CARDAN))
+    assert len(fixed) > 300 and np.abs(fixed) == pytest.approx(0.4, rel=1e-9)
+    assert np.abs(moving) == pytest.approx(0.2, rel=1e-9)  # about A, where the rod's own axes begin
+
+
+def test_the_centrodes_of_a_crossed_parallelogram_are_equal_ellipses():
+    for path in paths(rolling(CROSSED)):  # about O and C, and about A and B
+        assert len(path) > 300 and np.abs(path) + np.abs(path - 0.2) == pytest.approx(0.3, rel=1e-6)
+
+
+@pytest.mark.parametrize(("name", "pair"), [("four-bar", "0-2"), ("four-bar", "1-3"), ("six-link", "2-4")])
+def test_centrodes_roll_on_each_other_without_slipping(name, pair):
+    study = rolling(MECHANISMS[name], f'centrodes = ["{pair}"]', 30.0)
+    one, two = (np.abs(np.diff(path)) for path in paths(study))
+    even = (one < 0.02) & (two < 0.02)  # a step that is no passage through infinity, in which a chord is as an arc
+    assert even.sum() > 100 and one[even] == pytest.approx(two[even], rel=1e-2, abs=1e-7)
+    assert study.of(CentresComparison).agrees
+    assert {row.name for row in study.of(CentresComparison).findings} > {f"P_{pair[0]}{pair[2]}^{pair[2]}"}
+
+
+@pytest.mark.parametrize("name", ["four-bar", "six-link"])
+def test_both_roads_find_the_same_centrodes(name):
+    found = rolling(MECHANISMS[name], ASKED, 30.0).of(CentresStudy)
+    solved = SolvedCentrodes.of(found, (0, 2))
+    for link, path in solved.paths.items():
+        off = np.abs(found.centrodes[0, 2].path(link) - path) / solved.allowed
+        assert np.isfinite(off).sum() > 600 and np.nanmax(off) < 1
+
+
+@pytest.mark.parametrize(
+    ("pair", "said"), [("0-1", "their hinge O"), ("0-3", "only translate"), ("0-4", "there is no link 4")]
+)
+def test_links_that_do_not_roll_on_each_other_are_told(pair, said):
+    drive, asked = "link = 1; speed = 1; positions = 4", f'centrodes = ["{pair}"]'
+    text = scene('sheets = ["centres"]', **SLIDER_CRANK, drive=drive, centres=asked)
+    assert said in str(parse_scene(text).meaning.faults[0])
+
+
+def test_a_rod_that_only_translates_has_no_centrodes():
+    even = FOUR_BAR | {"frame": "O = [0, 0]; C = [0.4, 0]", "lengths": "OA = 0.1; AB = 0.4; CB = 0.1"}
+    study = rolling(even | {"sketch": "A = [0.05, 0.09]; B = [0.45, 0.09]"})
+    assert not study.of(CentresStudy).centrodes and study.of(CentresComparison).agrees
+
+
+CROSS_SLIDE = {
+    "frame": "O = [0, 0]",
+    "links": "B BC C",
+    "lengths": "BC = 0.2",
+    "points": "K = { on = 2, at = [0.06, 0] }",
+    "slides": [
+        "link = 1; along = { through = [0, 0], angle = 0 }",
+        "link = 3; along = { through = [0, 0], angle = 90 }",
+    ],
+    "sketch": "B = [0.1, 0]; C = [0, 0.17]",
+}
+COUPLER = FOUR_BAR | {"points": "K = { on = 2, at = [0.2, 0.15] }"}
+ROD = SLIDER_CRANK | {"points": "K = { on = 2, at = [0.07, -0.03] }"}
+
+
+def curving(mechanism: dict[str, str | list[str]], drive: str = "link = 1; speed = -7; positions = 7") -> Study:
+    return Study(parse_scene(scene('sheets = ["centres"]', **mechanism, drive=drive, centres='curvature = ["K"]')))
+
+
+def test_a_trammel_has_the_radius_of_its_ellipse_and_its_rod_as_diameter():
+    """K parts the rod in 60 and 140 mm: half axes of its ellipse, whose radius is (a⁴y² + b⁴x²)^1.5/(ab)⁴."""
+    study = curving(CROSS_SLIDE, "link = 1; stroke = { from = 0.02, to = 0.18, speed = 0.2 }; positions = 5")
+    found = {row.name: row for row in study.of(CentresComparison).findings}
+    assert found["δ_2"].construction == pytest.approx(0.2)
+    assert np.abs(found["W_2"].construction).max() < 1e-12
+    k, (a, b) = study.of(CentresComparison).analysis.points["K"].r, (0.14, 0.06)
+    worked = (a**4 * k.imag**2 + b**4 * k.real**2) ** 1.5 / (a * b) ** 4
+    assert found["ρ_K"].construction == pytest.approx(worked)
+
+
+@pytest.mark.parametrize("mechanism", [COUPLER, ROD], ids=["four-bar", "slider-crank"])
+def test_bobillier_finds_the_curvature_that_accelerations_tell(mechanism):
+    study = curving(mechanism)
+    compared = study.of(CentresComparison)
+    rows = [row for row in compared.findings if row.name in ("W_2", "δ_2", "O_K", "ρ_K")]
+    assert compared.agrees and len(rows) == 4
+    for row in rows:
+        known = np.isfinite(row.analysis)
+        assert known.sum() >= 5 and (row.allowed[known] < 1e-8 * (1 + np.abs(row.analysis[known]) ** 2)).all(), row.name
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "point", "said"),
+    [
+        (COUPLER, "O", "is fixed"), (COUPLER, "A", "circle about O"), (ROD, "B", "straight guide"),
+        (COUPLER, "Z", "no point Z"), (SIX_LINK | {"points": "K = { on = 2, at = [0.1, 0] }"}, "K", "two pins"),
+    ],
+)  # fmt: skip
+def test_points_without_such_a_curvature_are_told(mechanism, point, said):
+    asked = {"drive": "link = 1; speed = 1; positions = 4", "centres": f'curvature = ["{point}"]'}
+    assert said in str(parse_scene(scene('sheets = ["centres"]', **mechanism, **asked)).meaning.faults[0])
