@@ -15,6 +15,7 @@ from drawings.checks.hold import stated_keys
 from drawings.forces.due_acting import ExpectedArm, ExpectedForces, diagrams, named
 from drawings.forces.due_lever import lever
 from drawings.lettering.words import word
+from drawings.linkage.due import of_plans
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Key, Kind, Leaf, Text
 from drawings.symbols.figure import plain_name
@@ -153,6 +154,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         sheet = _Sheet(ExpectedForces(statics, comparison, k), scales, frozenset(chain(*keys)))
         yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.terms(), sheet.table())
         yield from lever(sheet.acting, scales, keys)
+        yield from of_plans(study, drawn)
     yield from curves(statics, comparison, shown)
     yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
     yield from notes(comparison, shown)

@@ -27,8 +27,8 @@ from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.value_table import value_row
 from drawings.lettering.words import word
 from drawings.linkage import vector_plan
-from drawings.linkage.positions import force_positions, of_linkage
-from drawings.linkage.vector_plan import diagram
+from drawings.linkage.positions import force_positions, of_linkage, planless
+from drawings.linkage.vector_plan import Diagrams, diagram, diagrams
 from drawings.page.page import Drafting
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
@@ -48,7 +48,7 @@ from plans.linkage import ram
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula
 from plans.model.kinetostatics import Kinetostatics
-from plans.model.motion import Floats
+from plans.model.motion import PLANS, Floats
 from plans.quantity import Quantity
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -84,6 +84,7 @@ def rows(comparison: ForceComparison, position: int, language: str, reactions: s
 
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
 LEVER = "lever"
+MOTION, SLIGHT, SMALL = "motion", 0.5, 1.5  # the plans of velocities and accelerations: weight, times their least size
 POLYGON = "forces-"  # before a cut's links: the name of its force plan
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
@@ -120,7 +121,7 @@ class _ForceSheet:
         columns = (figure for cut in self.plan.cuts for figure in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        shows = (*columns, *loose, *captions(self._workings()))
+        shows = (*columns, *loose, *self._motion(), *captions(self._workings()))
         later = partial(forces_by_hand, self.statics, self.position)
         return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=later)
 
@@ -179,6 +180,18 @@ class _ForceSheet:
             equation = LeverEquation(terms, moment, self.drafting, self.position)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
+    @cached_property
+    def _shown_plans(self) -> Diagrams:
+        """The plans that its inertia forces are taken from, where no kinematics sheet of the set has them."""
+        shown = planless(self.study, self.comparison.motion, self.chosen)
+        every = diagrams(self.study, self.comparison.motion.analysis, [self.position] if self.position in shown else [])
+        return {key: plan for key, plan in every.items() if plan.is_whole and any(plan.points)}
+
+    def _motion(self) -> Iterator[Exhibit]:
+        """Those plans, small."""
+        for plan in self._shown_plans.values():
+            yield exhibit(vector_plan, plan, self.drafting, SMALL, together=MOTION, weight=SLIGHT)
+
     def _workings(self) -> Iterator[Workings]:
         """How forces of masses are found, and lengths laid off: beside the figures, where paper would stay bare."""
         plan, drafting = self.plan, self.drafting
@@ -190,6 +203,8 @@ class _ForceSheet:
         if self.statics.drafts().plans.lever is not None:
             yield forces_of_masses(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
             yield vector_plan.plan_working(diagram(plan.velocities, self.position), LEVER, drafting)
+        for (subject, k), shown in self._shown_plans.items():
+            yield vector_plan.plan_working(shown, f"{subject}-{k}", drafting)
 
     def _polygon_workings(self, cut: CutGroup) -> Iterator[Workings]:
         """How the known forces of a cut are laid off, and those that close its polygon are read."""
@@ -271,10 +286,13 @@ class _ForceSheet:
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         groups = [name.removeprefix(POLYGON) for name in names if name.startswith(POLYGON)]
         structure = formula(self.study.mechanism, self.study.groups)
-        return {"structure": structure, "position": self.position, "groups": groups}
+        vectors = [(subject, k) for subject, k in self._shown_plans if f"{subject}-{k}" in names]
+        return {"structure": structure, "position": self.position, "groups": groups, "vectors": vectors}
 
 
 BY_FORCE = {"scheme-": "scheme", "forces-": "force", "lever": "lever"}
 SCALES: Final = {**BY_FORCE, "balancing": "moment", "load_diagram-": "way"}
-FORM: Final = dict.fromkeys((*BY_FORCE, "hodograph-"), PLAN) | dict.fromkeys(("balancing", "load_diagram-"), GRAPH)
+FORM: Final = dict.fromkeys((*BY_FORCE, "hodograph-", *(f"{plan}-" for plan in PLANS[1:])), PLAN) | dict.fromkeys(
+    ("balancing", "load_diagram-"), GRAPH
+)
 SHEETS: Final = {"forces": SheetKind(leaves, expected, SCALES, of_forces, of_arm, figures=FORM, tables=("values",))}

@@ -53,8 +53,8 @@ class Record(NamedTuple):
     """What a technique knows of how a sheet is drawn: how vectors are found, which plans it has to what scales.
 
     The marks of a plan's `boards` bear the letters of its ends. `subjects` are those of the record under which plans
-    are drawn that have names of their own, `known` the known forces and moments that a plan shows by arrows that are
-    not to scale.
+    are drawn that have names of their own, to which what is read off the plans of `boards` is known, as inertia forces
+    are; `known` the known forces and moments that a plan shows by arrows that are not to scale.
     """
 
     found: Mapping[Letters, Found]
@@ -194,7 +194,9 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
         if position in record.plans.get(plan, ()):
             vectors = tuple(_asked(mark, record, expected, titles) for mark in marks)
             quantity, unit, scale = marks[0].quantity, marks[0].unit, marks[0].scale
-            scales = {name: mu[position] for name, mu in record.plans.items() if position in mu} | {plan: scale}
+            apart = {name for name, _ in record.boards} if plan in record.subjects else ()
+            rests = ((name, mu) for name, mu in record.plans.items() if position in mu and name not in apart)
+            scales = {name: mu[position] for name, mu in rests} | {plan: scale}
             board, symbol = record.subjects.get(plan, plan), SYMBOLS.get(quantity, quantity)
             ways = dict(_ways(record.known.get(plan, ()), (plan, position), expected))
             yield PlanAsked(plan, position, sheet.name, unit, vectors, scales, board, symbol, ways)

@@ -50,6 +50,11 @@ def measures(study: LinkageStudy, comparison: MotionComparison, drafting: Drafti
     yield from chain(linkage.senses(0), linkage.strokes())
 
 
+def of_plans(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give the vectors of the plans of velocities and accelerations that any sheets show."""
+    return _ExpectedMotion(study.of(LinkageStudy), study.of(MotionComparison), drafting_of(study.scene), leaves).plans()
+
+
 def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
     """Give the mass centres that no point of the scene is or names: link, and place in its own frame."""
     return unnamed(study.scene, study.mechanism.links)

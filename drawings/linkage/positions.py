@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
@@ -104,6 +104,14 @@ def plans(
         return (shown,)
     other = _best(telling, free & ~_working(study), free)
     return tuple(sorted((shown, other)))
+
+
+def planless(study: LinkageStudy, comparison: MotionComparison, beside: Sequence[int]) -> tuple[int, ...]:
+    """Give of the positions whose forces are drawn those whose plans no kinematics sheet of the set shows."""
+    if "kinematics" not in study.scene.sheets:
+        return tuple(beside)
+    drawn = plans(study, comparison, position(study, comparison.construction, beside), beside)
+    return tuple(k for k in beside if k not in drawn)
 
 
 def force_positions(statics: Statics, comparison: ForceComparison) -> tuple[int, ...]:

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, Final
-
-import numpy as np
 
 from drawings.diagrams import rows, scales
 from drawings.diagrams.report import diagram_notes, output_table
@@ -22,16 +19,14 @@ from drawings.linkage.due import expected
 from drawings.linkage.notes import notes
 from drawings.linkage.positions import facts_of, force_positions, of_linkage, plans, position, shown_positions
 from drawings.linkage.skeleton import Skeletons, skeletons
-from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, link_working, plan_working
+from drawings.linkage.vector_plan import Diagrams, diagrams, draw_missing, link_working, plan_working
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.kind import FRAME, GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
-from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
-from plans.linkage.parts import MotionByHand, alike, spans
-from plans.linkage.plan import unnamed
+from plans.linkage.parts import MotionByHand, alike
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS, POSITIONS, VELOCITIES
@@ -137,7 +132,7 @@ class _KinematicsSheet:
             yield scales.working(self.output, self.drafting)
 
     def _is_whole(self, subject: str, k: int) -> bool:
-        return not self.study.lost[k] and bool(np.isfinite(self._shown_plans[subject, k].points).all())
+        return not self.study.lost[k] and self._shown_plans[subject, k].is_whole
 
     def _diagrams(self) -> list[Exhibit]:
         """The output's diagrams, one under another."""
@@ -147,19 +142,8 @@ class _KinematicsSheet:
         return [Exhibit(Panel(room), partial(rows.draw, self.output, drafting=self.drafting))]
 
     @cached_property
-    def _shown_plans(self) -> dict[tuple[str, int], VectorDiagram]:
-        """What each plan of velocities and accelerations shows, by its name and position."""
-        drafts, masses = self.study.drafts(), unnamed(self.study.scene, self.study.mechanism.links)
-        plans = [(order, k, drafts.plan(order.number)) for order in ORDERS[1:] for k in self.positions]
-        return {(order.plan, k): diagram(plan, k, masses)._replace(parts=self._parts) for order, k, plan in plans}
-
-    @cached_property
-    def _parts(self) -> dict[tuple[Mark, Mark], tuple[str, ...]]:
-        """The letters of relative vectors and parts, by their ends on the plans: one vector may be v_F5 and v_F5F."""
-        found = defaultdict[tuple[Mark, Mark], list[str]](list)
-        for name, span in spans(self.study, self.study.drafts(), self.comparison.analysis).items():
-            found[span.start, span.end].append(name)
-        return {ends: tuple(names) for ends, names in found.items()}
+    def _shown_plans(self) -> Diagrams:
+        return diagrams(self.study, self.comparison.analysis, self.positions)
 
     def _remarks(self, spots: Mapping[str, Spot]) -> tuple[str, ...]:
         """Say why a plan has another scale than the others of its kind."""

@@ -1,9 +1,12 @@
 """Velocity and acceleration plans as figures, each to a scale of its own; a plan that is not there (планы)."""
 
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import combinations
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
 
 from drawings.kinds.vector_plan import LEAST, directions, letter_images
 from drawings.kinds.working import DIGITS, LENGTHS, READING, ScaleFactor, Workings, at_scale
@@ -19,9 +22,11 @@ from drawings.symbols.figure import PLAN_LETTERS, Subject, around, heading, poin
 from drawings.symbols.symbols import ARROW_LENGTH, pole
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, behind
-from plans.linkage.plan import Plan
+from plans.linkage.parts import spans
+from plans.linkage.plan import Plan, unnamed
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import Mechanism
-from plans.model.motion import NOTHING, ORDERS
+from plans.model.motion import NOTHING, ORDERS, Motion
 
 
 def measure_missing(why: str, name: str, drafting: Drafting) -> Picture:
@@ -96,6 +101,11 @@ class VectorDiagram(NamedTuple):
         return [0j, *ends, *(end for line in (*self.rays, *self.sides) for end in line)]
 
     @property
+    def is_whole(self) -> bool:
+        """Whether its position has all of it: at a dead centre there may be no acceleration."""
+        return bool(np.isfinite(self.points).all())
+
+    @property
     def images(self) -> list[complex]:
         """The places of images, but for the pole, each once: those at rest need no room there, nor several in one."""
         near, found = SAME * max((abs(end) for end in self.points), default=0.0), list[complex]()
@@ -103,6 +113,22 @@ class VectorDiagram(NamedTuple):
             if all(abs(end - other) > near for other in (0j, *found)):
                 found.append(end)
         return found
+
+
+Diagrams: TypeAlias = Mapping[tuple[str, int], VectorDiagram]
+
+
+def diagrams(study: LinkageStudy, analysis: Motion, positions: Sequence[int]) -> Diagrams:
+    """Give what each plan of velocities and accelerations of some positions shows, by its name and position.
+
+    Relative vectors and parts are lettered, by their ends on the plans: one vector may be v_F5 and v_F5F.
+    """
+    drafts, masses = study.drafts(), unnamed(study.scene, study.mechanism.links)
+    found = defaultdict[tuple[Mark, Mark], tuple[str, ...]](tuple)
+    for name, span in spans(study, drafts, analysis).items():
+        found[span.start, span.end] += (name,)
+    plans = [(order, k, drafts.plan(order.number)) for order in ORDERS[1:] for k in positions]
+    return {(order.plan, k): diagram(plan, k, masses)._replace(parts=found) for order, k, plan in plans}
 
 
 def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] = NONE) -> VectorDiagram:

@@ -14,7 +14,7 @@ from drawings.forces.lever import hanging
 from drawings.forces.scheme import fan
 from drawings.layout.parallel_offsets import merging
 from drawings.linkage import sheet as linkage_sheet
-from drawings.linkage.positions import force_positions
+from drawings.linkage.positions import force_positions, planless
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Fill, Leaf, Line, SheetError
 from drawings.paper.walk import flat, texts
@@ -71,6 +71,14 @@ def test_a_ruler_finds_the_forces_of_the_worked_example(checked: Checked) -> Non
     for key, value in M57.items():
         assert abs(sides[key].value - value) <= 2 * found.quantum * sides[key].scale + 1e-5, key  # their last digit
         assert abs(sides[key].stated - value) <= 1e-5, key
+
+
+def test_inertia_forces_are_masses_by_what_the_acceleration_plan_of_the_sheet_has(checked: Checked) -> None:
+    found = {(one.plan, one.name): one for one in measured(checked[3]).vectors}
+    assert ("velocities", "p d") in found
+    for cut, force, end, mass in (("4-5", "Φ_4", "s_4", 3.0), ("4-5", "Φ_5", "d", 25.0), ("2-3", "Φ_3", "s_3", 15.0)):
+        plan = found["accelerations", f"π {end}"]
+        assert abs(mass * plan.value + M57[f"forces-{cut}", force]) <= 0.02 * mass * plan.scale, force  # 0.02 mm
 
 
 def test_the_lever_of_the_worked_example_needs_its_gear_force(checked: Checked) -> None:
@@ -170,6 +178,15 @@ def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematic
     (drawn,) = force_positions(own, compare_forces(own, both.comparison("linkage")))
     shown = [linkage_sheet.leaves(study)[0].metadata["shown"] for study in (both, alone)]
     assert shown[0] == drawn != shown[1]
+    motion = both.comparison("linkage")
+    assert [planless(own.study, motion, beside) for beside in ((drawn,), (0, drawn))] == [(), ()]
+    assert planless(alone["linkage"], motion, (drawn,)) == ()
+    other = Study(
+        parse_scene(
+            f"{text}\n[sheet]\nplans = [{(drawn + 3) % 12}]\n".replace('["forces"]', '["kinematics", "forces"]')
+        )
+    )
+    assert planless(other["linkage"], motion, (drawn,)) == (drawn,)
 
 
 @pytest.mark.rest

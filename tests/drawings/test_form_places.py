@@ -61,6 +61,7 @@ def test_of_a_form_of_several_pages_due_is_what_has_its_place_on_this_one() -> N
 def test_each_place_of_a_form_says_of_which_plan_and_position_it_is() -> None:
     places = {one.plan for one in form_places(form_leaf("shaper-loaded"))}
     assert {("forces-4-5", 2), ("forces-2-3", 2), ("lever", 2), ("hodograph-0-3", None)} <= places
+    assert {("velocities", 2), ("accelerations", 2)} <= places
 
 
 UPPER = FormPlace(("velocities", 2), 30 + 70j, 0 + 50j, 100 + 100j)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from drawings.forces.arms import leverages
 from drawings.forces.letters import letter_of
@@ -37,18 +37,24 @@ def record_of_linkage(study: Study, leaf: Leaf) -> Record:
     """Give the record of the plans of a sheet of kinematics or of positions."""
     linkage, comparison = study.of(LinkageStudy), study.of(MotionComparison)
     shown, drawn = list(leaf.metadata["vectors"]), leaf.metadata["shown"]
-    found, boards = dict[Letters, Found](), dict[Place, Board]()
-    by_hand = MotionByHand(linkage, comparison, mass_centres(linkage))
-    for k in dict.fromkeys(k for _, k in shown):
-        drafts = linkage.drafts([k])
-        boards |= {(order.plan, k): drafts.plan(order.number).board for order in ORDERS[1:]}
-        spans = ((name, span) for name, span in by_hand.read(drafts).items() if isinstance(span, Span))
-        found |= {(span.end.subject, k, span.start.name, span.end.name): Found(name, span) for name, span in spans}
+    found, boards = _of_plans(study, [k for _, k in shown])
     if drawn is not None:
         plan = linkage.drafts([drawn]).positions
         names = comparison.analysis.points.keys() - linkage.mechanism.links[FRAME].points
         found |= {(POSITIONS.plan, drawn, "", name): Found(name, Span(plan.pole, plan.point(name))) for name in names}
     return Record(found, _plan_scales(leaf.metadata["scales"], shown, drawn), boards)
+
+
+def _of_plans(study: Study, positions: Sequence[int]) -> tuple[dict[Letters, Found], dict[Place, Board]]:
+    """Give how the vectors of the plans of velocities and accelerations of some positions are found, and the boards."""
+    linkage, found, boards = study.of(LinkageStudy), dict[Letters, Found](), dict[Place, Board]()
+    by_hand = MotionByHand(linkage, study.of(MotionComparison), mass_centres(linkage))
+    for k in dict.fromkeys(positions):
+        drafts = linkage.drafts([k])
+        boards |= {(order.plan, k): drafts.plan(order.number).board for order in ORDERS[1:]}
+        spans = ((name, span) for name, span in by_hand.read(drafts).items() if isinstance(span, Span))
+        found |= {(span.end.subject, k, span.start.name, span.end.name): Found(name, span) for name, span in spans}
+    return found, boards
 
 
 def record_of_transfer(study: Study, leaf: Leaf) -> Record:
@@ -102,9 +108,12 @@ def record_of_forces(study: Study, leaf: Leaf) -> Record:
     found |= lettered(LEVER, k, _lever(drawn, drafting))
     known[LEVER] = [name for names in known.values() for name in names]
     shown = {plan: arrows_on(leaf, plan, k).keys() & names for plan, names in known.items()}
-    scales, boards = _scales(leaf)
+    scales, subjects = _scales(leaf)
     plans: dict[str, Mapping[int | None, float]] = {name: {k: mu} for name, mu in scales.items()}
-    return Record(found, plans, subjects=boards, known=shown)
+    vectors = list(leaf.metadata["vectors"])
+    motion, boards = _of_plans(study, [k for _, k in vectors])
+    plans |= {plan: {k: leaf.metadata["scales"][f"{plan}-{k}"]} for plan, k in vectors}
+    return Record(found | motion, plans, boards, subjects, shown)
 
 
 def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:
