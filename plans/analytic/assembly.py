@@ -68,7 +68,9 @@ QUARTERS = np.pi / 2 * np.array([0.0, 1.0, -1.0, 2.0])
 COARSE = 24  # crank angles among many that are solved from rough poses; the others are from their neighbours
 ROUGH = 3  # of these every third for a dyad, where the others follow from their neighbours
 DYAD = 2  # links
-PROBES = 720  # crank angles, of those without an assembly beside them, that are tried from rough poses all the same
+PROBES = (
+    720  # crank angles, of those without an assembly beside them, that are tried from rough poses; of triads COARSE
+)
 BOTH = np.array([1.0, -1.0])  # signs of a determinant
 # Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
 # rounding must not choose between them.
@@ -215,7 +217,7 @@ def _at_coarse(shape: Closure, block: Block, found: Floats, done: Indices, poses
 
 def _probe(shape: Closure, block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
     """Try crank angles without an assembly beside them from rough poses: an arc of the crank may begin there."""
-    every = -(-lost.size // PROBES) or 1
+    every = -(-lost.size // (PROBES if len(block.links) <= DYAD else COARSE)) or 1
     probes = lost[::every]
     if probes.size:
         found[:, probes] = _from_rough(shape, block, poses[probes], phi[probes])

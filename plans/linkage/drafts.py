@@ -175,8 +175,9 @@ def _beyond(position: int, phi: float, edge: BarrierEdge | None, branched: bool)
 
 def _reach(mark: Mark, miss: float, k: int) -> Message:
     """Say how far apart two loci are, and how far they reach."""
-    if mark.step.op == "settle":
-        return message("gap.leads", point=mark.name, miss=f"{miss:.6g}")
+    if mark.step.settling is not None:
+        never = miss >= mark.step.settling.body.size
+        return message("gap.leads_never" if never else "gap.leads", point=mark.name, miss=f"{miss:.6g}")
     first, second = mark.step.inputs
     if mark.step.op == "tangent":
         apart = abs(at(between(first, second), k))

@@ -24,6 +24,7 @@ from plans.model.triad import Triad, TriadLead
 from plans.words.words import because
 
 NODES = 180  # places of the drive on either side of home at which a branch is followed: a degree of a crank
+NOWHERE = BodyPose(complex(np.nan, np.nan), complex(np.nan, np.nan))  # of a triad that cannot be assembled at all
 SEAM = 1.0 - 1e-9  # of half a turn: ways of a slide are counted no farther
 
 
@@ -57,7 +58,8 @@ class Triads(GroupKind[Triad]):
 
     def positions(self, plan: Plan, triad: Triad, side: Side) -> None:
         """Settle the basis link on its leads by false positions, along its branch (метод ложных положений, M3.10)."""
-        assert isinstance(side, BodyPose | AssemblyBranch)  # of this kind of group alone
+        if not isinstance(side, BodyPose | AssemblyBranch):
+            side = NOWHERE
         board, body, first = plan.board, _body(plan, triad), triad.leads[0]
         links, basis = plan.mechanism.links, triad.basis
         named = (name for name, place in links[basis].points.items() if place == body.leads[0].at)
