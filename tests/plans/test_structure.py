@@ -60,7 +60,7 @@ def test_a_group_of_class_four_is_refused_by_name():
     """Links 2, 3, 4, 5 form a movable ring PRSQ; 2 hangs on the crank, 4 on the frame."""
     ring = {2: {"A": 0, "P": 1j, "Q": 1}, 3: {"P": 0, "R": 1}, 4: {"C": 0, "R": 1j, "S": 1}, 5: {"Q": 0, "S": 1}}
     links = {FRAME: {"O": 0, "C": 3}, 1: {"O": 0, "A": 1}, **ring}
-    with pytest.raises(StructureError, match="class IV or higher.* driven by link 4 .* class III") as caught:
+    with pytest.raises(StructureError, match=r"class IV or higher.* driven by link 4 .* class III") as caught:
         decompose(linkages.mechanism("ring", links, (), Drive(1, "O", "A", 1, 0), {}, None))
     assert caught.value.links == (2, 3, 4, 5)
 
