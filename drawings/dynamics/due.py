@@ -239,7 +239,11 @@ class _FullTurn:
         if cycle is not None:
             most = float(np.abs(cycle.work).max())
             lost = abs(cycle.work[-1]) <= LOST * most
-            for letter, unit, value in (("M_{dr}", "N*m", cycle.driving), ("A_{us}(2π)", "J", -float(cycle.work[-1]))):
+            (loads, other), way = self.turn.cycle.indices, self.turn.cycle.way
+            for letter, unit, value in (
+                (f"M_{{{other}}}", "N*m", -way * cycle.driving),
+                (f"A_{{{loads}}}(2π)", "J", way * float(cycle.work[-1])),
+            ):
                 size = 0.0 if lost else value
                 yield _Value(letter, unit, size, KNOWN * most, abs(size))
         if wheel is not None:
@@ -283,7 +287,7 @@ class _FullTurn:
         share, most = excess / (task.speed**2 * task.delta), _greatest(cycle, fast.turned, slow.turned)
         tied = math.inf if self._ties(wheel) else 0.0  # rounding alone decides which corner is touched
         yield from (("Δφ fastest", math.degrees(fast.turned), tied), ("Δφ slowest", math.degrees(slow.turned), tied))
-        yield from (("A excess", excess, 2 * energy + tied), ("M_us most", most, KNOWN * abs(most) + tied))
+        yield from (("A excess", excess, 2 * energy + tied), ("M_us most", -cycle.way * most, KNOWN * abs(most) + tied))
         rest, off = wheel.whole - share, self.slack + 2 * energy / (task.speed**2 * task.delta) + tied
         yield from (("J_0 of loads", share, off), (f"J_0 of links {'−' if rest < 0 else '+'}", abs(rest), off))
         if not abs(rest) > off:

@@ -57,14 +57,14 @@ class AnalysedTurn:
     def graphs(self) -> Mapping[str, Floats]:
         """The values of each graph at the edges, behind a jump; of the speed above its mean."""
         cycle = self.cycle
-        after = np.append(-cycle.moments[:, 0], -cycle.moments[-1, 1])
-        found = {MOMENTS: after, WORKS: -cycle.work, SURPLUS: cycle.surplus, INERTIA: cycle.varying}
+        after = cycle.way * np.append(cycle.moments[:, 0], cycle.moments[-1, 1])
+        found = {MOMENTS: after, WORKS: cycle.way * cycle.work, SURPLUS: cycle.surplus, INERTIA: cycle.varying}
         return found if self.omega is None else {**found, SPEEDS: self.omega - self.mean}
 
     @property
     def before(self) -> Floats:
         """The moments before each edge, N*m."""
-        return np.append(-self.cycle.moments[0, 0], -self.cycle.moments[:, 1])
+        return self.cycle.way * np.append(self.cycle.moments[0, 0], self.cycle.moments[:, 1])
 
     def moment(self, at: Floats) -> Floats:
         """Give the moment of the loads as it is drawn: in each strip a parabola through its ends and its middle."""
@@ -114,11 +114,11 @@ WHOLE, DIGITS = 360.0, 4  # degrees of a turn; digits of what a tachogram tells
 
 def graphs(turn: AnalysedTurn, shown: Mapping[Place, Frame]) -> Iterator[Expected]:
     """Give the graphs over the turn: curves, straight lines, ordinates at the edges; the pole distance, mm."""
-    cycle = turn.cycle
-    yield _curve(turn, MOMENTS, "M_{us}", lambda at: -turn.moment(at))
-    yield _curve(turn, MOMENTS, "M_{dr}", level(cycle.driving))
-    yield _curve(turn, WORKS, "A_{us}", course(cycle.turned, -cycle.work))
-    yield _curve(turn, WORKS, "A_{dr}", lambda at: cycle.driving * at)
+    cycle, steady, (loads, other) = turn.cycle, abs(turn.cycle.driving), turn.cycle.indices
+    yield _curve(turn, MOMENTS, f"M_{{{loads}}}", lambda at: cycle.way * turn.moment(at))
+    yield _curve(turn, MOMENTS, f"M_{{{other}}}", level(steady))
+    yield _curve(turn, WORKS, f"A_{{{loads}}}", course(cycle.turned, cycle.way * cycle.work))
+    yield _curve(turn, WORKS, f"A_{{{other}}}", lambda at: steady * at)
     yield _curve(turn, SURPLUS, "ΔT", turn.energy)
     yield _curve(turn, INERTIA, "ΔJ", turn.inertia)
     names = edge_names(cycle.turned, turn.task.divisions)

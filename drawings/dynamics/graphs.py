@@ -126,9 +126,10 @@ OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distan
 
 def pole_part(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
     """Draw the pole at its distance, mm, and rays to the mean ordinates that lie apart, each carried to the axis."""
-    size, lower = hand.letter, -cycle.means.min() >= cycle.means.max()
+    means = cycle.way * cycle.means
+    size, lower = hand.letter, means.max() >= -means.min()
     off = (-1j if lower else 1j) * OFF * size  # on the side of the axis on which the diagram is lower
-    pole = Pole((POLE, DISTANCE), distance, middles(cycle.turned), -cycle.means, BETWEEN_RAYS * size, off, UNDER)
+    pole = Pole((POLE, DISTANCE), distance, middles(cycle.turned), means, BETWEEN_RAYS * size, off, UNDER)
     return pole.part(NAME, axes, hand)
 
 
@@ -221,24 +222,23 @@ MOMENTS, WORKS, SURPLUS, INERTIA, SPEEDS, BEFORE = "moments", "works", "surplus"
 
 
 def moments(cycle: Cycle, dense: Dense) -> StripGraph:
-    """The reduced moment of resistance, with both sides of its jumps, and the constant one of the drive."""
-    after = np.append(-cycle.moments[:, 0], -cycle.moments[-1, 1])
-    before = np.append(-cycle.moments[0, 0], -cycle.moments[:, 1])
+    """The reduced moment of the loads, with both sides of its jumps, and the constant one of the other side."""
+    drawn, moment, (loads, other) = cycle.way * cycle.moments, cycle.way * dense.moment, cycle.indices
+    after, before = np.append(drawn[:, 0], drawn[-1, 1]), np.append(drawn[0, 0], drawn[:, 1])
     most = int(np.argmax(np.abs(dense.moment)))
-    at, side = most / (len(dense.moment) - 1), _away(-dense.moment[most])
-    resisting = GraphTrace(dense.turned, -dense.moment, "result", "M_{us}", at, side)
-    traces = (resisting, _level(cycle.driving, "relative", "M_{dr}", RIGHT, 1.0))
+    at, side = most / (len(dense.moment) - 1), _away(moment[most])
+    loaded = GraphTrace(dense.turned, moment, "result", f"M_{{{loads}}}", at, side)
+    traces = (loaded, _level(abs(cycle.driving), "relative", f"M_{{{other}}}", RIGHT, 1.0))
     return StripGraph(MOMENTS, "M_{red}", "N*m", after, before, traces)
 
 
 def works(cycle: Cycle) -> StripGraph:
-    """The work of resistance by the chords of its construction, and that of the drive, a straight line."""
-    work = -cycle.work
-    resisting = GraphTrace(cycle.turned, work, "result", "A_{us}", 0.6, _away(-cycle.driving))
+    """The work of the loads by the chords of its construction, and that of the other side, a straight line."""
+    work, (loads, other) = cycle.way * cycle.work, cycle.indices
+    loaded = GraphTrace(cycle.turned, work, "result", f"A_{{{loads}}}", 0.6, _away(-abs(cycle.driving)))
     line = np.array([0.0, 0.25, 1.0])  # its letter stands at a point of its own
-    at, side = (0.5, OVER) if cycle.driving >= 0 else (1.0, RIGHT)  # over a falling line stand the numbers
-    driving = GraphTrace(TURN * line, work[-1] * line, "relative", "A_{dr}", at, side)
-    return StripGraph(WORKS, "A", "J", work, work, (resisting, driving))
+    steady = GraphTrace(TURN * line, work[-1] * line, "relative", f"A_{{{other}}}", 0.5, OVER)
+    return StripGraph(WORKS, "A", "J", work, work, (loaded, steady))
 
 
 def surplus(cycle: Cycle, dense: Dense) -> StripGraph:

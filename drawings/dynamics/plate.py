@@ -44,7 +44,7 @@ def bare_speeds(task: Task, account: Account, drafting: Drafting, level: bool = 
     omega = quantities.omega(cycle, shown, before)
     stations, ordinates = np.degrees(cycle.turned[numbered]), before.omega[numbered]
     course, title = (np.degrees(shown.turned), omega, stations, ordinates), drafting.word("speed without flywheel")
-    under = (f"{drafting.letter('M_{dr}')} = const",) if level else ()
+    under = (f"{drafting.letter(f'M_{{{cycle.indices[1]}}}')} = const",) if level else ()
     curve = GraphCurve("ω_0", "rad/s", *course, title, task.divisions, name=quantities.BEFORE, states="ω_0")
     return curve._replace(under=under)
 

@@ -78,13 +78,13 @@ class DynamicsNotes(NamedTuple):
         if not cycle.net:
             yield self.drafting.word("no work of turn")
         else:
-            key = "work of turn" if cycle.net < 0 else "work given"
+            key = "work given" if cycle.engine else "work of turn"
             moment = self._slot("M_dr", abs(cycle.driving))
             yield self.drafting.phrase(key, work=self._slot("A_us(2π)", abs(cycle.net)), moment=moment)
 
     def directed(self) -> Iterator[str]:
         """Say of loads that drive a machine which is no engine that one of them may have the wrong direction."""
-        if self.account.cycle is not None and self.account.cycle.net > 0 and not self.engine:
+        if self.account.cycle is not None and self.account.cycle.engine and not self.engine:
             yield self.drafting.word("loads drive")
 
     def stopping(self) -> Iterator[str]:
@@ -113,10 +113,11 @@ class DynamicsNotes(NamedTuple):
             "fast": self._slot("Δφ fastest", math.degrees(high.turned)),
             "slow": self._slot("Δφ slowest", math.degrees(low.turned)),
         }
-        taken = "taken over drive" if cycle.net <= 0 else "taken together"
+        taken, reached = ("taken over loads", "falls") if cycle.engine else ("taken over drive", "rises")
         said |= {"taken": self.drafting.phrase(taken, excess=self._slot("A excess", excess))}
         said |= {"whole": self._slot("J_0", wheel.whole)}
-        said |= {"most": self._slot("M_us most", resisting(cycle, high.turned, low.turned))}
+        most = self._slot("M_us most", -cycle.way * resisting(cycle, high.turned, low.turned))
+        said |= {"reached": self.drafting.phrase(f"moment {reached}", most=most)}
         if abs(wheel.whole - share) <= NOTES_NOISE * wheel.whole:  # the links have one inertia at both angles
             yield self.drafting.phrase("why loads alone", **said)
         else:

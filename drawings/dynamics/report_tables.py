@@ -31,10 +31,10 @@ def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
 
 def works(cycle: Cycle, speeds: Speeds | None, divisions: int, drafting: Drafting) -> Iterator[str]:
     """Tell moments on both sides of each edge, works, energy, inertia, and the speed with the flywheel."""
-    heads = ["Δφ, °", "M−, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
+    heads = ["Δφ, °", "M−, N*m", "M+, N*m", f"A_{cycle.indices[0]}, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
     before = np.roll(cycle.moments[:, 1], 1)
     sides = np.append(before, before[0]), np.append(cycle.moments[:, 0], cycle.moments[0, 0])
-    columns = [np.degrees(cycle.turned), *sides, -cycle.work, cycle.surplus, cycle.inertia, cycle.varying]
+    columns = [np.degrees(cycle.turned), *sides, cycle.way * cycle.work, cycle.surplus, cycle.inertia, cycle.varying]
     if speeds is not None:
         heads.append("ω, rad/s")
         columns.append(speeds.omega)

@@ -52,7 +52,7 @@ from plans.study import Study
 RESULTS, POSITIONS = "results", "positions"
 COLUMNS = ("by plan", "by analysis", "true error")  # strips and chords are out by what the exact curve is not
 QUANTITIES = (
-    ("Δφ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"),
+    ("Δφ", "°"), ("M_{{{}}}", "N*m"), ("A_{{{}}}", "J"), ("ΔT", "J"),
     ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
 )  # fmt: skip
 REDUCED = (("Δφ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
@@ -73,7 +73,7 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     columns = _columns(cycle, account.speeds)
     lines = [row for k in chosen for row in _edge(named, columns, k, drafting)]
     told = QUANTITIES[: len(columns.rows)]
-    heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in told)
+    heads = tuple(f"{drafting.letter(letter.format(cycle.indices[0]))}, {drafting.word(unit)}" for letter, unit in told)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
@@ -97,8 +97,8 @@ class _Columns(NamedTuple):
 def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
     nothing, angles = np.full(len(cycle.turned), np.nan), np.degrees(cycle.turned)
     after, before = np.append(cycle.moments[:, 0], cycle.moments[-1, 1]), np.append(np.nan, cycle.moments[:, 1])
-    rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying]
-    sides = [angles, -before, nothing, nothing, nothing]
+    rows = [angles, cycle.way * after, cycle.way * cycle.work, cycle.surplus, cycle.varying]
+    sides = [angles, cycle.way * before, nothing, nothing, nothing]
     if speeds is not None:
         rows += [speeds.omega, np.append(speeds.epsilon[:, 0], speeds.epsilon[-1, 1])]
         sides += [nothing, np.append(np.nan, speeds.epsilon[:, 1])]

@@ -222,7 +222,7 @@ class WorkDiagram:
     """The curve of work by chords, the straight line of the drive's work, and what the strips are made of."""
 
     curve: Integral
-    drive: Mark  # the straight line of the work that the drive must give
+    drive: Mark  # the straight line of the work that the drive must give, or what an engine drives takes
     cycle: Cycle
     middle: Reducing  # the levers at the middles of the strips
     edge: Reducing  # and at their edges
@@ -260,7 +260,7 @@ class SteadyStrips:
         curve = integral(board, "A", self.edges, means, why=REASONS)
         sides, bent, loads = self._sides
         cycle = Cycle(CONSTRUCTION, self.edges, self.breaks, sides, means, curve.values, edge.inertia)
-        return WorkDiagram(curve, _drive(board, curve), cycle, middle, edge, bent, loads)
+        return WorkDiagram(curve, _other(board, curve, cycle), cycle, middle, edge, bent, loads)
 
     @property
     def _sides(self) -> tuple[Floats, Floats, Floats]:
@@ -281,9 +281,14 @@ class SteadyStrips:
         return sides, bent.T, loads
 
 
-def _drive(board: Board, curve: Integral) -> Mark:
-    """Draw the work of a constant moment, which over the turn gives what the loads take: a straight line (M4.7)."""
+def _other(board: Board, curve: Integral, cycle: Cycle) -> Mark:
+    """Draw the work of a constant moment, which over the turn gives what the loads take: a straight line (M4.7).
+
+    What an engine drives takes over the turn what the loads give.
+    """
     begin, end = curve.points[0], curve.points[-1]
+    if cycle.engine:
+        return board.join("A_us", begin, end, because("steady_engine"))
     foot = board.lay_off("2π", begin, board.given("φ", complex(TURN), because("whole_turn")), because("whole_turn"))
     taken = board.join("A_us", foot, end, because("work_of_loads"))
     given = board.turn("-A_us", taken, -1.0, because("steady"))

@@ -21,14 +21,14 @@ from plans.words.words import Message, message
 if TYPE_CHECKING:
     from plans.study import Study
 
-MOMENT, INERTIA, DRIVE = "M_red", "J_red", "A_dr"
-DRIVING = "M_dr"  # the slope of the line of the drive's work
+MOMENT, INERTIA, DRIVING, RESISTING = "M_red", "J_red", "M_dr", "M_us"
+SIDES = (DRIVING, RESISTING, "A_dr", "A_us")  # moments and works of the loads and of the constant other side
 SEGMENTS = {"o1k": 1, "o1l": 0}  # cut off the axis of energy by the tangents of the greatest and the least speed
 SEGMENT = re.compile(r"^o_?1([kl])([·/].*)?$")  # as the loop and the results letter it
 TANGENTS = {"ψ_max": 1, "ψ_min": 0}
 POINT = re.compile(r"A_(?P<edge>\d+'*)")
 ORIGIN = ("J_0", "T_0", "J_fly")  # what the origin of the whole diagram gives
-RESULTS = (DRIVING, "A_us(2π)", *SEGMENTS, *ORIGIN, "J_0^*", "ω_max", "ω_min", "δ")
+RESULTS = (DRIVING, RESISTING, "A_us(2π)", "A_dr(2π)", *SEGMENTS, *ORIGIN, "J_0^*", "ω_max", "ω_min", "δ")
 BRACES = str.maketrans("", "", "{}")
 UNITS = {**motion.UNITS, "forces": "N", "lever": "m", WORKS: "J", LOOP: "J", SPEEDS: "rad/s"}
 EXAMPLES = (MOMENT, INERTIA, "o1k")
@@ -40,11 +40,15 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     name = SEGMENT.sub(r"o1\1", name.replace("psi_", "ψ_"))
     if name in (MOMENT, INERTIA):
         return _reduced(dynamics, position, name)
+    if name in (load.name for load in dynamics.statics.machine.loads):  # as a saw's M_us
+        return NoMark((), None, EXAMPLES)
+    if name == DRIVING and dynamics.cycle.engine:  # the moment of its gas, drawn as it is reduced
+        return _reduced(dynamics, position, name)
     targets, notes = _diagram(dynamics, name), (*_notes(dynamics, name), *_result(study, name))
     if targets is None and not notes:
         loop = (*SEGMENTS, "J_0") if dynamics.task.delta is not None else ()
         examples = EXAMPLES if loop else EXAMPLES[:-1]
-        return NoMark((MOMENT, INERTIA, DRIVE, *loop), None, examples)
+        return NoMark((MOMENT, INERTIA, "A_dr", *loop), None, examples)
     return Explanation(message("explain.name", mark=name), tuple(behind(*(targets or ()))), UNITS, notes)
 
 
@@ -64,8 +68,11 @@ def _diagram(dynamics: DynamicsStudy, name: str) -> tuple[Mark, ...] | None:
     point = POINT.fullmatch(name)
     if point:
         return (_work(dynamics, point["edge"]),)
-    if name in (DRIVE, DRIVING):
-        return (dynamics.works.drive,)
+    if name in SIDES:
+        loads, other = dynamics.cycle.indices
+        if name in (f"A_{other}", f"M_{other}"):  # a line and its slope
+            return (dynamics.works.drive,)
+        return (dynamics.works.curve.points[-1],) if name == f"A_{loads}" else None
     loop = dynamics.loop if name in (*SEGMENTS, *TANGENTS, *ORIGIN) else None
     if loop is None:
         return None

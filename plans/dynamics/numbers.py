@@ -133,18 +133,20 @@ def quantities_of(study: Study) -> tuple[Quantity, ...]:
 def results(account: Account, exact: Account) -> Iterator[Quantity]:
     """Put the results of the strips beside those without their error; segments are parts of one length."""
     cuts = () if exact.flywheel is None else exact.flywheel.cuts
-    for drawn, other in zip(_results(account), _results(exact), strict=True):
+    for drawn, other in zip(_results(account, account.cycle), _results(exact, account.cycle), strict=True):
         named, value = drawn
         largest = sum(map(abs, cuts)) if named[1] in SEGMENTS else abs(other[1])
         yield Quantity.of(named, (value, other[1]), np.inf, largest)
 
 
-def _results(account: Account) -> Iterator[tuple[tuple[str, str, str], float]]:
+def _results(account: Account, lettered: Cycle | None) -> Iterator[tuple[tuple[str, str, str], float]]:
+    """Give what an account finds, lettered as another one says of the loads that they drive."""
     cycle, wheel, speeds = account.cycle, account.flywheel, account.speeds
-    if cycle is not None:
+    if cycle is not None and lettered is not None:
+        (loads, other), way = lettered.indices, lettered.way
         lost = np.abs(cycle.work[-1]) <= NOISE * np.abs(cycle.work).max()  # all that a turn of weights leaves over
-        yield (WORKS, "M_{dr}", "N*m"), 0.0 if lost else cycle.driving
-        yield (WORKS, "A_{us}(2π)", "J"), 0.0 if lost else -float(cycle.work[-1])
+        yield (WORKS, f"M_{{{other}}}", "N*m"), 0.0 if lost else -way * cycle.driving
+        yield (WORKS, f"A_{{{loads}}}(2π)", "J"), 0.0 if lost else way * float(cycle.work[-1])
     if wheel is not None:
         yield from (((FLYWHEEL, name, "J"), wheel.cuts[k]) for name, k in SEGMENTS.items())
         yield (FLYWHEEL, "J_0", "kg*m2"), wheel.whole

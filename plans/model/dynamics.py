@@ -202,6 +202,21 @@ class Cycle:
         return -self.net / TURN + 0.0
 
     @property
+    def engine(self) -> bool:
+        """Whether the loads drive, and the other side is a constant resistance (двигатель)."""
+        return self.driving < 0
+
+    @property
+    def indices(self) -> tuple[str, str]:
+        """The indices of letters of the loads and of the constant other side: M_us, M_dr; of an engine M_dr, M_us."""
+        return ("dr", "us") if self.engine else ("us", "dr")
+
+    @property
+    def way(self) -> float:
+        """The sign with which moment and work of the loads are drawn: a resistance and a drive alike upwards."""
+        return 1.0 if self.engine else -1.0
+
+    @property
     def surplus(self) -> Floats:
         """Change of the kinetic energy since position 0, J (избыточная работа): of the drive and of the loads."""
         return settled(self.driving * self.turned + self.work, self.gross)

@@ -13,18 +13,21 @@ import numpy as np
 import pytest
 
 from drawings.checks.readers import frames
+from drawings.commands.explain import explained
 from drawings.dynamics import graphs
 from drawings.dynamics.due import expected
-from drawings.dynamics.due_graphs import INERTIA, SURPLUS
+from drawings.dynamics.due_graphs import INERTIA, SURPLUS, WORKS, AnalysedTurn
 from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.dynamics.report import notes_of
 from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, sheets
-from drawings.grading.curves.run_figures import speeds_before
+from drawings.grading.curves.run_figures import TurnCourses, speeds_before
 from drawings.page.page import drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Kind, Line, Polyline
 from drawings.paper.walk import groups, texts, walk
 from drawings.symbols.symbols import hatching
+from plans.dynamics.quantities import DynamicsComparison
+from plans.dynamics.study import DynamicsStudy
 from plans.model.dynamics import ANALYSIS, Rim, Speeds, Wheel
 from plans.model.motion import Floats
 from plans.scene.scene import parse_scene
@@ -215,6 +218,33 @@ def test_loads_that_drive_are_doubted_unless_they_are_those_of_an_engine(said: s
     gas = f'on = 3; point = "B"; value = 900; direction = 180; during = "working stroke"; {said}'
     machine = Study(parse_scene(text(scene(forces=[gas]))))
     assert bool([*notes_of(machine).directed()]) == doubted
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("en", ("by a constant Mus = 28.73", "Mdr falls to 0 N", "Δφ, ° Mdr, N·m Adr, J ΔT")),
+        ("ru", ("при постоянном Mп.с = 28,73", "Mдв падает до 0 Н", "Δφ, ° Mдв, Н·м Aдв, Дж ΔT")),
+    ],
+)
+def test_what_an_engine_drives_is_a_constant_resistance(language: str, words: tuple[str, ...]) -> None:
+    """900 N give 180 J over a stroke of 0.2 m, drawn upwards as a drive's; half way it has 900 N of 0.1 m."""
+    gas = scene(forces=['on = 3; point = "B"; value = 900; direction = 180; during = "working stroke"; useful = false'])
+    machine = Study(parse_scene(text(gas) + f'[sheet]\nlanguage = "{language}"\n'))
+    laid = leaves(machine)
+    said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups)).replace("\N{NO-BREAK SPACE}", " ")
+    assert [one for one in words if one not in said] == []
+    curves = {one.name: one.value for one in expected(machine, laid) if one.kind is Kind.CURVE}
+    stated = {group.states.name for leaf in laid for group in groups(leaf.groups) if group.states}
+    assert {"M_{dr}", "M_{us}", "A_{dr}", "A_{us}"} <= stated & {*curves}
+    for name, at, value in ("M_{dr}", math.pi / 2, 90), ("A_{us}", math.tau, 180):
+        assert curves[name](np.array([at])) == pytest.approx(value, rel=5e-3)
+    turn = TurnCourses(AnalysedTurn(machine.of(DynamicsStudy).task, machine.of(DynamicsComparison).analysis))
+    for name, course in (WORKS, turn.works), (SURPLUS, turn.surplus):
+        assert course(turn.true) == pytest.approx(turn.true[name], abs=1e-9)
+    for mark, value in ("M_dr", "M_dr = 90 "), ("M_us", "M_us = 28.7"), ("A_dr(2π)", "A_dr(2π) = 180.5"):
+        noted = " ".join(map(str, explained(machine, 6, mark).notes))
+        assert value in noted
 
 
 REDUCED = text(scene(forces=['on = 3; point = "B"; value = 1200; direction = 0']), asked="reduction = true")

@@ -32,8 +32,9 @@ from plans.model.motion import Complexes
 from plans.study import Study
 from plans.words.words import Message, because
 
-# By what the values of a graph are found.
+# By what the values of a graph are found; of an engine too.
 WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_chord"), SURPLUS: because("steady")})
+ENGINE: Final[Mapping[str, Message]] = MappingProxyType({**WHY, SURPLUS: because("steady_engine")})
 
 
 def figures_of_dynamics(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
@@ -60,7 +61,8 @@ class _GradedDynamics:
     def graphs(self) -> Iterator[FigureAsked]:
         """Give the graphs over the turn in the order in which they are drawn."""
         turn = TurnCourses(self.expected)
-        undriven = Mistake(verdict.UNDRIVEN, np.asarray(-1j * self.expected.graphs[WORKS]))
+        alone = self.expected.cycle.way * self.expected.graphs[WORKS]
+        undriven = Mistake(verdict.UNDRIVEN, np.asarray(1j * alone))
         yield from self._graph(MOMENTS, mistakes=tuple(self._unloaded()))
         yield from self._graph(WORKS, (MOMENTS,), turn.works)
         yield from self._graph(SURPLUS, (WORKS,), turn.surplus, (undriven,))  # the works of the loads alone
@@ -73,10 +75,12 @@ class _GradedDynamics:
         if not marks:
             return
         values, way = self.expected.graphs[name], 1 + 0j if name == INERTIA else 1j
-        slack = np.abs(values - self.exact.graphs.get(name, values))
+        # Of loads that but for the strips take nothing either account may say that they drive.
+        alike = self.expected.cycle.way * self.exact.cycle.way if name in (MOMENTS, WORKS) else 1.0
+        slack = np.abs(values - alike * self.exact.graphs.get(name, alike * values))
         yield from self.sheet.figure(
             name, name, by_number(marks), np.asarray(way * values), kind=ORDINATES, way=way, slack=slack,
-            why=WHY.get(name), behind=behind,
+            why=(ENGINE if self.expected.cycle.engine else WHY).get(name), behind=behind,
             paper=self.sheet.paper(name, self.expected.cycle.turned), course=course, mistakes=mistakes,
             linear=course is not None and name != SPEEDS, stepped=name == WORKS,
             edges=edge_names(self.expected.cycle.turned, self.expected.task.divisions),

@@ -74,13 +74,13 @@ class TurnCourses(NamedTuple):
     def works(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Add up the areas of the strips under a graph of moments, whose means are out as their edges are."""
         after, before = self.expected.graphs[MOMENTS], self.expected.before
-        means = moved_means(drawn[MOMENTS].imag, after, before, -self.expected.cycle.means)
+        means = moved_means(drawn[MOMENTS].imag, after, before, self.expected.cycle.way * self.expected.cycle.means)
         return np.asarray(1j * np.concatenate(([0.0], np.cumsum(means * np.diff(self.turned)))))
 
     def surplus(self, drawn: Mapping[str, Complexes]) -> Complexes:
-        """Take the works of the loads from those of the drive, which gives as much over the turn."""
-        works = drawn[WORKS].imag
-        return np.asarray(1j * (works[0] + (works[-1] - works[0]) * self.turned / TURN - works))
+        """Take the works of the loads from those of the drive, which gives as much over the turn; an engine's drive."""
+        works, way = drawn[WORKS].imag, self.expected.cycle.way
+        return np.asarray(-1j * way * (works[0] + (works[-1] - works[0]) * self.turned / TURN - works))
 
     def loop(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Lay the surplus off over the inertia, mm."""
