@@ -109,7 +109,7 @@ class CamNotes(NamedTuple):
 
     def _told(self, letter: str, size: float, unit: str) -> Phrase:
         """Write what is given, what only words explain with those."""
-        said = self.drafting.word(f"cam given {letter}") if letter in EXPLAINED else ""
+        said = f"{self.drafting.word(f'cam given {letter}')} " if letter in EXPLAINED else ""
         return joined("", (said, self.drafting.letter(letter), " = ", self._of(letter, size, unit)))
 
     def phases(self) -> Iterator[str]:

@@ -89,7 +89,7 @@ class _TransferSheet:
             curve = swing(GraphCurve(letter, course.unit or NUMBER, *row, shown=self.positions, states=name))
             kind = "slope" if order else "ratio" if isinstance(course.of, int) else "way"
             title = self.drafting.word(f"{kind} {'turn' if curve.closed else 'swing'}", letter=letter)
-            title += self.drafting.word("slope against") if order and sense < 0 else ""
+            title += f" {self.drafting.word('slope against')}" if order and sense < 0 else ""
             yield curve._replace(title=title, name=f"transfer-{order + 1}")
 
     def _tables(self) -> Iterator[RuledTable]:
