@@ -77,10 +77,12 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             yield from cells(CENTRES, with_index(letter(pair)), told, k)
     for k in positions:
         yield from _curves(study, k, rough[k])
-    for by, _ in spun(comparison):
+    for by, plan in spun(comparison):
         name = f"{with_index(by.name)}, {drafting.word('rad/s')}"
         for k in positions:
-            yield from cells(RATES, name, [(float(by.analysis[k]), float(by.allowed[k]))] * 3, k, digits=DIGITS)
+            value: Cell = (float(plan.analysis[k]), float(np.nanmax((by.allowed[k], plan.allowed[k]))))
+            told = [None if math.isnan(by.analysis[k]) else value, value, value]  # open centres give no rate
+            yield from cells(RATES, name, told, k, digits=DIGITS)
 
 
 def _rolling(study: Study, pair: Pair, k: int, rough: float) -> Iterator[Expected]:

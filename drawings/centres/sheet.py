@@ -100,9 +100,10 @@ class _CentresSheet:
 
     def _rate(self, by: Quantity, plan: Quantity) -> TableRow:
         """Write a rate with the decimals of its largest by centres, by plan and by analysis."""
-        language, places = self.drafting.language, max(DIGITS - 1 - math.floor(math.log10(by.largest)), 0)
+        language, places = self.drafting.language, max(DIGITS - 1 - math.floor(math.log10(plan.largest)), 0)
         rows = by.construction, plan.construction, plan.analysis
-        told = (fixed(float(row[k].real), language, places) for k in self.positions for row in rows)
+        values = (float(row[k].real) for k in self.positions for row in rows)
+        told = ("—" if math.isnan(value) else fixed(value, language, places) for value in values)  # an open centre
         return TableRow(f"{with_index(by.name)}, {self.drafting.word('rad/s')}", tuple(told))
 
     def _notes(self) -> Iterator[str]:

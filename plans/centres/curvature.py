@@ -43,10 +43,10 @@ class Ray(NamedTuple):
 
 
 def general(mechanism: Mechanism, point: str) -> int | None:
-    """Give the link of a point that neither turns about a hinge of the frame nor slides on it, if all of its do."""
+    """Give the link of a point, that with most pins, if none of its links turns about the frame or slides on it."""
     links = [link for link in mechanism.links if point in mechanism.links[link].points]
     held = [link for link in links if link == FRAME or _centred(mechanism, link)]
-    return None if held or not links else links[0]
+    return None if held or not links else max(links, key=lambda link: len(pins(mechanism, link)))
 
 
 def _centred(mechanism: Mechanism, link: int) -> bool:

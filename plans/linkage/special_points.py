@@ -128,6 +128,7 @@ class AnalysedSpecial(NamedTuple):
         return self.motion.points[name][order]
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN
 def crossing(motion: Motion, triad: Triad, pair: Sequence[TriadLead]) -> Complexes:
     """Give the places, (N,) m, where the lines of force of two leads meet."""
     (start, way), (other, along) = (_line(motion, triad, lead) for lead in pair)

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from cmath import phase
+from math import isnan
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from drawings.centres.due import expected
 from drawings.centres.scheme import polygon
 from drawings.layout.picture import Spot
 from drawings.linkage.pose import pose
 from drawings.page.page import Field, Scale, drafting_of
 from drawings.paper.strokes import Circle, Line, SheetError
-from drawings.paper.walk import flat
+from drawings.paper.walk import flat, texts
 from drawings.sheets.kind import sheet_kind
 from drawings.transfer.scheme import TurnedScheme
 from plans.centres.study import CentresStudy
-from plans.scene.scene import parse_scene
+from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.transfer.quantities import TransferComparison
 from plans.transfer.study import TransferStudy
@@ -55,3 +58,13 @@ def test_a_position_that_is_not_reached_is_refused_with_those_that_are(sheet):
     with pytest.raises(SheetError, match=rf"{sheet}.positions: .* position 6: .* one of 0, 1, 2, 10, 11"):
         sheet_kind(sheet).leaves(study)
     assert np.isnan(study.of(TransferComparison).construction.links[3].omega[6])
+
+
+def test_open_centres_give_no_rate_and_their_sheet_says_so():
+    """Plate 3 hangs on crank, rocker and frame by three leads: Kennedy's lines never find its centres."""
+    path = Path(__file__).parents[1] / "cases/kinematics/open-centres.toml"
+    study = Study(read_scene(path))
+    leaves = sheet_kind("centres").leaves(study)
+    told = {text.plain for leaf in leaves for text in texts(leaf.groups)}
+    assert "—" in told and "nan" not in told
+    assert not any(isinstance(one.value, float) and isnan(one.value) for one in expected(study, leaves))
