@@ -279,7 +279,7 @@ def _balanced(tracing: Tracing, mark: Mark) -> Trace:
     about, line, *moments = mark.step.inputs
     acts, (_, along) = tracing.acts, tracing.locus(line)
     arm = tracing.between(about, line.step.inputs[0])
-    total = reduce(partial(acts.do, np.add), map(tracing.place, moments))
+    total = reduce(partial(acts.do, np.add), map(tracing.place, moments)) if moments else acts.fix(0.0)
     met = acts.do(_levered, acts.do(_paired, arm, along), total)
     return Trace((tracing.ray(met, 0),), (), met)
 
