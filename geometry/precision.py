@@ -143,7 +143,8 @@ def _balance(mark: Mark, inputs: list[Error]) -> Error:
     about, line, *moments = mark.step.inputs
     start = line.step.inputs[0]
     arm, size = np.abs(np.asarray(between(about, start))), _size(mark)
-    largest = np.maximum.reduce([np.broadcast_to(_size(moment), np.shape(size)) for moment in moments])
+    of_each = (np.broadcast_to(_size(moment), np.shape(size)) for moment in moments)
+    largest = np.maximum.reduce([np.zeros(np.shape(size)), *of_each])
     grown = sum((error.place for error in inputs[2:]), np.zeros(1)) + len(moments) * EPS * largest
     moved = inputs[0].place + inputs[1].place + EPS * np.maximum(_size(about), _size(start))
     rounding = condition(mark) * (moved / arm + inputs[1].turn + OWN * EPS) + inputs[1].turn

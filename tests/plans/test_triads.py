@@ -23,6 +23,7 @@ from plans.model.decomposition import decompose
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, Way
 from plans.model.triad import Triad, TriadLead
 from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.force_cases import ROADS, compared, of_road
@@ -263,6 +264,13 @@ def test_forces_by_moments_about_the_special_point(road: str) -> None:
     assert printed(*((way.conjugate() * force).real for way, force in zip(along, outer, strict=True))) == (
         78.65637908, 36.38414578, 59.76864184,
     )  # fmt: skip
+
+
+def test_a_triad_that_bears_nothing_gives_nothing() -> None:
+    on_the_crank = '[[loads.forces]]\non = 1\npoint = "A1"\nvalue = [0, 5]\n'
+    both = Study(parse_scene(loaded().split("[[loads")[0] + on_the_crank)).comparison("forces")
+    assert both.agrees
+    assert {key for key, one in both.construction.reactions.items() if one.force.any()} == {"0-1"}
 
 
 @pytest.mark.parametrize("kinds", ["RR RR RR", "RR PR RP"])
