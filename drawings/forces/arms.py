@@ -26,6 +26,7 @@ class Leverage(NamedTuple):
     The letter is "h_{2}", or "l_{BD}" where the perpendicular is the line between the two named points itself.
     """
 
+    equation: MomentEquation  # in which it stands
     name: str
     about: str
     letter: str
@@ -80,7 +81,7 @@ def _of(plan: ForcePlan, cut: CutGroup, column: int, start: int) -> Iterator[Lev
             if not abs(value) > least:
                 continue
             pivot, place = at(equation.about.point, column), at(spot.point, column)
-            bare = Leverage(name, about, "", 0.0, 1, pivot, place, value / abs(value))
+            bare = Leverage(equation, name, about, "", 0.0, 1, pivot, place, value / abs(value))
             moment = ((place - pivot).conjugate() * bare.direction).imag
             if abs(moment) <= NOTHING * abs(place - pivot):
                 continue

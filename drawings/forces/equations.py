@@ -92,8 +92,7 @@ class SheetEquations:
     def _moments(self, equation: MomentEquation) -> Iterator[WrittenEquation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
         unknown = equation.found.name
-        named = {load.name for load in equation.loads} | {unknown}
-        armed = [arm for arm in self.arms if arm.about == equation.about.name and arm.name in named]
+        armed = [arm for arm in self.arms if arm.equation is equation]
         terms = {arm.name: self._term(arm) for arm in armed if arm.name != unknown}
         for couple in (couple for couple in equation.couples if self._size(couple.moment) > 0):
             sign = "+" if at(couple.moment.point, self.column).real > 0 else "−"

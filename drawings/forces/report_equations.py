@@ -105,9 +105,8 @@ class CutEquations:
     def _moments(self, equation: MomentEquation, arms: tuple[Leverage, ...], cut: CutGroup) -> Iterator[str]:
         """Write an equation of moments, and the force or the moment that it gives."""
         formula, unknown = self.formula, equation.found.name
-        named = {load.name for load in equation.loads} | {unknown}
-        about = next((arm.about for arm in arms if arm.name in named), equation.about.name)
-        armed = [arm for arm in arms if arm.about == about and arm.name in named]
+        armed = [arm for arm in arms if arm.equation is equation]
+        about = armed[0].about if armed else equation.about.name
         lever_arm = next((arm for arm in armed if arm.name == unknown), None)
         loads = {load.name: load.force for load in equation.loads}
         acting = {name for name, mark in loads.items() if self._sized(abs(self.value(mark)))}

@@ -25,6 +25,7 @@ STEEP = scene(
     friction='coefficient = 1.0; radius = "1 mm"',
     sheet='language = "ru"',
 )
+BRACES = str.maketrans("{}", "()")
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 LOADED = GALLERY / "shaper-loaded.toml"
 SHAPER = WORKED["shaper"]
@@ -157,3 +158,15 @@ def test_a_diagram_over_lengths_that_is_stretched_to_the_stroke_is_told(run: Run
     assert told in run("draw", tmp_path / "press.toml", "-o", tmp_path)[1]
     assert "its 199 mm stretched to the stroke of 200 mm" in (tmp_path / "press-forces.svg").read_text("utf-8")
     assert "stretched" not in run("draw", tmp_path / "exact.toml", "-o", tmp_path)[1]
+
+
+@pytest.mark.parametrize("report", [pytest.param(path, id=path.stem) for path in sorted(GALLERY.glob("*-report.md"))])
+def test_what_a_report_works_out_comes_to_what_it_says(report: Path) -> None:
+    """Each line `letters = numbers = value` of the kept reports, by the numbers that stand there, to their digits."""
+    for line in report.read_text("utf-8").replace("{,}", ".").splitlines():
+        worked = re.match(r"- \$(.*?)\\text\{", line)
+        plain = worked[1].replace(r"\cdot", "*").replace("^", "**").translate(BRACES) if worked else ""
+        parts = plain.replace(" ", "").split("=")
+        if len(parts) > 2 and not re.search(r"[^\W\d]|\\|_", "".join(parts[-2:])):
+            found, told, size = map(eval, (parts[-2], parts[-1], parts[-2].replace("-", "+")))
+            assert abs(found - told) <= 2e-4 * size, line  # five digits of each factor
