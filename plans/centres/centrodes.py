@@ -7,6 +7,7 @@ each link by similarity.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ import numpy.typing as npt
 
 from geometry.board import Board, Mark
 from geometry.precision import errors
-from plans.centres.kennedy import PARALLEL, Kennedy, Pair
+from plans.centres.kennedy import ONE_PLACE, PARALLEL, Kennedy, Pair
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import NODES
@@ -124,18 +125,26 @@ def window(points: Sequence[complex]) -> Window:
 
 
 def named(path: Complexes, name: str, shown: Window) -> dict[str, Complexes]:
-    """Name the pieces of a curve that are shown, each of them once, broken at infinity: p_2, or p_2.1, p_2.2."""
-    middle, most = shown
-    near = np.abs(path - middle) <= most
-    breaks = np.flatnonzero(~(near[1:] & near[:-1] & (np.abs(np.diff(path)) < LEAP * most))) + 1
-    pieces = [piece for piece in np.split(path, breaks) if len(piece) > 2]
+    """Name the pieces of a curve that are shown, each of them once: p_2, or p_2.1, p_2.2."""
+    pieces = [piece for piece in _pieces(path, shown) if len(piece) > 2]
     longest = sorted(range(len(pieces)), key=lambda n: -len(pieces[n]))
     again = {n for k, n in enumerate(longest) if any(_lies_on(pieces[n], pieces[other]) for other in longest[:k])}
     found = [piece for n, piece in enumerate(pieces) if n not in again]
     return {name if len(found) == 1 else f"{name}.{n}": piece for n, piece in enumerate(found, 1)}
 
 
+def _pieces(path: Complexes, shown: Window) -> list[Complexes]:
+    """Part a curve at infinity, where it turns back, and after the first of two times round."""
+    middle, most = shown
+    path = path[np.append(True, ~(np.abs(np.diff(path)) <= ONE_PLACE * most))]
+    near, steps, half = np.abs(path - middle) <= most, np.diff(path), len(path) // 2
+    gaps = {*(np.flatnonzero(~(near[1:] & near[:-1] & (np.abs(steps) < LEAP * most))) + 1).tolist()}
+    on = {*(np.flatnonzero((steps[1:] * steps[:-1].conj()).real < 0) + 1).tolist()} - gaps
+    on |= {half} if not gaps and _lies_on(path[half:], path[: half + 1]) else set()
+    return [path[one : other + (other in on)] for one, other in pairwise([0, *sorted(gaps | on), len(path)])]
+
+
 def _lies_on(piece: Complexes, other: Complexes) -> bool:
     """Tell whether a piece goes where another one does: each of its places is hard by one of that."""
     off = np.abs(piece[:, None] - other[None]).min(axis=1)
-    return bool(off.max() < 0.75 * np.abs(np.diff(other)).max())
+    return bool(off.max() < 0.75 * np.abs(np.diff(other)).max(initial=0.0))

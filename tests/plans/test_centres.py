@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from geometry.meet import EPS, cross
+from plans.centres.centrodes import named
 from plans.centres.kennedy import Kennedy
 from plans.centres.quantities import CentresComparison, SolvedCentrodes
 from plans.centres.study import CentresStudy
@@ -236,3 +237,17 @@ def test_bobillier_finds_the_curvature_that_accelerations_tell(mechanism):
 def test_points_without_such_a_curvature_are_told(mechanism, point, said):
     asked = {"drive": "link = 1; speed = 1; positions = 4", "centres": f'curvature = ["{point}"]'}
     assert said in str(parse_scene(scene('sheets = ["centres"]', **mechanism, **asked)).meaning.faults[0])
+
+
+@pytest.mark.parametrize(
+    ("path", "pieces", "length"),
+    [
+        (lambda t: np.exp(1j * np.cos(t + 1)), 1, 2.0), (lambda t: np.exp(2j * t), 1, 2 * np.pi),
+        (lambda t: t - 3 - 1j * np.exp(-1j * (t - 3)), 2, 8.0), (np.ones_like, 0, 0.0),
+    ],
+    ids=["there and back", "twice round", "a cycloid's cusp", "one place"],
+)  # fmt: skip
+def test_a_curve_is_drawn_once(path, pieces, length):
+    found = named(path(np.linspace(0, 2 * np.pi, 721) + 0j), "p", (0j, 9.0))
+    assert len(found) == pieces
+    assert sum(np.abs(np.diff(piece)).sum() for piece in found.values()) == pytest.approx(length, rel=1e-2)
