@@ -81,7 +81,7 @@ class _CentresSheet:
             TableRow(with_index(letter(pair)), tuple(chain(*(cells_of(one.get(pair), self.drafting) for one in found))))
             for pair in pairs(self.study.linkage.mechanism.links)
         ]
-        heads = word("found over"), f"x, {word('mm')}", f"y, {word('mm')}"
+        heads = word("found through"), f"x, {word('mm')}", f"y, {word('mm')}"
         yield table(rows, word("centre"), heads, text, self.positions)._replace(name=CENTRES)
         rates = [self._rate(by, plan) for by, plan in spun(self.comparison)]
         if rates:
@@ -109,7 +109,14 @@ class _CentresSheet:
     def _notes(self) -> Iterator[str]:
         word, mechanism = self.drafting.word, self.study.linkage.mechanism
         yield word("centres known")
-        yield word("centres over", pole=mechanism.drive.pivot)
+        through = [one for one in self.study.at(self.positions[0]).found.values() if one.over and not one.infinite]
+        for one in through[:1]:
+            ends = (letter((min(n, link), max(n, link))) for link in one.over for n in one.pair)
+            lines = dict(zip("abcd", map(with_index, ends), strict=True))
+            yield word(
+                "centres through", centre=with_index(letter(one.pair)), links=cells_of(one, self.drafting)[0], **lines
+            )
+        yield word("centres read", pole=mechanism.drive.pivot)
         yield word("centres rates")
         for first, second in self.study.linkage.scene.of(CentresForm).centres.rolling:
             key = "note" if (first, second) in self.study.centrodes else "none"
