@@ -118,9 +118,8 @@ class _CentresSheet:
             )
         yield word("centres read", pole=mechanism.drive.pivot)
         yield word("centres rates")
-        for first, second in self.study.linkage.scene.of(CentresForm).centres.rolling:
-            key = "note" if (first, second) in self.study.centrodes else "none"
-            yield word(f"centrodes {key}", first=first, second=second, letter=with_index(letter((first, second))))
+        for first, second in self.study.centrodes:
+            yield word("centrodes note", first=first, second=second, letter=with_index(letter((first, second))))
         if self.study.curving:
             yield word("curvature note")
             links = {*self.study.curving.values()}

@@ -15,12 +15,13 @@ import numpy.typing as npt
 
 from geometry.board import Board, Mark
 from geometry.precision import errors
-from plans.centres.kennedy import ONE_PLACE, PARALLEL, Kennedy, Pair
+from plans.centres.kennedy import CENTRES, ONE_PLACE, PARALLEL, Kennedy, Pair
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import NODES
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
+from plans.scene.faults import Fault, SceneError
 from plans.words.words import because
 
 Window = tuple[complex, float]
@@ -58,19 +59,23 @@ class Centrodes(NamedTuple):
 
 
 def centrodes(linkage: LinkageStudy, asked: Sequence[Pair]) -> dict[Pair, Centrodes]:
-    """Find the centrodes of pairs of links over the reached turn; a centre always at infinity has none."""
+    """Find the centrodes of pairs of links over the reached turn; a centre always at infinity is a SceneError."""
     phi = nodes(linkage)
     free = linkage.reached(phi)
     some = phi[free][:: max(int(free.sum()) // SOME, 1)]
     found = [Kennedy(linkage.sweep.plan(some[k : k + 1])) for k in range(len(some))]
-    plan = linkage.sweep.plan(phi)
-    made = {}
-    for pair in asked:
+    plan, made, faults = linkage.sweep.plan(phi), dict[Pair, Centrodes](), list[Fault]()
+    for index, pair in enumerate(asked):
         like = max(found, key=lambda one: _sharpness(one, pair), default=None)
         if like is not None and _sharpness(like, pair) > 0:
             every = Kennedy(plan, like)
             centre = every.found[pair].mark
             made[pair] = Centrodes(phi, free, centre, {link: carried(every.board, plan, centre, link) for link in pair})
+        elif any(pair in one.found for one in found):
+            way = (CENTRES, "centrodes", index)
+            faults.append(linkage.scene.fault(way, "centrode_translates", first=pair[0], second=pair[1]))
+    if faults:
+        raise SceneError(faults)
     return made
 
 

@@ -12,6 +12,7 @@ from plans.centres.centrodes import named
 from plans.centres.kennedy import Kennedy
 from plans.centres.quantities import CentresComparison, SolvedCentrodes
 from plans.centres.study import CentresStudy
+from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans.scenes import scene
@@ -180,10 +181,12 @@ def test_links_that_do_not_roll_on_each_other_are_told(pair, said):
     assert said in str(parse_scene(text).meaning.faults[0])
 
 
-def test_a_rod_that_only_translates_has_no_centrodes():
+def test_links_that_turn_alike_by_their_lengths_are_told():
     even = FOUR_BAR | {"frame": "O = [0, 0]; C = [0.4, 0]", "lengths": "OA = 0.1; AB = 0.4; CB = 0.1"}
-    study = rolling(even | {"sketch": "A = [0.05, 0.09]; B = [0.45, 0.09]"})
-    assert not study.of(CentresStudy).centrodes and study.of(CentresComparison).agrees
+    study = rolling(even | {"sketch": "A = [0.05, 0.09]; B = [0.45, 0.09]"}, 'centrodes = ["0-2", "1-3"]')
+    with pytest.raises(SceneError) as told:
+        study.of(CentresComparison)
+    assert [fault.path[-1] for fault in told.value.faults] == [0, 1] and "only translate" in str(told.value)
 
 
 CROSS_SLIDE = {
