@@ -28,7 +28,7 @@ Window = tuple[complex, float]
 Flags = npt.NDArray[np.bool_]
 
 SOME = 24  # positions among which the one is sought whose lines of centres are drawn in all: the sharpest of them
-SHOWN = 1.6  # sizes of the mechanism from its middle: so far centrodes are shown
+SHOWN = 1.6  # sizes of the mechanism from its middle: so far centres and centrodes are shown
 LEAP = 0.5  # of that way: a centre that goes so far in half a degree passes through infinity
 
 
