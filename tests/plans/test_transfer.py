@@ -10,7 +10,7 @@ import pytest
 
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.transfer.quantities import TransferComparison, listed
+from plans.transfer.quantities import TransferComparison, listed, marks
 from plans.transfer.study import TransferStudy
 from plans.transfer.turned import loci
 from tests.plans.scenes import scene
@@ -138,7 +138,9 @@ def test_the_output_is_where_its_position_function_says(mechanism, of, value):
 
 
 def test_the_triangle_of_a_four_bar_has_the_worked_angles():
-    board = study_of(FOUR_BAR, 60).of(TransferStudy).turned.board
+    study = study_of(FOUR_BAR, 60)
+    board = study.of(TransferStudy).turned.board
+    assert [marks(study, 0, name).steps[-1].name for name in ("O a'", "a' b'")] == ["a'", "b'"]
     a, b = (complex(np.ravel(board[name].point)[0]) for name in ("a'", "b'"))
     angles = [abs(degrees(phase(turn))) for turn in (b / a, (b - a) / -a, b / (b - a))]
     assert angles == pytest.approx([22.33849477, 28.21061052, 129.4508947], rel=1e-9)
