@@ -20,12 +20,9 @@ from tests.plans.scenes import scene
 from tests.plans.test_transfer import FOUR_BAR, SINE, SIX_LINK, SLIDER_CRANK, SLOTTED, TANGENT, study_of
 
 RAM = {
-    "frame": "O = [0, 0]; C = [0.3, 0.1]",
-    "links": "OA AB B",
-    "lengths": "OA = 0.1; AB = 0.3",
-    "slides": ["link = 3; along = { through = [0, 0], angle = 0 }"],
-    "sketch": "A = [0.05, 0.09]",
-}
+    "frame": "O = [0, 0]; C = [0.3, 0.1]", "links": "OA AB B", "lengths": "OA = 0.1; AB = 0.3",
+    "slides": ["link = 3; along = { through = [0, 0], angle = 0 }"], "sketch": "A = [0.05, 0.09]",
+}  # fmt: skip
 MECHANISMS = {
     "four-bar": FOUR_BAR, "slider-crank": SLIDER_CRANK, "slotted link": SLOTTED, "sine": SINE, "tangent": TANGENT,
     "six-link": SIX_LINK,
@@ -177,16 +174,10 @@ def test_links_that_turn_alike_by_their_lengths_are_told():
 
 
 CROSS_SLIDE = {
-    "frame": "O = [0, 0]",
-    "links": "B BC C",
-    "lengths": "BC = 0.2",
-    "points": "K = { on = 2, at = [0.06, 0] }",
-    "slides": [
-        "link = 1; along = { through = [0, 0], angle = 0 }",
-        "link = 3; along = { through = [0, 0], angle = 90 }",
-    ],
+    "frame": "O = [0, 0]", "links": "B BC C", "lengths": "BC = 0.2", "points": "K = { on = 2, at = [0.06, 0] }",
+    "slides": [f"link = {n}; along = {{ through = [0, 0], angle = {way} }}" for n, way in ((1, 0), (3, 90))],
     "sketch": "B = [0.1, 0]; C = [0, 0.17]",
-}
+}  # fmt: skip
 COUPLER = FOUR_BAR | {"points": "K = { on = 2, at = [0.2, 0.15] }"}
 ROD = SLIDER_CRANK | {"points": "K = { on = 2, at = [0.07, -0.03] }"}
 

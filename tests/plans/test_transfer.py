@@ -16,42 +16,28 @@ from plans.transfer.turned import loci
 from tests.plans.scenes import scene
 
 FOUR_BAR = {
-    "frame": "O = [0, 0]; C = [0.35, 0]",
-    "links": "OA AB CB",
-    "lengths": "OA = 0.1; AB = 0.4; CB = 0.3",
+    "frame": "O = [0, 0]; C = [0.35, 0]", "links": "OA AB CB", "lengths": "OA = 0.1; AB = 0.4; CB = 0.3",
     "sketch": "B = [0.39, 0.3]",
-}
+}  # fmt: skip
 SLIDER_CRANK = {
-    "frame": "O = [0, 0]",
-    "links": "OA AB B",
-    "lengths": "OA = 0.06; AB = 0.2",
+    "frame": "O = [0, 0]", "links": "OA AB B", "lengths": "OA = 0.06; AB = 0.2", "sketch": "B = [0.2, 0.02]",
     "slides": ["link = 3; along = { through = [0, 0.02], angle = 0 }"],
-    "sketch": "B = [0.2, 0.02]",
-}
+}  # fmt: skip
 SLOTTED = {
-    "frame": "O = [0, 0]; C = [0, -0.35]",
-    "links": "OA A CB",
-    "lengths": "OA = 0.12; CB = 0.7",
-    "slides": ['link = 2; along = "CB"'],
-    "sketch": "B = [0.01, 0.35]",
-}
+    "frame": "O = [0, 0]; C = [0, -0.35]", "links": "OA A CB", "lengths": "OA = 0.12; CB = 0.7",
+    "slides": ['link = 2; along = "CB"'], "sketch": "B = [0.01, 0.35]",
+}  # fmt: skip
 SINE = {
-    "frame": "O = [0, 0]",
-    "links": "OA A D",
-    "lengths": "OA = 0.1",
+    "frame": "O = [0, 0]", "links": "OA A D", "lengths": "OA = 0.1", "sketch": "D = [0, 0]",
     "slides": [
         "link = 2; along = { link = 3, angle = 0 }",
         "link = 3; along = { through = [0, 0], angle = 90 }; angle = -90",
     ],
-    "sketch": "D = [0, 0]",
-}
+}  # fmt: skip
 TANGENT = {
-    "frame": "O = [0, 0]",
-    "links": "OK A A",
-    "lengths": "OK = 0.4",
+    "frame": "O = [0, 0]", "links": "OK A A", "lengths": "OK = 0.4", "sketch": "A = [0.15, 0]",
     "slides": ['link = 2; along = "OK"', "link = 3; along = { through = [0.15, 0], angle = 90 }"],
-    "sketch": "A = [0.15, 0]",
-}
+}  # fmt: skip
 SIX_LINK = SLOTTED | {
     "links": "OA A CB BD D",
     "lengths": "OA = 0.12; CB = 0.7; BD = 0.2",
