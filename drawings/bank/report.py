@@ -13,7 +13,7 @@ import numpy as np
 from drawings.balance.report import notes_of, weights
 from drawings.forces.report import mass_table
 from drawings.lettering.words import lowered_bank
-from drawings.linkage.notes import lengths
+from drawings.linkage.notes import assembly, lengths
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, listed, plain
 from drawings.report.report import ANGLE, Report, TableSubject, chapter, header, row
@@ -92,7 +92,9 @@ def linkage_of(study: Study) -> tuple[str, ...]:
     language = study.scene.sheet.language
     told = [*mass_table(study.of(Statics).machine, language)]
     told += weights(notes_of(study)) if study.scene.has(("balance",)) else ()
-    return *lengths(study.of(LinkageStudy), language), *(line.removeprefix("- ") for line in told)
+    linkage = study.of(LinkageStudy)
+    given = (*lengths(linkage, language), *assembly(linkage.mechanism.sketch, language))
+    return *given, *(line.removeprefix("- ") for line in told)
 
 
 def crank_of(study: Study) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TypeAlias
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from plans.study import Study
 
 RATES, CURVATURE, DIGITS, PLACES = "rates", "curvature", 5, 2  # digits of a rate; decimals of mm and degrees
 HALF = 180.0
+Points: TypeAlias = Mapping[str, complex]
 
 
 def written(value: float, drafting: Drafting) -> str:
@@ -59,24 +61,20 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     bounds, count = comparison.plans.of("positions"), len(comparison.analysis.phi)
     rough = [2 * max(float(row.allowed[k]) for row in bounds) for k in range(count)]
     for k in positions:
-        for name, moved in comparison.analysis.points.items():
-            still = name in mechanism.links[FRAME].points  # the one that all places are measured from is no point
-            yield Expected(Kind.POINT, CENTRES, name, complex(moved.r[k]), rough[k], k, may_lack=still)
+        points = {name: complex(moved.r[k]) for name, moved in comparison.analysis.points.items()}
+        yield from _posed(found, CENTRES, points, k, rough[k])
         for pair, place in places.items():
             centre = found.at(k).found.get(pair)
             row = cells_of(centre, drafting)
             told: list[Cell] = [*row]
             if centre is not None and not centre.infinite:
                 off = float(slack[letter(pair)][k])
-                told = [
-                    row[0],
-                    *((1000 * part, 1000 * off + 10.0**-PLACES / 2) for part in (place[k].real, place[k].imag)),
-                ]
+                parts = place[k].real, place[k].imag
+                told = [row[0], *((1000 * part, 1000 * off + 10.0**-PLACES / 2) for part in parts)]
                 if centre.over:
                     yield Expected(Kind.POINT, CENTRES, letter(pair), complex(place[k]), off, k, may_lack=True)
             yield from cells(CENTRES, with_index(letter(pair)), told, k)
-    for k in positions:
-        yield from _curves(study, k, rough[k])
+        yield from _curves(study, k, points, rough[k])
     for by, plan in spun(comparison):
         name = f"{with_index(by.name)}, {drafting.word('rad/s')}"
         for k in positions:
@@ -85,25 +83,23 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             yield from cells(RATES, name, told, k, digits=DIGITS)
 
 
-def _rolling(study: Study, pair: Pair, k: int, rough: float) -> Iterator[Expected]:
+def _rolling(study: Study, pair: Pair, k: int, points: Points, rough: float) -> Iterator[Expected]:
     """Give the points of a scheme with the centrodes of two links, and each piece of both as its link stands there."""
     found, comparison, plan = study.of(CentresStudy), study.of(CentresComparison), plan_of(pair)
-    mechanism, moved = found.linkage.mechanism, comparison.analysis
-    points = {name: complex(motion.r[k]) for name, motion in moved.points.items()}
     yield from _posed(found, plan, points, k, rough)
     shown = window([*points.values()])
     yield from _marked(comparison, plan, letter(pair), k, shown)
     solved = SolvedCentrodes.of(found, pair)
     for link, path in solved.paths.items():
-        stood = placed_with(mechanism, moved, link, path, k)
+        stood = placed_with(found.linkage.mechanism, comparison.analysis, link, path, k)
         near = np.abs(stood - shown[0]) <= shown[1]
         slack = float(np.max(solved.allowed[near], initial=0.0)) + rough
         for name, piece in named(stood, f"p_{link}", shown).items():
             yield Expected(Kind.CURVE, plan, name, piece, slack, k)
 
 
-def _posed(found: CentresStudy, plan: str, points: Mapping[str, complex], k: int, rough: float) -> Iterator[Expected]:
-    still = found.linkage.mechanism.links[FRAME].points
+def _posed(found: CentresStudy, plan: str, points: Points, k: int, rough: float) -> Iterator[Expected]:
+    still = found.linkage.mechanism.links[FRAME].points  # the one that all places are measured from is no point
     for name, spot in points.items():
         yield Expected(Kind.POINT, plan, name, spot, rough, k, may_lack=name in still)
 
@@ -116,12 +112,12 @@ def _marked(comparison: CentresComparison, plan: str, name: str, k: int, shown: 
         yield Expected(Kind.POINT, plan, name, spot, float(row.allowed[k]), k)
 
 
-def _curved(study: Study, point: str, k: int, rough: float) -> Iterator[Expected]:
+def _curved(study: Study, point: str, k: int, points: Points, rough: float) -> Iterator[Expected]:
     """Give the scheme, pole, inflection pole and centre of curvature of a point, and the inflection circle."""
     found, comparison, plan = study.of(CentresStudy), study.of(CentresComparison), curvature_plan(point)
-    points, link = {name: complex(one.r[k]) for name, one in comparison.analysis.points.items()}, found.curving[point]
     yield from _posed(found, plan, points, k, rough)
-    shown, pole, end = window([*points.values()]), letter((FRAME, link)), f"W_{link}"
+    link, shown = found.curving[point], window([*points.values()])
+    pole, end = letter((FRAME, link)), f"W_{link}"
     for name in (pole, end, f"O_{point}"):
         yield from _marked(comparison, plan, name, k, shown)
     rows = {row.name: row for row in comparison.findings if row.name in (pole, end)}
@@ -141,13 +137,13 @@ def length(value: float, drafting: Drafting) -> str:
     return "—" if math.isnan(value) else written(1000 * value, drafting)
 
 
-def _curves(study: Study, k: int, rough: float) -> Iterator[Expected]:
+def _curves(study: Study, k: int, points: Points, rough: float) -> Iterator[Expected]:
     """Give all figures of curves in a position, and the cells of radii and diameters."""
     found, drafting = study.of(CentresStudy), drafting_of(study.scene)
     for pair in found.centrodes:
-        yield from _rolling(study, pair, k, rough)
+        yield from _rolling(study, pair, k, points, rough)
     for point in found.curving:
-        yield from _curved(study, point, k, rough)
+        yield from _curved(study, point, k, points, rough)
     for row in sizes(study.of(CentresComparison)):
         true, off = 1000 * float(row.analysis[k]), 1000 * float(row.allowed[k]) + 10.0**-PLACES / 2
         told = [None if math.isnan(true) else (true, off)] * 2

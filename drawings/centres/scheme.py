@@ -18,11 +18,11 @@ from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Line, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import arrowhead, fit_dashes
+from plans.centres.centrodes import window
 from plans.centres.kennedy import CENTRES, InstantCentre, Kennedy, letter, pairs
 
 MARGINS = Margins(4.5, 4.5, 5.0)
 LETTERS = 40.0  # it is drawn at least so many of its letters large
-NEAR = 1.6  # sizes of the mechanism from its middle: a centre farther off is shown by the direction to it
 PAST, AWAY, DOT, BESIDE = 5.0, 18.0, 1.1, 2.0  # mm: past a centre, towards one far off, its radius, to its letter
 
 
@@ -40,11 +40,10 @@ class CentresScheme(NamedTuple):
 
     @property
     def near(self) -> list[InstantCentre]:
-        """The centres that are drawn in their places."""
-        points = self.bones.points
-        middle = sum(points) / len(points)
+        """The centres that are drawn in their places; one farther off is shown by the direction to it."""
+        middle, most = window(self.bones.points)
         centres = (centre for centre in self.found.found.values() if not centre.infinite)
-        return [centre for centre in centres if abs(centre.place - middle) <= NEAR * self.found.size]
+        return [centre for centre in centres if abs(centre.place - middle) <= most]
 
     @property
     def points(self) -> list[complex]:

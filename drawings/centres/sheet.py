@@ -16,6 +16,7 @@ from drawings.centres.scheme import CentresScheme, polygon, room
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed, with_index
+from drawings.linkage.notes import driving, lengths
 from drawings.linkage.pose import Pose, pose, shown
 from drawings.linkage.positions import of_linkage
 from drawings.page.page import Drafting, drafting_of
@@ -81,7 +82,7 @@ class _CentresSheet:
             TableRow(with_index(letter(pair)), tuple(chain(*(cells_of(one.get(pair), self.drafting) for one in found))))
             for pair in pairs(self.study.linkage.mechanism.links)
         ]
-        heads = word("found over"), f"x, {word('mm')}", f"y, {word('mm')}"
+        heads = word("found through"), f"x, {word('mm')}", f"y, {word('mm')}"
         yield table(rows, word("centre"), heads, text, self.positions)._replace(name=CENTRES)
         rates = [self._rate(by, plan) for by, plan in spun(self.comparison)]
         if rates:
@@ -107,19 +108,27 @@ class _CentresSheet:
         return TableRow(f"{with_index(by.name)}, {self.drafting.word('rad/s')}", tuple(told))
 
     def _notes(self) -> Iterator[str]:
-        word, mechanism = self.drafting.word, self.study.linkage.mechanism
+        word, linkage = self.drafting.word, self.study.linkage
+        yield driving(linkage, linkage.rates, linkage.language)
+        yield from lengths(linkage, linkage.language)
         yield word("centres known")
-        yield word("centres over", pole=mechanism.drive.pivot)
+        through = [one for one in self.study.at(self.positions[0]).found.values() if one.over and not one.infinite]
+        for one in through[:1]:
+            ends = (letter((min(n, link), max(n, link))) for link in one.over for n in one.pair)
+            lines = dict(zip("abcd", map(with_index, ends), strict=True))
+            yield word(
+                "centres through", centre=with_index(letter(one.pair)), links=cells_of(one, self.drafting)[0], **lines
+            )
+        yield word("centres read", pole=linkage.mechanism.drive.pivot)
         yield word("centres rates")
-        for first, second in self.study.linkage.scene.of(CentresForm).centres.rolling:
-            key = "note" if (first, second) in self.study.centrodes else "none"
-            yield word(f"centrodes {key}", first=first, second=second, letter=with_index(letter((first, second))))
+        for first, second in self.study.centrodes:
+            yield word("centrodes note", first=first, second=second, letter=with_index(letter((first, second))))
         if self.study.curving:
             yield word("curvature note")
             links = {*self.study.curving.values()}
             if none := [k for k in self.positions for link in links if self.study.inflection(k, link) is None]:
                 yield word("curvature none", positions=", ".join(map(str, dict.fromkeys(none))))
-        every, told = pairs(mechanism.links), list[str]()
+        every, told = pairs(linkage.mechanism.links), list[str]()
         for k in self.positions:
             if lost := [with_index(letter(pair)) for pair in every if pair not in self.study.at(k).found]:
                 told.append(word("centre open", letters=", ".join(lost), position=k))

@@ -12,26 +12,14 @@ from typing import NamedTuple
 
 from drawings import VERSION
 from drawings.form.given_scheme import SIZES, given_scheme
-from drawings.form.laid import (
-    CENTRED,
-    PARTS,
-    Given,
-    LaidFigure,
-    LaidTable,
-    asked,
-    assembly,
-    blank,
-    data,
-    figures,
-    given,
-    tables,
-)
+from drawings.form.laid import CENTRED, PARTS, Given, LaidFigure, LaidTable, asked, blank, data, figures, given, tables
 from drawings.kinds.axes import arrow
 from drawings.layout.contents import EVEN, Panel
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
+from drawings.linkage.notes import assembly
 from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Leaf, Line, SheetError, Stroke, Text, numeral, stated

@@ -87,19 +87,6 @@ def data(scene: Scene) -> list[str]:
     return [word(language, "form given"), *lines]
 
 
-def assembly(sketch: Mapping[str, complex], language: str) -> Iterator[str]:
-    """Say how a mechanism is assembled: on which side the points of its sketch lie, measured from the datum."""
-    if sketch:
-        sides = ", ".join(f"{name} {word(language, _side(apart))}" for name, apart in sketch.items())
-        yield word(language, "form assembly", sides=sides)
-
-
-def _side(apart: complex) -> str:
-    if abs(apart.imag) >= abs(apart.real):
-        return "form above" if apart.imag > 0 else "form below"
-    return "form right" if apart.real > 0 else "form left"
-
-
 def _text(scene: Scene) -> str:
     return scene.content.decode("utf-8-sig")
 

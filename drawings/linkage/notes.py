@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -82,6 +82,18 @@ def lengths(study: LinkageStudy, language: str) -> list[str]:
     texts = [f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items()]
     told = (("lengths", texts), ("fixed places", [*_places(study.form.mechanism, language)]))
     return [word(language, key, given=",  ".join(texts)) for key, texts in told if 0 < len(texts) <= MOST_LENGTHS]
+
+
+def assembly(sketch: Mapping[str, complex], language: str) -> Iterator[str]:
+    """Say how a mechanism is assembled: on which sides the points of its sketch lie, measured from the datum."""
+    if sketch:
+        sides = ", ".join(f"{with_index(name)} {_side(apart, language)}" for name, apart in sketch.items())
+        yield word(language, "form assembly", sides=sides)
+
+
+def _side(apart: complex, language: str) -> str:
+    ways = (apart.imag, "above", "below"), (apart.real, "right", "left")
+    return " ".join(word(language, f"form {ahead if part > 0 else back}") for part, ahead, back in ways if part)
 
 
 def _places(form: MechanismTable, language: str) -> Iterator[str]:

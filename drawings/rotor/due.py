@@ -193,12 +193,14 @@ class _ExpectedRotor:
         rotor = self.rotor
         quality = rotor.quality(*self.balance.sizes)
         if rotor.speed is not None:
-            yield Expected(Kind.PHRASE, NOTES, "ω", rotor.speed, digits=4, may_lack=not self.balance.before)
+            lost = quality is None and not self.balance.before
+            yield Expected(Kind.PHRASE, NOTES, "ω", rotor.speed, digits=4, may_lack=lost)
         if quality is None or rotor.mass is None or rotor.speed is None:
             return
         slack = rotor.quality(*(correction.moment.slack for correction in self.balance.corrections)) or 0.0
-        yield Expected(Kind.PHRASE, NOTES, "e·ω", quality, 2 * slack, digits=4)
+        given = (("m", rotor.mass, 0.0), ("n", rotor.speed * 30 / math.pi, 0.0), ("e·ω", quality, 2 * slack))
+        yield from phrases(NOTES, given, 4)
         if rotor.grade is not None:
             whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)
-            yield Expected(Kind.PHRASE, NOTES, "U_per", whole, digits=4)
-            yield Expected(Kind.PHRASE, NOTES, "U_per each", whole / len(rotor.planes), digits=4, may_lack=True)
+            yield from phrases(NOTES, [("U_per", whole, 0.0)], 4)
+            yield from phrases(NOTES, [("U_per each", whole / len(rotor.planes), 0.0)], 4, may_lack=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -41,6 +42,9 @@ class RotorNotes(NamedTuple):
     def sums(self) -> Iterator[str]:
         """Say what was unbalanced, and what one plane leaves so."""
         rotor, balance, word, phrase = self.rotor, self.balance, self.drafting.word, self.drafting.phrase
+        if rotor.mass is not None and rotor.speed is not None:  # what quality and permissible unbalance rest on
+            n, omega = Slot("n", rotor.speed * 30 / math.pi), Slot("ω", rotor.speed)
+            yield phrase("rotor given", mass=Slot("m", rotor.mass), n=n, omega=omega)
         yield word("arms from", plane=rotor.planes[-1].name) if rotor.dynamic else word("masses from")
         couple = self._vector("ΣmDh", balance.couple, "kg*m2")
         yield phrase("sums before", unbalance=self._vector("ΣmD", balance.unbalance, "kg*m"), couple=couple)

@@ -7,6 +7,7 @@ each link by similarity.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -14,19 +15,20 @@ import numpy.typing as npt
 
 from geometry.board import Board, Mark
 from geometry.precision import errors
-from plans.centres.kennedy import PARALLEL, Kennedy, Pair
+from plans.centres.kennedy import CENTRES, ONE_PLACE, PARALLEL, Kennedy, Pair
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import NODES
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
+from plans.scene.faults import Fault, SceneError
 from plans.words.words import because
 
 Window = tuple[complex, float]
 Flags = npt.NDArray[np.bool_]
 
 SOME = 24  # positions among which the one is sought whose lines of centres are drawn in all: the sharpest of them
-SHOWN = 1.6  # sizes of the mechanism from its middle: so far centrodes are shown
+SHOWN = 1.6  # sizes of the mechanism from its middle: so far centres and centrodes are shown
 LEAP = 0.5  # of that way: a centre that goes so far in half a degree passes through infinity
 
 
@@ -57,19 +59,23 @@ class Centrodes(NamedTuple):
 
 
 def centrodes(linkage: LinkageStudy, asked: Sequence[Pair]) -> dict[Pair, Centrodes]:
-    """Find the centrodes of pairs of links over the reached turn; a centre always at infinity has none."""
+    """Find the centrodes of pairs of links over the reached turn; a centre always at infinity is a SceneError."""
     phi = nodes(linkage)
     free = linkage.reached(phi)
     some = phi[free][:: max(int(free.sum()) // SOME, 1)]
     found = [Kennedy(linkage.sweep.plan(some[k : k + 1])) for k in range(len(some))]
-    plan = linkage.sweep.plan(phi)
-    made = {}
-    for pair in asked:
+    plan, made, faults = linkage.sweep.plan(phi), dict[Pair, Centrodes](), list[Fault]()
+    for index, pair in enumerate(asked):
         like = max(found, key=lambda one: _sharpness(one, pair), default=None)
         if like is not None and _sharpness(like, pair) > 0:
             every = Kennedy(plan, like)
             centre = every.found[pair].mark
             made[pair] = Centrodes(phi, free, centre, {link: carried(every.board, plan, centre, link) for link in pair})
+        elif any(pair in one.found for one in found):
+            way = (CENTRES, "centrodes", index)
+            faults.append(linkage.scene.fault(way, "centrode_translates", first=pair[0], second=pair[1]))
+    if faults:
+        raise SceneError(faults)
     return made
 
 
@@ -124,18 +130,26 @@ def window(points: Sequence[complex]) -> Window:
 
 
 def named(path: Complexes, name: str, shown: Window) -> dict[str, Complexes]:
-    """Name the pieces of a curve that are shown, each of them once, broken at infinity: p_2, or p_2.1, p_2.2."""
-    middle, most = shown
-    near = np.abs(path - middle) <= most
-    breaks = np.flatnonzero(~(near[1:] & near[:-1] & (np.abs(np.diff(path)) < LEAP * most))) + 1
-    pieces = [piece for piece in np.split(path, breaks) if len(piece) > 2]
+    """Name the pieces of a curve that are shown, each of them once: p_2, or p_2.1, p_2.2."""
+    pieces = [piece for piece in _pieces(path, shown) if len(piece) > 2]
     longest = sorted(range(len(pieces)), key=lambda n: -len(pieces[n]))
     again = {n for k, n in enumerate(longest) if any(_lies_on(pieces[n], pieces[other]) for other in longest[:k])}
     found = [piece for n, piece in enumerate(pieces) if n not in again]
     return {name if len(found) == 1 else f"{name}.{n}": piece for n, piece in enumerate(found, 1)}
 
 
+def _pieces(path: Complexes, shown: Window) -> list[Complexes]:
+    """Part a curve at infinity, where it turns back, and after the first of two times round."""
+    middle, most = shown
+    path = path[np.append(True, ~(np.abs(np.diff(path)) <= ONE_PLACE * most))]
+    near, steps, half = np.abs(path - middle) <= most, np.diff(path), len(path) // 2
+    gaps = {*(np.flatnonzero(~(near[1:] & near[:-1] & (np.abs(steps) < LEAP * most))) + 1).tolist()}
+    on = {*(np.flatnonzero((steps[1:] * steps[:-1].conj()).real < 0) + 1).tolist()} - gaps
+    on |= {half} if not gaps and _lies_on(path[half:], path[: half + 1]) else set()
+    return [path[one : other + (other in on)] for one, other in pairwise([0, *sorted(gaps | on), len(path)])]
+
+
 def _lies_on(piece: Complexes, other: Complexes) -> bool:
     """Tell whether a piece goes where another one does: each of its places is hard by one of that."""
     off = np.abs(piece[:, None] - other[None]).min(axis=1)
-    return bool(off.max() < 0.75 * np.abs(np.diff(other)).max())
+    return bool(off.max() < 0.75 * np.abs(np.diff(other)).max(initial=0.0))

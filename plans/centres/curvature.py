@@ -118,16 +118,12 @@ class Inflection:
         first, second = sorted((one.centre, two.centre), key=lambda centre: centre.infinite)
         if first.infinite:
             return pinned
-        through = self._centred(first, second)
-        why = because("collineation")
-        met = self.board.meet("Q", self._line(one.pin, pinned), through, why=why)
-        self.lines += [(self.pole, met), (one.pin, met), (first.mark, met)]
-        return self.board.join(f"{self.pole.name}Q", self.pole, met)
-
-    def _centred(self, first: InstantCentre, second: InstantCentre) -> Mark:
         name = f"{first.mark.name}{second.mark.name}"
         along = second.mark if second.infinite else self.board.join(name, first.mark, second.mark)
-        return self.board.parallel(name, first.mark, along)
+        through = self.board.parallel(name, first.mark, along)
+        met = self.board.meet("Q", self._line(one.pin, pinned), through, why=because("collineation"))
+        self.lines += [(self.pole, met), (one.pin, met), (first.mark, met)]
+        return self.board.join(f"{self.pole.name}Q", self.pole, met)
 
     def _line(self, start: Mark, along: Mark) -> Mark:
         return self.board.parallel(along.name, start, along)
@@ -160,17 +156,10 @@ class Inflection:
         axis = self.board.similar(f"q_{name}", by.ray, self.tangent, ray, why=because("bobillier_axis", point=name))
         joined = self._line(by.pin, self.board.join(f"{by.pin.name}{name}", by.pin, point))
         met = self.board.meet(f"Q_{name}", self._line(self.pole, axis), joined, why=because("collineation"))
-        if by.centre.infinite:
-            through = self._line(met, by.centre.mark)
-        else:
-            start = by.centre.mark
-            through = self._line(start, self.board.join(f"{start.name}{met.name}", start, met))
-        found = self.board.meet(f"O_{name}", self._line(self.pole, ray), through, why=because("curvature", point=name))
-        lines = (
-            (self.pole, met),
-            (by.pin, met),
-            (point, met),
-            (self.pole, found),
-            (met if by.centre.infinite else by.centre.mark, found),
-        )
+        far, centre = by.centre.infinite, by.centre.mark
+        start = met if far else centre
+        along = centre if far else self.board.join(f"{start.name}{met.name}", start, met)
+        why = because("curvature", point=name)
+        found = self.board.meet(f"O_{name}", self._line(self.pole, ray), self._line(start, along), why=why)
+        lines = (self.pole, met), (by.pin, met), (point, met), (self.pole, found), (start, found)
         return Curvature(found, self.board.join(f"ρ_{name}", point, found), lines)

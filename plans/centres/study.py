@@ -35,7 +35,6 @@ class CentresTable(ChosenTable):
         (),
         meaning='Pairs of links whose centrodes are drawn (центроиды): ["0-2"], paths of P_02 on both over the turn.',
     )
-
     curvature: tuple[str, ...] = key(
         many(f.POINT, f.NO_REPEATS, first=f.FEW),
         (),

@@ -10,12 +10,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 
+from drawings.bank.sheet import view_of
 from plans.bank.engines import ENGINES
 from plans.bank.harmonics import NotSettled
 from plans.bank.quantities import compare_bank
 from plans.model.balance.bank import Asked, BankTask, Harmonic, Member, Unit
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.drawings.bank_scenes import TURNING, bank
 from tests.parts import examples
 from tests.plans.drawn_banks import BOOK, angles, banks, drawn, series, study, summed, task
 from tests.rows import over
@@ -164,3 +166,11 @@ def test_a_rod_all_but_as_long_as_the_crank_is_told() -> None:
     )
     with pytest.raises(NotSettled, match=r"scene\.toml:1: the harmonics do not settle"):
         _ = Study(scene)["bank"].balance
+
+
+def test_a_bank_that_turns_clockwise_is_the_mirror_image_of_one_that_turns_the_other_way() -> None:
+    """In the reference guide: what the sheet follows over the turn comes in the order in which the shaft turns."""
+    rows, head = [(0, -100, 45), (20, 0, -45), (90, 100, 30)], 'speed = "{} rpm"\norders = [1, 2]\n'
+    scenes = (bank([(w * c, z, w * a) for c, z, a in rows], "", TURNING, head.format(3000 * w)) for w in (1, -1))
+    one, other = (view.along(view.balance.force) for view in (view_of(Study(parse_scene(text))) for text in scenes))
+    assert np.abs(other - one.conj()).max() < 1e-9 * np.abs(one).max()

@@ -8,26 +8,30 @@ import numpy as np
 import pytest
 
 from geometry.meet import EPS, cross
+from plans.centres.centrodes import named
+from plans.centres.curvature import circle_of
 from plans.centres.kennedy import Kennedy
 from plans.centres.quantities import CentresComparison, SolvedCentrodes
 from plans.centres.study import CentresStudy
+from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans.scenes import scene
 from tests.plans.test_transfer import FOUR_BAR, SINE, SIX_LINK, SLIDER_CRANK, SLOTTED, TANGENT, study_of
 
 RAM = {
-    "frame": "O = [0, 0]; C = [0.3, 0.1]",
-    "links": "OA AB B",
-    "lengths": "OA = 0.1; AB = 0.3",
-    "slides": ["link = 3; along = { through = [0, 0], angle = 0 }"],
-    "sketch": "A = [0.05, 0.09]",
-}
+    "frame": "O = [0, 0]; C = [0.3, 0.1]", "links": "OA AB B", "lengths": "OA = 0.1; AB = 0.3",
+    "slides": ["link = 3; along = { through = [0, 0], angle = 0 }"], "sketch": "A = [0.05, 0.09]",
+}  # fmt: skip
 MECHANISMS = {
     "four-bar": FOUR_BAR, "slider-crank": SLIDER_CRANK, "slotted link": SLOTTED, "sine": SINE, "tangent": TANGENT,
     "six-link": SIX_LINK,
 }  # fmt: skip
 ANGLES = (17.0, 29.3, 41.0)
+
+
+def drawn(mechanism: dict[str, str | list[str]], drive: str, centres: str = "") -> Study:
+    return Study(parse_scene(scene('sheets = ["centres"]', **mechanism, drive=drive, centres=centres)))
 
 
 def asked(name: str) -> Study:
@@ -90,7 +94,7 @@ def test_each_centre_has_one_velocity_on_both_of_its_links(name):
 
 def test_a_slide_that_drives_gives_the_rates_too():
     stroke = "link = 3; stroke = { from = 0.25, to = 0.35, speed = 0.2 }; positions = 4"
-    compared = Study(parse_scene(scene('sheets = ["centres"]', **RAM, drive=stroke))).of(CentresComparison)
+    compared = drawn(RAM, stroke).of(CentresComparison)
     assert compared.agrees and {"ω_1", "ω_2"} <= {
         row.name for row in compared.findings if np.abs(row.construction).max() > 0
     }
@@ -104,16 +108,8 @@ def test_what_lies_on_one_line_alone_is_left_open():
     assert found.at(0).found[1, 3].place == pytest.approx(0.0)
 
 
-def test_a_position_that_is_not_there_is_told():
-    text = scene(
-        'sheets = ["centres"]', **FOUR_BAR, drive="link = 1; speed = 1; positions = 4", centres="positions = [4]"
-    )
-    assert "a position from 0 to 3" in str(parse_scene(text).meaning.faults[0])
-
-
 def test_a_drive_that_rests_has_its_centres_too_and_no_rates():
-    drive = "link = 1; speed = 0; acceleration = 2; positions = [30, 70]"
-    compared = Study(parse_scene(scene('sheets = ["centres"]', **FOUR_BAR, drive=drive))).of(CentresComparison)
+    compared = drawn(FOUR_BAR, "link = 1; speed = 0; acceleration = 2; positions = [30, 70]").of(CentresComparison)
     assert compared.agrees
     assert all(np.abs(one.analysis).max() == 0 for one in compared.findings if one.unit == "rad/s")
     assert np.isfinite(next(one for one in compared.findings if one.name == "P_02").analysis).all()
@@ -130,8 +126,7 @@ CROSSED |= {"sketch": "A = [0.15, 0.26]; B = [-0.04, 0.19]"}
 
 
 def rolling(mechanism: dict[str, str | list[str]], asked: str = ASKED, first: float = 60.0) -> Study:
-    drive = f"link = 1; speed = -7; positions = [{first}, {first + 10}]"
-    return Study(parse_scene(scene('sheets = ["centres"]', **mechanism, drive=drive, centres=asked)))
+    return drawn(mechanism, f"link = 1; speed = -7; positions = [{first}, {first + 10}]", asked)
 
 
 def paths(study: Study) -> list[np.ndarray]:
@@ -170,38 +165,25 @@ def test_both_roads_find_the_same_centrodes(name):
         assert np.isfinite(off).sum() > 600 and np.nanmax(off) < 1
 
 
-@pytest.mark.parametrize(
-    ("pair", "said"), [("0-1", "their hinge O"), ("0-3", "only translate"), ("0-4", "there is no link 4")]
-)
-def test_links_that_do_not_roll_on_each_other_are_told(pair, said):
-    drive, asked = "link = 1; speed = 1; positions = 4", f'centrodes = ["{pair}"]'
-    text = scene('sheets = ["centres"]', **SLIDER_CRANK, drive=drive, centres=asked)
-    assert said in str(parse_scene(text).meaning.faults[0])
-
-
-def test_a_rod_that_only_translates_has_no_centrodes():
+def test_links_that_turn_alike_by_their_lengths_are_told():
     even = FOUR_BAR | {"frame": "O = [0, 0]; C = [0.4, 0]", "lengths": "OA = 0.1; AB = 0.4; CB = 0.1"}
-    study = rolling(even | {"sketch": "A = [0.05, 0.09]; B = [0.45, 0.09]"})
-    assert not study.of(CentresStudy).centrodes and study.of(CentresComparison).agrees
+    study = rolling(even | {"sketch": "A = [0.05, 0.09]; B = [0.45, 0.09]"}, 'centrodes = ["0-2", "1-3"]')
+    with pytest.raises(SceneError) as told:
+        study.of(CentresComparison)
+    assert [fault.path[-1] for fault in told.value.faults] == [0, 1] and "only translate" in str(told.value)
 
 
 CROSS_SLIDE = {
-    "frame": "O = [0, 0]",
-    "links": "B BC C",
-    "lengths": "BC = 0.2",
-    "points": "K = { on = 2, at = [0.06, 0] }",
-    "slides": [
-        "link = 1; along = { through = [0, 0], angle = 0 }",
-        "link = 3; along = { through = [0, 0], angle = 90 }",
-    ],
+    "frame": "O = [0, 0]", "links": "B BC C", "lengths": "BC = 0.2", "points": "K = { on = 2, at = [0.06, 0] }",
+    "slides": [f"link = {n}; along = {{ through = [0, 0], angle = {way} }}" for n, way in ((1, 0), (3, 90))],
     "sketch": "B = [0.1, 0]; C = [0, 0.17]",
-}
+}  # fmt: skip
 COUPLER = FOUR_BAR | {"points": "K = { on = 2, at = [0.2, 0.15] }"}
 ROD = SLIDER_CRANK | {"points": "K = { on = 2, at = [0.07, -0.03] }"}
 
 
 def curving(mechanism: dict[str, str | list[str]], drive: str = "link = 1; speed = -7; positions = 7") -> Study:
-    return Study(parse_scene(scene('sheets = ["centres"]', **mechanism, drive=drive, centres='curvature = ["K"]')))
+    return drawn(mechanism, drive, 'curvature = ["K"]')
 
 
 def test_a_trammel_has_the_radius_of_its_ellipse_and_its_rod_as_diameter():
@@ -213,6 +195,7 @@ def test_a_trammel_has_the_radius_of_its_ellipse_and_its_rod_as_diameter():
     k, (a, b) = study.of(CentresComparison).analysis.points["K"].r, (0.14, 0.06)
     worked = (a**4 * k.imag**2 + b**4 * k.real**2) ** 1.5 / (a * b) ** 4
     assert found["ρ_K"].construction == pytest.approx(worked)
+    assert np.abs(circle_of(0.1j, 0.3j) - 0.2j) == pytest.approx(0.1)
 
 
 @pytest.mark.parametrize("mechanism", [COUPLER, ROD], ids=["four-bar", "slider-crank"])
@@ -226,13 +209,30 @@ def test_bobillier_finds_the_curvature_that_accelerations_tell(mechanism):
         assert known.sum() >= 5 and (row.allowed[known] < 1e-8 * (1 + np.abs(row.analysis[known]) ** 2)).all(), row.name
 
 
+TOLD = [
+    (FOUR_BAR, "positions = [4]", "a position from 0 to 3"),
+    (SLIDER_CRANK, 'centrodes = ["0-1"]', "their hinge O"), (SLIDER_CRANK, 'centrodes = ["0-3"]', "only translate"),
+    (SLIDER_CRANK, 'centrodes = ["0-4"]', "there is no link 4"), (COUPLER, 'curvature = ["O"]', "is fixed"),
+    (COUPLER, 'curvature = ["A"]', "circle about O"), (ROD, 'curvature = ["B"]', "straight guide"),
+    (COUPLER, 'curvature = ["Z"]', "no point Z"),
+    (SIX_LINK | {"points": "K = { on = 2, at = [0.1, 0] }"}, 'curvature = ["K"]', "two pins"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("mechanism", "asked", "said"), TOLD)
+def test_what_has_no_centre_centrode_or_such_a_curvature_is_told(mechanism, asked, said):
+    assert said in str(drawn(mechanism, "link = 1; speed = 1; positions = 4", asked).scene.meaning.faults[0])
+
+
 @pytest.mark.parametrize(
-    ("mechanism", "point", "said"),
+    ("path", "pieces", "length"),
     [
-        (COUPLER, "O", "is fixed"), (COUPLER, "A", "circle about O"), (ROD, "B", "straight guide"),
-        (COUPLER, "Z", "no point Z"), (SIX_LINK | {"points": "K = { on = 2, at = [0.1, 0] }"}, "K", "two pins"),
+        (lambda t: np.exp(1j * np.cos(t + 1)), 1, 2.0), (lambda t: np.exp(2j * t), 1, 2 * np.pi),
+        (lambda t: t - 3 - 1j * np.exp(-1j * (t - 3)), 2, 8.0), (np.ones_like, 0, 0.0),
     ],
+    ids=["there and back", "twice round", "a cycloid's cusp", "one place"],
 )  # fmt: skip
-def test_points_without_such_a_curvature_are_told(mechanism, point, said):
-    asked = {"drive": "link = 1; speed = 1; positions = 4", "centres": f'curvature = ["{point}"]'}
-    assert said in str(parse_scene(scene('sheets = ["centres"]', **mechanism, **asked)).meaning.faults[0])
+def test_a_curve_is_drawn_once(path, pieces, length):
+    found = named(path(np.linspace(0, 2 * np.pi, 721) + 0j), "p", (0j, 9.0))
+    assert len(found) == pieces
+    assert sum(np.abs(np.diff(piece)).sum() for piece in found.values()) == pytest.approx(length, rel=1e-2)

@@ -43,18 +43,10 @@ def test_a_misspelt_key_is_not_missed_besides() -> None:
 @pytest.mark.parametrize(
     ("written", "meant"),
     [
-        ('"G7"', "G6.3"),
-        ('"G5"', "G6.3"),
-        ('"G3"', "G2.5"),
-        ('"G63"', "G6.3"),
-        ('"G6,3"', "G6.3"),
-        ('"6.3"', "G6.3"),
-        ("6.3", "G6.3"),
-        ('"G17"', "G16"),
-        ('"G0"', "G0.4"),
-        ('"G9000"', "G4000"),
+        ('"G7"', "G6.3"), ('"G5"', "G6.3"), ('"G3"', "G2.5"), ('"G63"', "G6.3"), ('"G6,3"', "G6.3"), ('"6.3"', "G6.3"),
+        ("6.3", "G6.3"), ('"G17"', "G16"), ('"G0"', "G0.4"), ('"G9000"', "G4000"),
     ],
-)
+)  # fmt: skip
 def test_the_likely_grade_is_advised(written: str, meant: str) -> None:
     (fault,) = refused(f"speed = 1\nmass = 1\ngrade = {written}\n{MASSES}")
     assert f'"{meant}"' in fault.advice

@@ -10,48 +10,34 @@ import pytest
 
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.transfer.quantities import TransferComparison, listed
+from plans.transfer.quantities import TransferComparison, listed, marks
 from plans.transfer.study import TransferStudy
 from plans.transfer.turned import loci
 from tests.plans.scenes import scene
 
 FOUR_BAR = {
-    "frame": "O = [0, 0]; C = [0.35, 0]",
-    "links": "OA AB CB",
-    "lengths": "OA = 0.1; AB = 0.4; CB = 0.3",
+    "frame": "O = [0, 0]; C = [0.35, 0]", "links": "OA AB CB", "lengths": "OA = 0.1; AB = 0.4; CB = 0.3",
     "sketch": "B = [0.39, 0.3]",
-}
+}  # fmt: skip
 SLIDER_CRANK = {
-    "frame": "O = [0, 0]",
-    "links": "OA AB B",
-    "lengths": "OA = 0.06; AB = 0.2",
+    "frame": "O = [0, 0]", "links": "OA AB B", "lengths": "OA = 0.06; AB = 0.2", "sketch": "B = [0.2, 0.02]",
     "slides": ["link = 3; along = { through = [0, 0.02], angle = 0 }"],
-    "sketch": "B = [0.2, 0.02]",
-}
+}  # fmt: skip
 SLOTTED = {
-    "frame": "O = [0, 0]; C = [0, -0.35]",
-    "links": "OA A CB",
-    "lengths": "OA = 0.12; CB = 0.7",
-    "slides": ['link = 2; along = "CB"'],
-    "sketch": "B = [0.01, 0.35]",
-}
+    "frame": "O = [0, 0]; C = [0, -0.35]", "links": "OA A CB", "lengths": "OA = 0.12; CB = 0.7",
+    "slides": ['link = 2; along = "CB"'], "sketch": "B = [0.01, 0.35]",
+}  # fmt: skip
 SINE = {
-    "frame": "O = [0, 0]",
-    "links": "OA A D",
-    "lengths": "OA = 0.1",
+    "frame": "O = [0, 0]", "links": "OA A D", "lengths": "OA = 0.1", "sketch": "D = [0, 0]",
     "slides": [
         "link = 2; along = { link = 3, angle = 0 }",
         "link = 3; along = { through = [0, 0], angle = 90 }; angle = -90",
     ],
-    "sketch": "D = [0, 0]",
-}
+}  # fmt: skip
 TANGENT = {
-    "frame": "O = [0, 0]",
-    "links": "OK A A",
-    "lengths": "OK = 0.4",
+    "frame": "O = [0, 0]", "links": "OK A A", "lengths": "OK = 0.4", "sketch": "A = [0.15, 0]",
     "slides": ['link = 2; along = "OK"', "link = 3; along = { through = [0.15, 0], angle = 90 }"],
-    "sketch": "A = [0.15, 0]",
-}
+}  # fmt: skip
 SIX_LINK = SLOTTED | {
     "links": "OA A CB BD D",
     "lengths": "OA = 0.12; CB = 0.7; BD = 0.2",
@@ -138,7 +124,9 @@ def test_the_output_is_where_its_position_function_says(mechanism, of, value):
 
 
 def test_the_triangle_of_a_four_bar_has_the_worked_angles():
-    board = study_of(FOUR_BAR, 60).of(TransferStudy).turned.board
+    study = study_of(FOUR_BAR, 60)
+    board = study.of(TransferStudy).turned.board
+    assert [marks(study, 0, name).steps[-1].name for name in ("O a'", "a' b'")] == ["a'", "b'"]
     a, b = (complex(np.ravel(board[name].point)[0]) for name in ("a'", "b'"))
     angles = [abs(degrees(phase(turn))) for turn in (b / a, (b - a) / -a, b / (b - a))]
     assert angles == pytest.approx([22.33849477, 28.21061052, 129.4508947], rel=1e-9)
