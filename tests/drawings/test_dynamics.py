@@ -18,7 +18,7 @@ from drawings.dynamics import graphs
 from drawings.dynamics.due import expected
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS, WORKS, AnalysedTurn
 from drawings.dynamics.flywheel_sketch import Outlines
-from drawings.dynamics.report import notes_of
+from drawings.dynamics.report import chapters, notes_of
 from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, sheets
 from drawings.grading.curves.run_figures import TurnCourses, speeds_before
 from drawings.page.page import drafting_of
@@ -191,6 +191,16 @@ def test_a_constant_load_has_its_diagram_as_one_that_changes_and_is_told_too(law
     said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
     assert ("3200 N against the motion of B" in said.replace("\N{NO-BREAK SPACE}", " ")) == told
     assert "load_diagram-F_us" in {group.name for leaf in laid for group in groups(leaf.groups)}
+
+
+@pytest.mark.parametrize("forces", [False, True])
+def test_masses_and_their_centres_are_told_where_no_force_sheet_of_the_set_tells_them(forces: bool) -> None:
+    asked = text().replace('["dynamics"]', '["dynamics", "forces"]') if forces else text()
+    laid = leaves(machine := Study(parse_scene(asked)))
+    said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
+    assert [words in said for words in ("400", "JS2", "AB: S2 (150; 0)")] == [not forces] * 3
+    subject = "\n".join(chapters(machine, {"dynamics": laid}).subject)
+    assert ("m = 4 kg, J = 0.06 kg·m² about S at (0.15; 0) m" in subject) == (not forces)
 
 
 @pytest.mark.parametrize(
