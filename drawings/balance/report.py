@@ -109,7 +109,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell what is balanced, by what, and what it costs."""
     language, notes = study.scene.sheet.language, notes_of(study)
     aim = word(language, f"report.aim_{notes.balance.task.aim}")
-    masses = () if "forces" in study.techniques else mass_table(notes.machine, language)
+    masses = () if {"forces", "dynamics"} & {*study.techniques} else mass_table(notes.machine, language)
     return Chapters(
         subject=[chapter(language, "balancing"), aim, *masses, *map(entry, notes.main_points())],
         values=[

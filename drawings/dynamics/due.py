@@ -71,11 +71,9 @@ def _reduction(study: Study, found: Account) -> Iterator[Expected]:
     yield from _columns(columns, map(str, range(len(reduced.phi))))
     angles = np.linspace(0.0, TURN, 2 * int(WHOLE) + 1)
     dense = reducing.ordinates(reducing.motion(angles)) if motion.road.whole is not None else None
+    unknown = np.full(len(angles), math.nan)
     for figure, letter, part in (MOMENTS, "M_{red}", "moment"), (INERTIA, "J_{red}", "inertia"):
-        values, curve = (
-            getattr(reduced, part),
-            np.full(len(angles), math.nan) if dense is None else getattr(dense, part),
-        )
+        values, curve = getattr(reduced, part), unknown if dense is None else getattr(dense, part)
         slack, whole = KNOWN * float(np.nanmax(np.abs(values), initial=0.0)), not np.isnan(curve).any()
         allowed, ends = (slack, (0.0, WHOLE)) if whole else (math.inf, (math.nan, math.nan))
         yield Expected(Kind.CURVE, figure, letter, course(np.degrees(angles), curve), allowed, ends=ends)

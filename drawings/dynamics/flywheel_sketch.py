@@ -99,18 +99,13 @@ def measure(rim: Wheel, drafting: Drafting) -> Picture:
 def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the sketch in its spot: the cut hatched, the side view, axes, sizes; mass and inertia under its scale."""
     place, hand, wheel = room.place(*spot), drafting.hand, Outlines(rim)
-    title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand, *said(rim, drafting))
+    title, scale = drafting.word("flywheel"), drafting.scale(spot.scale)
+    told = telling(NAME, heading(spot.box, title, scale, hand, *said(rim, drafting)))
     sizes = tuple(_sizes(wheel, place, drafting))
     marks = (
         _marked(line, letter, value, spot.scale, hand) for line, (letter, value) in zip(sizes, true(rim), strict=True)
     )
-    lines = (
-        telling(NAME, title),
-        *_cut(wheel, place, hand),
-        *_side(wheel, place, hand),
-        *_axes(wheel, place, hand),
-        *marks,
-    )
+    lines = (told, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
     return LetteredFigure(NAME, lines, partial(_letters, sizes, hand))
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from drawings.dynamics import report_tables as tables
 from drawings.dynamics.flywheel_sketch import geared
 from drawings.dynamics.given import RPM, given
-from drawings.forces.report import counted_strokes
+from drawings.forces.report import masses_and_loads
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
 from drawings.report.formula import DIGITS, Chapters, entry, listed, plain, see
@@ -244,11 +244,14 @@ def _flywheel(cycle: Cycle | None, task: Task, delta: float) -> Flywheel:
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
-    """Tell the motion of a machine."""
-    language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
+    """Tell the motion of a machine, and its masses and loads where no chapter of forces does."""
+    language, notes, statics = study.scene.sheet.language, notes_of(study, DIGITS), study.of(Statics)
+    told = [] if "forces" in study.techniques else masses_and_loads(statics, language)
+    way = "clockwise" if statics.study.mechanism.drive.omega < 0 else "counter-clockwise"
+    turns = word(language, "report.crank_turns", way=message(f"way.{way}"))
     account: Account = study.of(DynamicsComparison).construction
     return Chapters(
-        subject=[*listed(chapter(language, "dynamics"), notes.asked()), *_ways(study)],
+        subject=[*told, *listed(chapter(language, "dynamics"), notes.asked()), turns],
         values=[
             *_reduction(account, notes),
             *_works(account, notes),
@@ -261,15 +264,6 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
         ],
         left_out=[word(language, "report.dynamics_left_out")],
     )
-
-
-def _ways(study: Study) -> Iterator[str]:
-    """Tell how the crank turns, and the strokes that loads count where no chapter of forces does."""
-    statics, language = study.of(Statics), study.scene.sheet.language
-    way = "clockwise" if statics.study.mechanism.drive.omega < 0 else "counter-clockwise"
-    yield word(language, "report.crank_turns", way=message(f"way.{way}"))
-    if "forces" not in study.techniques:
-        yield from counted_strokes(statics, language)
 
 
 def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:

@@ -20,7 +20,7 @@ from drawings.dynamics.report import notes_of
 from drawings.dynamics.report_tables import without_rounding
 from drawings.forces import load_diagram
 from drawings.forces.load_diagram import LoadCourse, courses
-from drawings.forces.notes import loads_given, masses
+from drawings.forces.notes import given, loads_given
 from drawings.kinds import curve_graph
 from drawings.kinds.curve_graph import GraphCurve
 from drawings.layout.contents import Panel
@@ -29,7 +29,6 @@ from drawings.layout.room import room_of
 from drawings.layout.slicing import GAP
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
-from drawings.linkage.notes import lengths
 from drawings.linkage.positions import of_linkage
 from drawings.page.page import Drafting, Page, drafting_of, page_of
 from drawings.paper.strokes import Leaf
@@ -190,7 +189,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     level = () if alone else courses(*statics.level())
     loads = (*courses(statics.machine, statics.strokes), *level)
     steady = [load for load in statics.machine.loads if not asks(load)]  # the others have their diagrams
-    links = (*lengths(made.linkage, drafting.language), *masses(statics, drafting.language)) if alone else ()
+    links = () if "forces" in study.techniques else given(statics, drafting.language)
     notes = (*links, *loads_given(steady, statics, drafting.language), *said.all)
     machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, notes)
     if alone:
@@ -235,15 +234,8 @@ class _DynamicsSheet:
 
     def _drafted(self, most: int) -> Draft:
         title, facts = self.drafting.word("dynamics sheet title"), partial(figures_facts, positions=most)
-        return Draft(
-            "dynamics",
-            title,
-            tuple(self._shows(most)),
-            (),
-            self.machine.notes,
-            facts,
-            narrow=EQUATION if self.machine.drawn.cycle else 0.0,
-        )
+        shows, narrow = tuple(self._shows(most)), EQUATION if self.machine.drawn.cycle else 0.0
+        return Draft("dynamics", title, shows, (), self.machine.notes, facts, narrow=narrow)
 
     def _shows(self, most: int) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""

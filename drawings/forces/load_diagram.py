@@ -166,12 +166,17 @@ def name_of(course: LoadCourse) -> str:
     return f"{NAME}-{course.name}"
 
 
-def marks(course: LoadCourse, axes: Axes, hand: Hand) -> list[tuple[str, complex]]:
-    """Letter the corners at their true places; of many those that have room for it, as far as the alphabet goes."""
-    corners = course.corners
+def marks(course: LoadCourse, hand: Hand) -> list[tuple[str, complex]]:
+    """Letter the corners at their true places; of many those that have room for it, as far as the alphabet goes.
+
+    Room is that of the smallest diagram that may be drawn: all sheets of a set letter one load alike.
+    """
+    corners, (low, high) = course.corners, course.span
     if len(corners) <= FEW:
         return [*zip(ascii_lowercase, corners, strict=False)]
-    places = [axes.on(corner.real, corner.imag) for corner in corners]
+    long = FORM.letters * hand.letter
+    wide, tall = long / course.length, long / FORM.ratio / (high - low)
+    places = [complex(wide * corner.real, tall * corner.imag) for corner in corners]
     kept = spaced(places, APART * hand.number, (0, len(corners) - 1, *range(len(corners))))
     return [*zip(ascii_lowercase, (corners[k] for k in sorted(kept)), strict=False)]
 
@@ -189,7 +194,7 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
     hand, span = drafting.hand, course.span
     axes = standing(room, spot, span, CARD if course.card else ("M", "N*m") if course.couple else ("F", "N"), drafting)
     graph = Graph(room.name, axes, hand)
-    sizes, shown = tuple(_sizes(course, axes, drafting)), marks(course, axes, hand)
+    sizes, shown = tuple(_sizes(course, axes, drafting)), marks(course, hand)
     numbers, dots = _positions(course, axes, hand)
     lines = (
         heading(spot.box, _title(course, drafting), drafting.scale(spot.scale, axes.up), hand),

@@ -8,7 +8,7 @@ import numpy as np
 
 from drawings.forces.letters import force_letter
 from drawings.forces.report import least, stretching
-from drawings.lettering.words import Slot, joined, number, numbered, phrase, runs, word
+from drawings.lettering.words import Slot, joined, number, numbered, phrase, runs, with_index, word
 from drawings.linkage.notes import driving, lengths
 from geometry.board import at
 from plans.forces.quantities import ForceComparison
@@ -70,8 +70,8 @@ def loads_given(loads: Iterable[Force | Moment], statics: Statics, language: str
     for spring in statics.machine.springs:
         stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
         free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
-        name = force_letter(spring.name, language)
-        yield word(language, "spring given", name=name, stiffness=stiffness, free=free)
+        ends = {"name": force_letter(spring.name, language), "start": spring.points[0], "end": spring.points[1]}
+        yield word(language, "spring given", **ends, stiffness=stiffness, free=free)
 
 
 def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
@@ -82,6 +82,8 @@ def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
         said = word(language, "load diagram", name=name)
     elif isinstance(load, Force) and load.direction is None and load.line is None:
         said = word(language, "load against", name=name, size=size, point=load.point)
+    elif isinstance(load, Moment) and load.against:
+        said = word(language, "moment against", name=name, size=size, link=load.link)
     else:
         said = word(language, "load always", name=name, size=size)
     during = [*_place(load, language), *_sides(load, language)] if isinstance(load, Force) else []
@@ -129,6 +131,18 @@ def masses(statics: Statics, language: str) -> Iterator[str]:
         if body.inertia:
             told.append(f"J_{{S{link}}} = {number(body.inertia, language)}{NBSP}{word(language, 'kg*m2')}")
     yield ",  ".join(told) or word(language, "no masses")
+
+
+def given(statics: Statics, language: str) -> Iterator[str]:
+    """Tell lengths, masses and mass centres where no scheme of forces shows them."""
+    yield from (*lengths(statics.study, language), *masses(statics, language))
+    told = []
+    for link, body in sorted(statics.machine.bodies.items()):
+        name = "".join(map(with_index, [*statics.study.mechanism.links[link].points][:2]))
+        at = "; ".join(number(1000 * size, language) for size in (body.centre.real, body.centre.imag))
+        told.append(f"{name}: S_{{{link}}} ({at})")
+    if told:
+        yield word(language, "centres given", given=",  ".join(told))
 
 
 def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:

@@ -95,7 +95,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     scales = drawn_scales(leaves)
     lines = equations(statics, comparison, drafting_of_forces(statics), scales)
     return Chapters(
-        subject=[*_bodies(statics, language), *counted_strokes(statics, language)],
+        subject=masses_and_loads(statics, language),
         values=[*lines, *see(leaves, language, *FIGURES), *forces(comparison, statics, language)],
         left_out=[word(language, "report.forces_drawn", positions=", ".join(map(str, scales)))],
     )
@@ -175,6 +175,11 @@ def mass_table(machine: Machine, language: str) -> Iterator[str]:
         yield word(language, "report.body", link=link, **texts)
 
 
+def masses_and_loads(statics: Statics, language: str) -> list[str]:
+    """Tell masses and loads, and the strokes that loads count."""
+    return [*_bodies(statics, language), *_counted_strokes(statics, language)]
+
+
 def _bodies(statics: Statics, language: str) -> Iterator[str]:
     machine = statics.machine
     say, write = partial(word, language), partial(number, language=language)
@@ -197,8 +202,8 @@ def _bodies(statics: Statics, language: str) -> Iterator[str]:
         line = say("report.moment", name=moment.name, link=moment.link, during=moment.during)
         yield say("report.load_size", line=line, size=write(moment.size), unit=lettering.word(language, "N*m"))
     for spring in machine.springs:
-        ends = {"start": spring.points[0], "end": spring.points[1]}
-        yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
+        ends = {"name": spring.name, "start": spring.points[0], "end": spring.points[1]}
+        yield say("report.spring", **ends, stiffness=write(spring.stiffness), free=write(spring.free))
 
 
 def _piston(force: ForceTable, language: str) -> Iterator[str]:
@@ -225,7 +230,7 @@ def _size(line: str, size: float, diagram: Diagram | None, language: str) -> str
     return word(language, "report.load_diagram", line=line, size=number(size * most, language), unit=unit)
 
 
-def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
+def _counted_strokes(statics: Statics, language: str) -> Iterator[str]:
     """Tell the strokes over which loads change, each with the loads that count it."""
     loads = [load for load in statics.machine.loads if asks(load)]
     for track, stroke in statics.strokes.items():

@@ -18,7 +18,7 @@ from drawings.dynamics import graphs
 from drawings.dynamics.due import expected
 from drawings.dynamics.due_graphs import INERTIA, SURPLUS, WORKS, AnalysedTurn
 from drawings.dynamics.flywheel_sketch import Outlines
-from drawings.dynamics.report import notes_of
+from drawings.dynamics.report import chapters, notes_of
 from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, sheets
 from drawings.grading.curves.run_figures import TurnCourses, speeds_before
 from drawings.page.page import drafting_of
@@ -99,10 +99,7 @@ def test_speeds_follow_from_the_energies_that_are_drawn(delta: float) -> None:
     assert (other.min() + other.max()) / 2 == pytest.approx(1.0, rel=1e-9)
     kinetic = MASSES * other**2 / 2
     assert kinetic - kinetic[0] == pytest.approx(0.98 * surplus, abs=1e-9)
-
-
-def test_nothing_follows_from_energies_at_which_the_machine_would_stop() -> None:
-    true, surplus = swinging(1.9)
+    true, surplus = swinging(1.9)  # at three times whose energies the machine would stop: nothing follows
     assert np.isnan(drawn_on(true, 3 * surplus)).all()
 
 
@@ -191,6 +188,14 @@ def test_a_constant_load_has_its_diagram_as_one_that_changes_and_is_told_too(law
     said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
     assert ("3200 N against the motion of B" in said.replace("\N{NO-BREAK SPACE}", " ")) == told
     assert "load_diagram-F_us" in {group.name for leaf in laid for group in groups(leaf.groups)}
+
+
+@pytest.mark.parametrize("forces", [False, True])
+def test_masses_and_their_centres_are_told_where_no_force_sheet_of_the_set_tells_them(forces: bool) -> None:
+    laid = leaves(machine := Study(parse_scene(text().replace('["dyn', '["forces", "dyn' if forces else '["dyn'))))
+    told = [*chapters(machine, {"dynamics": laid}).subject, *(one.plain for leaf in laid for one in texts(leaf.groups))]
+    words = "lAB", "JS2", "AB: S2 (150; 0)", "S at (0.15; 0) m"
+    assert [word in " ".join(told) for word in words] == [not forces] * 4
 
 
 @pytest.mark.parametrize(

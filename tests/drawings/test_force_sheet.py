@@ -183,11 +183,8 @@ def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematic
     motion = both.comparison("linkage")
     assert [planless(own.study, motion, beside) for beside in ((drawn,), (0, drawn))] == [(), ()]
     assert planless(alone["linkage"], motion, (drawn,)) == ()
-    other = Study(
-        parse_scene(
-            f"{text}\n[sheet]\nplans = [{(drawn + 3) % 12}]\n".replace('["forces"]', '["kinematics", "forces"]')
-        )
-    )
+    asked = f"{text}\n[sheet]\nplans = [{(drawn + 3) % 12}]\n".replace('["forces"]', '["kinematics", "forces"]')
+    other = Study(parse_scene(asked))
     assert planless(other["linkage"], motion, (drawn,)) == (drawn,)
 
 

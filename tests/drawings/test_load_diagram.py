@@ -12,7 +12,7 @@ from drawings.paper.walk import texts
 from plans.forces.loading import OutputStroke
 from plans.model.machine import ALWAYS, IDLE, OUTPUT, WORKING, Diagram, Force, Machine, Moment, Piston, Transmission
 from plans.model.mechanism import Way
-from tests.drawings.exhibits import exhibited
+from tests.drawings.exhibits import exhibited, read_back
 
 SLIDES = OutputStroke(0.0, 3.0, 1, (0.5, 0.3), 3, "B", Way(0j, 1 + 0j))
 SWINGS = OutputStroke(0.0, 3.0, 1, (0.3, 1.3), 3)
@@ -52,6 +52,13 @@ def test_loads_that_never_change_have_no_diagram() -> None:
     steady = Force("F_0", 3, "B", 0j, 10.0, 1j)
     machine = Machine({}, 0j, (steady, GAS, PLANER), (Moment("M_0", 1, 1.0), SAW), (), Transmission(), {})
     assert [one.name for one in courses(machine, {OUTPUT: SLIDES})] == ["F_g", "F_us", "M_us"]
+
+
+def test_of_many_corners_every_sheet_letters_the_same() -> None:
+    many = GAS._replace(diagram=Diagram(tuple(k / 15 for k in range(16)), tuple(8000 / (1 + k) for k in range(16))))
+    leaves = (exhibited([(load_diagram, course_of(many, SLIDES))], size) for size in ("A1", "A3"))
+    large, small = ({mark.name: round(mark.value.imag) for mark in read_back(leaf).vectors} for leaf in leaves)
+    assert large == small and 4 < len(large) < 16
 
 
 PISTON = Piston(0.005, 0.005, 500.0)  # 50 cm2, the air's 1 bar behind it

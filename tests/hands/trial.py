@@ -111,7 +111,8 @@ def _figures(
 ) -> Iterator[Held]:
     """Hold each figure as a whole: its values are out together, so that there are no more than there are drawings."""
     for one in figures:
-        own = [[said for said in told if (said.plan, bool(said.name)) == (one.plan, True)] for told in curves]
+        names = {(one.plan, item.called) for item in one.items}
+        own = [[said for said in told if (said.plan, said.name) in names] for told in curves]
         bad = [np.mean([not said.good for said in values]) for values in own]
         ways = np.array([1, 1, 1j, 1j] if one.kind == POINTS else [1, 1]) / np.sqrt(2)  # two slips each way
         slips = [slip * one.scale * one.error[k] * ways for k in one.places]

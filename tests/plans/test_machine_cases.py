@@ -134,7 +134,8 @@ def test_plans_at_the_machines_true_speed() -> None:
     paced = Study(scene)
     omega, epsilon = (paced["linkage"].motion(2).links[1][order] for order in (1, 2))
     after = paced["dynamics"].linkage.turn.phi
-    exact = compare_at(after)
+    exact = compared().after
+    assert isinstance(exact, Swing)
     assert omega == pytest.approx(exact.omega(after), rel=1e-12)
     assert epsilon == pytest.approx(exact.epsilon(after), rel=1e-9)
     assert paced.comparison("forces").agrees
@@ -153,12 +154,6 @@ def test_plans_at_the_true_speed_of_a_machine_with_its_motor() -> None:
     smooth = np.abs(np.roll(epsilon, -1) - np.roll(epsilon, 1)) < 0.05 * np.abs(epsilon).max()
     assert smooth.sum() > 650
     assert (omega * risen)[smooth] == pytest.approx(epsilon[smooth], abs=1e-3 * np.abs(epsilon).max())
-
-
-def compare_at(turned: np.ndarray) -> Swing:
-    found = compared().after
-    assert isinstance(found, Swing)
-    return found
 
 
 def test_true_speed_of_a_machine_that_stops() -> None:

@@ -122,20 +122,16 @@ class _Answer:
 
     @property
     def whole_values(self) -> Complexes:
-        """The values at all places: by what they all fit, or between those that are marked out as these are."""
+        """The values at all places: as that says which most of them fit, out between marks as these are out of it."""
         true, there = self.asked.true, self.drawn.there
         if not there.any():
             return true
         named = () if self.mistake is None else (self.mistake.values,)
-        for expected in (*self.going_on, true, *named):
-            if self.fits(expected):
-                return np.asarray(np.where(there, self.drawn.values, expected))
+        base = max((*self.going_on, true, *named), key=lambda values: int(self._fits(values)[self.marked].sum()))
         # What is too short to be drawn is not marked: it is where it should be.
         known = there | (np.abs(true) <= SHORT * self.asked.scale)
-        at, moved, there = np.arange(len(true)), np.where(there, self.drawn.values - true, 0), known
-        return np.asarray(
-            true + np.interp(at, at[there], moved[there].real) + 1j * np.interp(at, at[there], moved[there].imag)
-        )
+        at, moved = np.arange(len(true)), np.where(there, self.drawn.values - base, 0)[known]
+        return np.asarray(base + np.interp(at, at[known], moved.real) + 1j * np.interp(at, at[known], moved.imag))
 
     def _whole(self) -> tuple[Mistake | None, float | None]:
         """Give the mistake by which most of a figure is out, and the factor, if it is one."""
