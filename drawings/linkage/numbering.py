@@ -207,8 +207,14 @@ def _track_numbers(pairs: Pairs, track: NumberedTrack, labels: Labels) -> Iterat
         spot = place.on(station.spot)
         angle, more = _outward(bones, track, station, place)
         gap = (pairs.clear(track.point) if _is_shown(bones, station) else 0.0) + PATH_GAP + more * hand.number
-        number = labels.free(spot, station.name, hand.number, gap, angle)
+        number = labels.free(spot, station.name, hand.number, gap, angle, _ticks(track, station, place, hand))
         yield from () if number is None else (number,)
+
+
+def _ticks(track: NumberedTrack, station: NumberedPlace, place: Place, hand: Hand) -> Lines:
+    """Give the other ticks along a guide: a number is nearest to its own, or led to it; on an arc its ring tells."""
+    own, others = place.on(station.spot), [place.on(other.spot) for other in track.places if track.slide]
+    return [(other, other) for other in others if abs(other - own) > TOGETHER * hand.number]
 
 
 def _is_shown(bones: Skeletons, station: NumberedPlace) -> bool:

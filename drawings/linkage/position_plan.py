@@ -178,7 +178,7 @@ def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     Of an arc alone nothing is hatched or crossed past its ends: the figure has no room for that.
     """
     pivot, radius, (low, high) = bones.pivot(place), bones.crank(place), bones.swept
-    strokes: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)]
+    strokes: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)] if low < high else []
     for barrier in bones.study.met:
         count = max(int((barrier.end - barrier.start) * radius / HATCH), 1)
         angles = (barrier.start + (barrier.end - barrier.start) * k / count for k in range(count + 1))

@@ -11,6 +11,8 @@ import numpy as np
 from drawings.kinds.outlines import Poses
 from drawings.kinds.scheme import Joints
 from drawings.layout.picture import Place
+from drawings.paper.strokes import TURN
+from drawings.paper.walk import tied
 from geometry.board import at
 from plans.linkage.plan import Plan, angle, unnamed
 from plans.linkage.primary import PRIMARIES, CrankPositions
@@ -20,8 +22,6 @@ from plans.linkage.travel import ExtremePositions, other_strokes
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Motion
 from plans.model.triad import Triad
-
-MORE = 0.2  # rad of the crank's circle drawn past the outermost of some listed angles
 
 
 class SpecialMark(NamedTuple):
@@ -69,13 +69,13 @@ class Skeletons:
     @property
     def swept(self) -> tuple[float, float]:
         """Give the crank angles, rad, between which its circle is drawn: a whole turn, or what listed angles span."""
-        low, high = self.study.span[0] - MORE, self.study.span[1] + MORE
-        return (low, high) if high - low < 2 * math.pi else (0.0, 2 * math.pi)
+        low, high = self.study.span
+        return (low, high) if high - low < TURN else (0.0, TURN)
 
     def sweeps(self, angle: float) -> bool:
         """Tell whether the drawn part of the crank's circle has an angle, rad."""
         low, high = self.swept
-        return (angle - low) % (2 * math.pi) <= high - low
+        return tied(abs(math.remainder(angle - (low + high) / 2, TURN)) - (high - low) / 2) <= 0
 
     def spot(self, name: str, position: int) -> complex:
         """Give a point's place; fixed points are known in every position, others are NaN at a gap."""

@@ -223,15 +223,15 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
 
 
 def _letter(shown: VectorDiagram, place: Place, box: Field, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
-    """Letter the images; beside the plan draw how its Coriolis parts are directed; letter its parts."""
+    """Letter the images and parts; off all letters draw beside the plan how its Coriolis parts are directed."""
     hand = drafting.hand
     yield Group(tuple(letter_images(_images(shown, place), hand.letter, labels)))
+    parts = letter_parts(_parts(shown, place, drafting), labels, hand, shown.name)
+    yield from (parts,) if parts.strokes else ()
     for rule in shown.turned:
         told = rule._replace(letter=drafting.letter(with_index(_coriolis(shown, rule.letter))))
         nearby = draw_nearby(told, box, labels.ink, hand) if place.length(rule.size) >= LEAST else None
         yield from () if nearby is None else (nearby,)
-    parts = letter_parts(_parts(shown, place, drafting), labels, hand, shown.name)
-    yield from (parts,) if parts.strokes else ()
 
 
 def _coriolis(shown: VectorDiagram, name: str) -> str:

@@ -11,10 +11,12 @@ import pytest
 import shapely
 from shapely.geometry.base import BaseGeometry
 
+from drawings.checks.hold import distance, labels_of
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
-from drawings.linkage.numbering import lone
+from drawings.lettering.lettering import TOGETHER
+from drawings.linkage.numbering import lone, numbers
 from drawings.linkage.position_plan import layers
 from drawings.linkage.sheet import leaves, position
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
@@ -135,6 +137,19 @@ def test_a_number_on_a_trajectory_joins_no_row_of_a_guide() -> None:
     found = drawn("shaper")
     pin, pairs = found.on("D"), Pairs(found.bones, found.place, A1)
     assert not lone(pin, pairs) and not lone(pin + 5j, pairs) and lone(pin + 20j, pairs)
+
+
+def test_a_number_along_a_guide_is_nearest_to_its_own_tick_or_led_to_it() -> None:
+    found, sheet = drawn("three-lead-press"), Ink(500, 500)
+    sheet.draw(found.strokes())
+    labels = labels_of(tuple(numbers(Pairs(found.bones, found.place, A1), Labels(sheet, A1.drafted))))
+    ticks, along = [found.on("E", k) for k in range(12)], 0
+    for tick, label in ((tick, label) for k, tick in enumerate(ticks) for label in labels[str(k)]):
+        others = [other for other in ticks if abs(other - tick) > TOGETHER * A1.number]
+        own, least = distance([label], [tick]), distance([label], others)
+        along += own < 20  # farther off is the crank
+        assert own > 20 or own <= least + HAIR
+    assert along > 3
 
 
 def test_a_leader_runs_along_no_line() -> None:

@@ -73,9 +73,6 @@ def test_sheets_of_random_scenes_keep_the_laws(number: int) -> None:
     assert list(breaches(leaves, parse_scene(made.text).sheet.standard)) == []
 
 
-# What each law finds
-
-
 def sheet(name: str, kind: str) -> Leaf:
     return sheets(name)[0][kind][0]
 
@@ -91,6 +88,14 @@ def each(kind: type[Stroke], change: Callable[..., Stroke]) -> Change:
     return lambda one: change(one) if isinstance(one, kind) else one
 
 
+def more(kind: type[Stroke], field: str, by: float) -> Change:
+    return each(kind, lambda one: one._replace(**{field: getattr(one, field) + by}))
+
+
+def pen(width: float) -> Change:
+    return each(Line, lambda one: one._replace(style=one.style._replace(width=width)))
+
+
 def longer(one: Line) -> Line:
     return one._replace(end=one.start + 1.1 * (one.end - one.start))
 
@@ -103,41 +108,21 @@ def bent(one: Polyline) -> Polyline:
     return one._replace(points=(one.points[0] + 1, *one.points[1:])) if len(one.points) == 4 else one
 
 
-def thinner(one: Line) -> Line:
-    return one._replace(style=one.style._replace(width=0.3))
-
-
-def thin(one: Line) -> Line:
-    return one._replace(style=one.style._replace(width=0.35))
-
-
-def smaller(one: Circle) -> Circle:
-    return one._replace(radius=0.9 * one.radius)
-
-
-def moved(one: Circle) -> Circle:
-    return one._replace(centre=one.centre + 1)
-
-
-def leaning(one: Line) -> Line:
-    return one._replace(start=one.start + 1)
-
-
 OVER = Text(200 + 200j, "B"), Line(190 + 201j, 220 + 201j)
 BREACHES: Mapping[str, tuple[object, str, Change]] = {
     "a head too large": (arrows, "forces", in_part("scheme-2-3-2", each(Fill, larger))),
     "a vector longer than to its head": (arrows, "forces", in_part("forces-2-3-2", each(Line, longer))),
-    "a force off its image": (arrows, "forces", in_part("lever-2", each(Circle, moved))),
-    "a tick of the bar aside": (bar, "forces", in_part("control-bar", each(Line, leaning))),
+    "a force off its image": (arrows, "forces", in_part("lever-2", more(Circle, "centre", 1))),
+    "a tick of the bar aside": (bar, "forces", in_part("control-bar", more(Line, "start", 1))),
     "a bar too long": (bar, "forces", in_part("control-bar", each(Line, longer))),
     "a text over a line": (lettering, "forces", plus("scheme-2-3-2", *OVER)),
     "a text covered": (lettering, "forces", plus("notes", Fill((0j, 800 + 0j, 800 + 300j, 300j), WHITE))),
     "a side of a polygon too long": (polygons, "forces", stretched("R_03", "forces-2-3", 1.5)),
     "a letter twice": (repeats, "forces", plus("scheme-2-3-2", OVER[0], OVER[0])),
     "a block out of square": (symbols, "kinematics", in_part("positions", each(Polyline, bent))),
-    "a hinge too small": (symbols, "kinematics", in_part("positions", each(Circle, smaller))),
-    "a line by a pen of no hand": (widths, "kinematics", in_part("shown-position", each(Line, thinner))),
-    "a position shown thin": (widths, "kinematics", in_part("shown-position", each(Line, thin))),
+    "a hinge too small": (symbols, "kinematics", in_part("positions", more(Circle, "radius", -0.2))),
+    "a line by a pen of no hand": (widths, "kinematics", in_part("shown-position", pen(0.3))),
+    "a position shown thin": (widths, "kinematics", in_part("shown-position", pen(0.35))),
 }
 
 
