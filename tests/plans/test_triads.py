@@ -304,7 +304,14 @@ PLATE = scene(
 )
 BETWEEN = "B1 = [0.171, 0.142]\nB2 = [0.490, 0.176]\nB3 = [0.3326, 0.3516]"
 AS_SHOWN = "B1 = [0.08, 0.22]\nB2 = [0.42, 0.18]\nB3 = [0.30, 0.40]"
+PARALLEL = [
+    ("A2 = [0.5, 0]\nA3 = [0.55, 0.5]", "A2 = [0.15, 0]\nA3 = [0.30, 0]"),
+    ("A1B1 = 0.25\nB1B2 = 0.34\nB1B3 = 0.28\nB2B3 = 0.25", "A1B1 = 0.2\nB1B2 = 0.12\nB1B3 = 0.27\nB2B3 = 0.15"),
+    ("A3B3 = 0.27", "A3B3 = 0.2"),
+    (AS_SHOWN, "B1 = [0.03, 0.2]\nB2 = [0.15, 0.2]\nB3 = [0.3, 0.2]"),
+]
 REFUSED = {
+    "three equal parallel leads": (PARALLEL, r"III\(2,3,4,5\) jams at the first position.* line of lead 5 is 0\. Fix:"),
     "between two assemblies": ([(AS_SHOWN, BETWEEN)], "can be assembled in"),
     "change points": ([("[mechanism.frame]", '[mechanism]\nthrough = "inertia"\n[mechanism.frame]')], "three-lead"),
     "a lead that slides twice": (
@@ -314,6 +321,16 @@ REFUSED = {
         "link 2 slides both",
     ),
 }  # fmt: skip
+
+
+def test_two_leads_may_make_a_parallelogram() -> None:
+    """The plate only translates, B1 about 0.03 as A1B1 about A1: it is halfway to A1, and square to the way there."""
+    study = LinkageStudy(parse_scene(changed(PLATE, *PARALLEL, ("start = 0", "start = 40"))))
+    first, shifted = cmath.rect(0.03, radians(40)), 0.03
+    half = (first - shifted) / 2
+    reach = -1j * half / abs(half) * (0.2**2 - abs(half) ** 2) ** 0.5
+    for road in (study.motion(0), solve(study.mechanism, study.turn.phi, 0)):
+        assert road.points["B1"].r[0] == pytest.approx(shifted + half + reach, abs=1e-13)
 
 
 @pytest.mark.parametrize("why", REFUSED)
