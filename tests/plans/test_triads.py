@@ -11,6 +11,9 @@ import mpmath
 import numpy as np
 import pytest
 
+from drawings.forces.report_equations import CutEquations
+from drawings.page.page import drafting_of
+from drawings.report.formula import Formula
 from geometry.branch import AssemblyBranch
 from geometry.errors import DraftError
 from geometry.three_leads import BodyPose
@@ -26,7 +29,7 @@ from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans import linkages
 from tests.plans.digits import printed
-from tests.plans.force_cases import ROADS, compared, of_road
+from tests.plans.force_cases import ROADS, compared, of_road, statics_of
 from tests.plans.replays import Replay
 from tests.plans.scenes import changed, scene
 from tests.plans.studies import shown, study_of, value
@@ -264,6 +267,20 @@ def test_forces_by_moments_about_the_special_point(road: str) -> None:
     assert printed(*((way.conjugate() * force).real for way, force in zip(along, outer, strict=True))) == (
         78.65637908, 36.38414578, 59.76864184,
     )  # fmt: skip
+
+
+def test_the_report_writes_each_sum_by_its_own_arms() -> None:
+    """About each lead's hinge, then of the whole group about S: what is written on the left makes what is found."""
+    statics = statics_of(loaded())
+    plan = statics.drafts([0]).plans.plan
+    formula = Formula(drafting_of(statics.study.scene))
+    lines = [*CutEquations(plan, 0, formula, (0.0, 0.0)).lines(next(cut for cut in plan.cuts if cut.group))]
+    about = [line.split(" = ")[0] for line in lines if "sum M" in line]
+    assert about == [rf"$$\sum M_{{{sum_}}}" for sum_ in ("B1(2)", "B2(4)", "B3(5)", "S45(2,3,4,5)")]
+    solved = [line.replace(r"\cdot", "*").split(" = ")[1:] for line in lines if "/" in line]
+    assert len(solved) == len(about)
+    for sum_, found in solved:
+        assert abs(eval(sum_)) == pytest.approx(float(found.split("\\")[0]), rel=2e-4)
 
 
 def test_a_triad_that_bears_nothing_gives_nothing() -> None:
