@@ -204,7 +204,7 @@ class CutGroup(NamedTuple):
 
     def sum_of(self, equation: MomentEquation) -> str:
         """Name the links of a sum of moments where the cut has several sums: (4,5)."""
-        links = sorted({acting.link for acting in (*equation.loads, *equation.couples)})
+        links = sorted({load.link for load in equation.loads} | {couple.link for couple in equation.couples})
         several = len(self.equations) > 1 or self.holds(equation)
         return f"({','.join(map(str, links))})" if several and links else ""
 
