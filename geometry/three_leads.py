@@ -21,6 +21,7 @@ ROD, GUIDE, SLOT = "RR", "PR", "RP"  # a lead's outer and inner pair: turning or
 ROUNDS = 12  # of Newton's method: from one true digit four rounds make sixteen; the rest is for slow beginnings
 THERE = 64.0 * EPS  # of a correction, in sizes of the body: a few roundings of what it is reckoned from
 ANGLES = np.exp(2j * np.pi * np.arange(7) / 7)  # a sum of sines of up to three angles is told by seven of its values
+AROUND = np.linspace(-1.0, 1.0, 65)  # rad
 MERGED = EPS**0.25  # sine of two lines that are one: at a double root, of which half the digits are known
 ROUND = 0.05  # a root so near to the unit circle may be a direction of the body
 
@@ -228,21 +229,26 @@ class HeldBody(NamedTuple):
         open_ = third * crosses[0] + first * crosses[1] + second * crosses[2]
         return open_, over / sum(sine**2 for sine in crosses)
 
-    def locus(self, known: Known, pose: BodyPose, out: int, turns: Sequence[float]) -> list[complex]:
+    def locus(self, known: Known, pose: BodyPose, out: int, turns: Any) -> Any:
         """Give where a lead's hinge goes that is let go, as the body turns by some angles on the two others."""
-        found = []
-        for angle in turns:
-            there = BodyPose(pose.reach, pose.turn * np.exp(1j * angle))
-            for _ in range(ROUNDS):
-                held = self.held(known, there)
-                (one, first), (two, second) = (
-                    (held.along[k], held.misses[k]) for k in range(len(self.leads)) if k != out
-                )
-                shift = 1j * (second * one - first * two) / cross(one, two)
-                there = BodyPose(there.reach - shift, there.turn)
-            spot = there.turn * (self.leads[out].at - self.leads[0].at)
-            found.append(complex(known.places[0] + there.reach + spot))
-        return found
+        there = BodyPose(pose.reach, pose.turn * np.exp(1j * np.asarray(turns)))
+        for _ in range(ROUNDS):
+            held = self.held(known, there)
+            (one, first), (two, second) = ((held.along[k], held.misses[k]) for k in range(len(self.leads)) if k != out)
+            there = BodyPose(there.reach - 1j * (second * one - first * two) / cross(one, two), there.turn)
+        return known.places[0] + there.reach + there.turn * (self.leads[out].at - self.leads[0].at)
+
+    def spanned(self, known: Known, pose: BodyPose, out: int) -> float:
+        """Give the length next to its own that a rod must span, as the body turns on the two others; NaN: its own."""
+        fan = AROUND
+        for _ in range(ROUNDS):
+            spans = np.abs(self.locus(known, pose, out, fan) - known.places[out])
+            off = np.where(np.isfinite(spans), np.abs(spans - self.leads[out].size), np.inf)
+            best = int(np.argmin(off))
+            if best in (0, len(fan) - 1):
+                return np.nan
+            fan = np.linspace(fan[best - 1], fan[best + 1], len(fan))
+        return float(spans[best]) if off[best] > np.sqrt(EPS) * self.size else np.nan
 
     def closed(self, known: Known, pose: BodyPose) -> tuple[BodyPose, Any]:
         """Close poses that are near to an assembly; tell where that is done."""

@@ -165,6 +165,19 @@ class Special(NamedTuple):
         return cls(name, base.board[name], (first, second), triad.leads[out])
 
 
+def spans(triad: Triad, settled: Mark, position: int) -> dict[str, dict[str, float]]:
+    """Tell of each rod that the others keep from its length how long it is, and how long it must be there, m."""
+    settling, begins = settled.step.settling, [mark.point for mark in settled.step.inputs]
+    assert settling is not None  # it was settled
+    known, pose = settling.known(begins[:-1]).at(position), settling.start.over(np.asarray(begins[-1]))[0]
+    found = {}
+    for k, lead in enumerate(lead for lead in triad.leads if lead.kind == ROD):
+        span = settling.body.spanned(known, pose[position], k)
+        if np.isfinite(span):
+            found[f"{lead.hinge}{lead.pin}"] = {"size": settling.body.leads[k].size, "span": span}
+    return found
+
+
 def _out(base: Plan, triad: Triad) -> int:
     settling = base.images[triad.basis].origin.step.settling
     assert settling is not None  # it was settled
