@@ -21,6 +21,8 @@ ROD, GUIDE, SLOT = "RR", "PR", "RP"  # a lead's outer and inner pair: turning or
 ROUNDS = 12  # of Newton's method: from one true digit four rounds make sixteen; the rest is for slow beginnings
 THERE = 64.0 * EPS  # of a correction, in sizes of the body: a few roundings of what it is reckoned from
 ANGLES = np.exp(2j * np.pi * np.arange(7) / 7)  # a sum of sines of up to three angles is told by seven of its values
+AROUND = np.linspace(-1.0, 1.0, 65)  # rad
+MERGED = EPS**0.25  # sine of two lines that are one: at a double root, of which half the digits are known
 ROUND = 0.05  # a root so near to the unit circle may be a direction of the body
 
 
@@ -178,14 +180,29 @@ class HeldBody(NamedTuple):
         found: list[BodyPose] = []
         for root in roots:
             turn = np.where(np.abs(np.abs(root) - 1) <= ROUND, root / np.abs(root), np.nan)
-            pose, ok = self.closed(known, BodyPose(self._height(known, turn)[1], turn))
-            for other in found:
-                ok = ok & ~(np.abs(other.turn - pose.turn) <= np.sqrt(EPS))
-            found.append(BodyPose(np.where(ok, pose.reach, np.nan), np.where(ok, pose.turn, np.nan)))
+            for start in self._starts(known, turn):
+                pose, ok = self.closed(known, BodyPose(start, turn))
+                for other in found:
+                    apart = np.abs(other.reach - pose.reach) / self.size + np.abs(other.turn - pose.turn)
+                    ok = ok & ~(apart <= np.sqrt(EPS))
+                if np.any(ok) or not found:
+                    found.append(BodyPose(np.where(ok, pose.reach, np.nan), np.where(ok, pose.turn, np.nan)))
         return found
 
-    def _height(self, known: Known, turn: Any) -> tuple[Any, Any]:
-        """Tell what the lengths leave open with the body at an angle, and where they put it but for that."""
+    def _starts(self, known: Known, turn: Any) -> list[Any]:
+        """Tell where a body may be at an angle: where two lines meet, or beside the rod on one that both are."""
+        rows, starts = self._lines(known, turn), [self._height(known, turn)[1]]
+        if len(rows) == 2:
+            (one, first), (two, second) = rows
+            merged = np.abs(cross(one, two)) <= MERGED * np.maximum(np.abs(one), np.abs(two)) ** 2
+            longer = np.abs(one) >= np.abs(two)
+            normal, foot = np.where(longer, one, two), np.where(longer, first, second)
+            aside = np.sqrt((self.leads[0].size * np.abs(normal)) ** 2 - foot**2)
+            starts += [normal * (foot + way) / np.abs(normal) ** 2 for way in (1j * aside, -1j * aside) if merged.any()]
+        return starts
+
+    def _lines(self, known: Known, turn: Any) -> list[tuple[Any, Any]]:
+        """Give the lines on which the lengths put a body at an angle: the normal, and how far along it."""
         rows = []
         rod = self.leads[0].kind == ROD
         for lead, place, way in list(zip(self.leads, *known, strict=True))[rod:]:
@@ -197,9 +214,13 @@ class HeldBody(NamedTuple):
             else:
                 normal = 1j * turn * lead.slot
                 rows.append((normal, -lead.size - dot(normal, apart)))
-        (one, first), (two, second), *last = rows
+        return rows
+
+    def _height(self, known: Known, turn: Any) -> tuple[Any, Any]:
+        """Tell what the lengths leave open with the body at an angle, and where they put it but for that."""
+        (one, first), (two, second), *last = self._lines(known, turn)
         sine, twice = cross(one, two), 1j * (second * one - first * two)
-        if rod:
+        if not last:
             return np.abs(twice) ** 2 - (self.leads[0].size * sine) ** 2, twice / sine
         ((three, third),) = last
         pairs = ((one, first, two, second), (two, second, three, third), (three, third, one, first))
@@ -208,21 +229,26 @@ class HeldBody(NamedTuple):
         open_ = third * crosses[0] + first * crosses[1] + second * crosses[2]
         return open_, over / sum(sine**2 for sine in crosses)
 
-    def locus(self, known: Known, pose: BodyPose, out: int, turns: Sequence[float]) -> list[complex]:
+    def locus(self, known: Known, pose: BodyPose, out: int, turns: Any) -> Any:
         """Give where a lead's hinge goes that is let go, as the body turns by some angles on the two others."""
-        found = []
-        for angle in turns:
-            there = BodyPose(pose.reach, pose.turn * np.exp(1j * angle))
-            for _ in range(ROUNDS):
-                held = self.held(known, there)
-                (one, first), (two, second) = (
-                    (held.along[k], held.misses[k]) for k in range(len(self.leads)) if k != out
-                )
-                shift = 1j * (second * one - first * two) / cross(one, two)
-                there = BodyPose(there.reach - shift, there.turn)
-            spot = there.turn * (self.leads[out].at - self.leads[0].at)
-            found.append(complex(known.places[0] + there.reach + spot))
-        return found
+        there = BodyPose(pose.reach, pose.turn * np.exp(1j * np.asarray(turns)))
+        for _ in range(ROUNDS):
+            held = self.held(known, there)
+            (one, first), (two, second) = ((held.along[k], held.misses[k]) for k in range(len(self.leads)) if k != out)
+            there = BodyPose(there.reach - 1j * (second * one - first * two) / cross(one, two), there.turn)
+        return known.places[0] + there.reach + there.turn * (self.leads[out].at - self.leads[0].at)
+
+    def spanned(self, known: Known, pose: BodyPose, out: int) -> float:
+        """Give the length next to its own that a rod must span, as the body turns on the two others; NaN: its own."""
+        fan = AROUND
+        for _ in range(ROUNDS):
+            spans = np.abs(self.locus(known, pose, out, fan) - known.places[out])
+            off = np.where(np.isfinite(spans), np.abs(spans - self.leads[out].size), np.inf)
+            best = int(np.argmin(off))
+            if best in (0, len(fan) - 1):
+                return np.nan
+            fan = np.linspace(fan[best - 1], fan[best + 1], len(fan))
+        return float(spans[best]) if off[best] > np.sqrt(EPS) * self.size else np.nan
 
     def closed(self, known: Known, pose: BodyPose) -> tuple[BodyPose, Any]:
         """Close poses that are near to an assembly; tell where that is done."""
@@ -234,6 +260,16 @@ class HeldBody(NamedTuple):
                 break
             last = off
         return pose, np.asarray(off <= np.sqrt(EPS))
+
+    def nearest(self, known: Known, pose: BodyPose) -> tuple[BodyPose, float]:
+        """Bring a pose in one position to where the lengths are least missed, jammed or not; tell by how much, m."""
+        held = self.held(known, pose)
+        for _ in range(ROUNDS):
+            rows = [(way.real, way.imag, arm / self.size) for way, arm in zip(held.along, held.moments, strict=True)]
+            x, y, turn = np.linalg.lstsq(np.array(rows), np.array(held.misses), np.sqrt(EPS))[0]
+            pose = BodyPose(pose.reach - x - 1j * y, pose.turn * np.exp(-1j * turn / self.size))
+            held = self.held(known, pose)
+        return pose, max(map(abs, held.misses))
 
     def meeting(self, known: Known, pose: BodyPose, inside: Any, pair: int) -> Meeting:
         """Meet the three lengths; `pair` is the lead that the special point of the others leaves out."""

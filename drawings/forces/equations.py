@@ -107,19 +107,14 @@ class SheetEquations:
         if terms:
             every = terms if given else {unknown: first, **terms}
             states = [self._said(equation, name) for name in every]
-            yield moments(self._about(equation), [*every.values()], states=states)
+            where = equation.about.name + self.cut.sum_of(equation)
+            yield moments(where, [*every.values()], states=states)
         yield from () if given else (plain(self.statement(unknown, value, unit)),)
 
     def _said(self, equation: MomentEquation, name: str) -> Statement:
         """Say whose a term is: by its force or moment, the point, and what the equation gives."""
         figure = f"equations-{self.cut.label}-{self.column}"
         return Statement(Kind.LETTER, figure, f"{name} about {equation.about.name} for {equation.found.name}")
-
-    def _about(self, equation: MomentEquation) -> str:
-        """Name the point of an equation, and the link where both leads have equations about one point."""
-        links = {load.link for load in equation.loads} | {couple.link for couple in equation.couples}
-        several = len(self.cut.equations) > 1 or self.cut.holds(equation)
-        return f"{equation.about.name}({min(links)})" if several and links else equation.about.name
 
     def _term(self, arm: Leverage) -> tuple[str, str]:
         return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"

@@ -106,7 +106,7 @@ class CutEquations:
         """Write an equation of moments, and the force or the moment that it gives."""
         formula, unknown = self.formula, equation.found.name
         armed = [arm for arm in arms if arm.equation is equation]
-        about = armed[0].about if armed else equation.about.name
+        about = equation.about.name
         lever_arm = next((arm for arm in armed if arm.name == unknown), None)
         loads = {load.name: load.force for load in equation.loads}
         acting = {name for name, mark in loads.items() if self._sized(abs(self.value(mark)))}
@@ -118,9 +118,7 @@ class CutEquations:
             return
         found = self.letter(unknown)
         first = found if lever_arm is None else _signed(lever_arm.sense, f"{found} {formula.letter(lever_arm.letter)}")
-        links = {load.link for load in equation.loads} | {couple.link for couple in equation.couples}
-        where = f"{about}({min(links)})" if (len(cut.equations) > 1 or cut.holds(equation)) and links else about
-        yield rf"$$\sum M_{{{where}}} = {total([first, *letters])} = 0$$"
+        yield rf"$$\sum M_{{{about}{cut.sum_of(equation)}}} = {total([first, *letters])} = 0$$"
         sign = -1 if lever_arm is None else -lever_arm.sense
         sizes = {load.name: formula.number(abs(self.value(load.force))) for load in equation.loads}
         products = (rf"{sizes[arm.name]} \cdot {formula.number(arm.length)}" for arm in others)

@@ -202,6 +202,12 @@ class CutGroup(NamedTuple):
         """Tell whether an equation gives the moment of a sliding pair, so that reactions of the group stand in it."""
         return self.group is not None and equation.line is None
 
+    def sum_of(self, equation: MomentEquation) -> str:
+        """Name the links of a sum of moments where the cut has several sums: (4,5)."""
+        links = sorted({load.link for load in equation.loads} | {couple.link for couple in equation.couples})
+        several = len(self.equations) > 1 or self.holds(equation)
+        return f"({','.join(map(str, links))})" if several and links else ""
+
     @property
     def label(self) -> str:
         """The links of the group: "4-5"."""

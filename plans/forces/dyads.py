@@ -28,7 +28,7 @@ def rrr(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     closed = polygon.close(plan, chain, (names[0], names[1]), (lines[0], lines[1]))
     supports = [polygon.hinge_reaction(plan, dyad, end, closed, parts[end]) for end in (0, 1)]
     pin = polygon.support(plan, (second, first), dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
-    return polygon.cut(plan, dyad, supports, pin, equations, closed.polygon)
+    return polygon.cut(plan, dyad, supports, [pin], equations, closed.polygon)
 
 
 def rrp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
@@ -44,7 +44,7 @@ def rrp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     closed = polygon.close(plan, chain, names, lines)
     pin = polygon.support(plan, (slider, rod), dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
     supports = [polygon.hinge_reaction(plan, dyad, 0, closed, part), polygon.guide_reaction(plan, dyad, 1, closed, pin)]
-    return polygon.cut(plan, dyad, supports, pin, [equation], closed.polygon)
+    return polygon.cut(plan, dyad, supports, [pin], [equation], closed.polygon)
 
 
 def rpr(plan: ForcePlan, dyad: Dyad) -> CutGroup:
@@ -58,7 +58,7 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     pin = polygon.stone_reaction(plan, dyad, chain, across, part)
     slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, chain.start, inner), pin)
     sides = *chain.sides, PolygonSide(name, chain.end, chain.start, CLOSING)
-    return polygon.cut(plan, dyad, [pin, pivot], slotted, [across], sides)
+    return polygon.cut(plan, dyad, [pin, pivot], [slotted], [across], sides)
 
 
 def prp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
@@ -71,7 +71,7 @@ def prp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     closed = polygon.close(plan, chain, names, (lines[0], lines[1]))
     pin = polygon.support(plan, dyad.links[::-1], dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
     supports = [polygon.guide_reaction(plan, dyad, end, closed, pin) for end in (0, 1)]
-    return polygon.cut(plan, dyad, supports, pin, [], closed.polygon)
+    return polygon.cut(plan, dyad, supports, [pin], [], closed.polygon)
 
 
 def rpp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
@@ -87,7 +87,7 @@ def rpp(plan: ForcePlan, dyad: Dyad) -> CutGroup:
     pin = polygon.hinge_reaction(plan, dyad, 0, closed, part)
     slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, closed.corner, inner), pin)
     supports = [pin, polygon.guide_reaction(plan, dyad, 1, closed, slotted)]
-    return polygon.cut(plan, dyad, supports, slotted, [], closed.polygon)
+    return polygon.cut(plan, dyad, supports, [slotted], [], closed.polygon)
 
 
 def leads(dyad: Dyad) -> Iterator[Split]:

@@ -21,7 +21,7 @@ from plans.forces.cut import (
     indices,
 )
 from plans.linkage import leads
-from plans.model.dyad import Dyad, Pair
+from plans.model.dyad import Assur, Dyad, Pair
 from plans.model.mechanism import Slide
 from plans.words.words import because
 
@@ -240,14 +240,14 @@ def cut_at(plan: ForcePlan, dyad: Dyad, corner: Mark, inner: Mark) -> Mark:
 
 
 def cut(
-    plan: ForcePlan, dyad: Dyad, supports: Sequence[Support], inner: Support,
+    plan: ForcePlan, group: Assur, supports: Sequence[Support], inner: Sequence[Support],
     equations: Sequence[MomentEquation | None], sides: Sequence[PolygonSide],
 ) -> CutGroup:  # fmt: skip
     """Put the group together as it was cut out."""
-    loads, couples = plan.acting(*dyad.links)
-    holding = (reaction.holding for reaction in (*supports, inner))
+    loads, couples = plan.acting(*group.links)
+    holding = (reaction.holding for reaction in (*supports, *inner))
     kept = tuple(equation for equation in (*equations, *holding) if equation is not None)
-    return CutGroup(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), (inner,), kept, tuple(sides))
+    return CutGroup(group, group.links, tuple(loads), tuple(couples), tuple(supports), tuple(inner), kept, tuple(sides))
 
 
 def support(

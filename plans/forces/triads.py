@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import accumulate, chain
 from typing import NamedTuple
 
 from geometry.board import Mark
@@ -24,52 +25,29 @@ class _LeadKnown(NamedTuple):
     part: Mark | None
     holding: Couple | None
 
+    @property
+    def parts(self) -> list[tuple[str, Mark, str]]:
+        """The part as the link of a chain."""
+        return [] if self.part is None else [(self.part.name, self.part, PART)]
+
+
+class _LeadSides(NamedTuple):
+    """A lead's part of the polygon: between which corners all its forces lie, and its outer ones; that along it."""
+
+    all: tuple[Mark, Mark]
+    outer: tuple[Mark, Mark]
+    along: Mark
+
 
 def triad(plan: ForcePlan, group: Triad) -> CutGroup:
     """Find the third lead's force by moments about S of two, then close the polygon along these two (M5.9)."""
     special = Special.of(plan.positions, group)
-    first, second = special.pair
-    known = {lead: _known(plan, lead) for lead in group.leads}
-    about = _about(plan, group, special, known)
-    laid = (*_parts(known[first]), *_loads(plan, first.link)), _loads(plan, group.basis)
-    third = (*_loads(plan, special.out.link), *_parts(known[special.out]), (about.found.name, about.found, PART))
-    last = (*_loads(plan, second.link), *_parts(known[second]))
-    chained = polygon.chain(plan, "-".join(map(str, group.links)), *laid[0], *laid[1], *third, *last)
-    names = [_force_name(lead, known[lead]) for lead in (first, second)]
-    lines = [_line(plan, lead, start) for lead, start in ((first, chained.start), (second, chained.end))]
-    closed = polygon.close(plan, chained, (names[0], names[1]), (lines[0], lines[1]))
-    at = [len(laid[0]), len(laid[0]) + len(laid[1]), len(chained.corners) - 1 - len(last)]
-    corners = [chained.corners[k] for k in at]
-    ends = {
-        first: (closed.corner, corners[0]),
-        special.out: (corners[1], corners[2]),
-        second: (corners[2], closed.corner),
-    }
-    forces = {
-        first: plan.board.join(names[0], closed.corner, chained.start, because("closing")),
-        special.out: about.found,
-        second: plan.board.join(names[1], chained.end, closed.corner, because("closing")),
-    }
-    wholes = {
-        first: (closed.corner, chained.corners[len(_parts(known[first]))]),
-        special.out: (chained.corners[at[2] - len(_parts(known[special.out])) - 1], corners[2]),
-        second: (chained.corners[-1 - len(_parts(known[second]))], closed.corner),
-    }
-    supports, inner = list[Support](), list[Support]()
-    for lead in group.leads:
-        pressed = plan.board.join(f"R_{indices(group.basis, lead.link)}", *ends[lead][::-1], _closes(lead))
-        whole = forces[lead]
-        if known[lead].part is not None:
-            whole = plan.board.join(_name(lead), *wholes[lead], because("both_parts"))
-        outer, within = _supports(plan, group, lead, (whole, forces[lead], known[lead].part), pressed)
-        supports.append(outer)
-        inner.append(within)
-    loads, couples = plan.acting(*group.links)
-    found = (*(one.equation for one in known.values()), about, *(each.holding for each in (*supports, *inner)))
-    kept = tuple(equation for equation in found if equation is not None)
-    return CutGroup(
-        group, group.links, tuple(loads), tuple(couples), tuple(supports), tuple(inner), kept, closed.polygon
-    )
+    known = {lead: _lead_moments(plan, lead) for lead in group.leads}
+    about = _about_special(plan, group, special, known)
+    closed, sides = _polygon(plan, group, special, known, about)
+    found = [_reactions(plan, group, lead, known[lead].part, sides[lead]) for lead in group.leads]
+    supports, inner = zip(*found, strict=True)
+    return polygon.cut(plan, group, supports, inner, [*(one.equation for one in known.values()), about], closed.polygon)
 
 
 def splits(group: Triad) -> Iterator[Split]:
@@ -81,7 +59,8 @@ def splits(group: Triad) -> Iterator[Split]:
             yield Split(outer, inner, "un")
 
 
-def _known(plan: ForcePlan, lead: TriadLead) -> _LeadKnown:
+def _lead_moments(plan: ForcePlan, lead: TriadLead) -> _LeadKnown:
+    """Take the moments about a lead's inner hinge; of a stone the forces along its slot."""
     if lead.kind == ROD:
         equation = polygon.tangential_part(plan, (lead.host, lead.link), (lead.hinge, lead.pin))
         return _LeadKnown(equation, equation and equation.found, None)
@@ -96,7 +75,9 @@ def _known(plan: ForcePlan, lead: TriadLead) -> _LeadKnown:
     return _LeadKnown(None, None, Couple(name, lead.link, plan.board.close(name, *terms, why=why), REACTION))
 
 
-def _about(plan: ForcePlan, group: Triad, special: Special, known: dict[TriadLead, _LeadKnown]) -> MomentEquation:
+def _about_special(
+    plan: ForcePlan, group: Triad, special: Special, known: dict[TriadLead, _LeadKnown]
+) -> MomentEquation:
     """Take moments of the whole group about S, which the forces of two leads pass: they give that of the third."""
     loads, couples = plan.acting(*group.links)
     parts = [
@@ -113,12 +94,39 @@ def _about(plan: ForcePlan, group: Triad, special: Special, known: dict[TriadLea
     return MomentEquation(special.mark, tuple(acting), tuple(turning), line, found)
 
 
-def _parts(known: _LeadKnown) -> list[tuple[str, Mark, str]]:
-    return [] if known.part is None else [(known.part.name, known.part, PART)]
-
-
-def _loads(plan: ForcePlan, link: int) -> list[tuple[str, Mark, str]]:
-    return polygon.known_sides(plan.acting(link)[0])
+def _polygon(
+    plan: ForcePlan, group: Triad, special: Special, known: dict[TriadLead, _LeadKnown], about: MomentEquation
+) -> tuple[polygon.Closed, dict[TriadLead, _LeadSides]]:
+    """Lay off the first lead's forces, the basis link's, the third's and the second's; close along first and second."""
+    (first, second), third = special.pair, special.out
+    loads = {link: polygon.known_sides(plan.acting(link)[0]) for link in group.links}
+    laid = [
+        [*known[first].parts, *loads[first.link]],
+        loads[group.basis],
+        [*loads[third.link], *known[third].parts, (about.found.name, about.found, PART)],
+        [*loads[second.link], *known[second].parts],
+    ]
+    chained = polygon.chain(plan, "-".join(map(str, group.links)), *chain.from_iterable(laid))
+    names = _force_name(first, known[first]), _force_name(second, known[second])
+    lines = _line(plan, first, chained.start), _line(plan, second, chained.end)
+    closed = polygon.close(plan, chained, names, lines)
+    one, two, three = list(accumulate(map(len, laid)))[:3]
+    corners, parts = chained.corners, {lead: len(known[lead].parts) for lead in group.leads}
+    return closed, {
+        first: _LeadSides(
+            (closed.corner, corners[one]),
+            (closed.corner, corners[parts[first]]),
+            plan.board.join(names[0], closed.corner, chained.start, because("closing")),
+        ),
+        third: _LeadSides(
+            (corners[two], corners[three]), (corners[three - 1 - parts[third]], corners[three]), about.found
+        ),
+        second: _LeadSides(
+            (corners[three], closed.corner),
+            (corners[-1 - parts[second]], closed.corner),
+            plan.board.join(names[1], chained.end, closed.corner, because("closing")),
+        ),
+    }
 
 
 def _line(plan: ForcePlan, lead: TriadLead, start: Mark) -> Mark:
@@ -139,18 +147,19 @@ def _force_name(lead: TriadLead, known: _LeadKnown) -> str:
     return _name(lead) if known.part is None else _name(lead).replace("R", "R^n", 1)
 
 
-def _closes(lead: TriadLead) -> object:
-    return because("closes", link=lead.link)
-
-
-def _supports(
-    plan: ForcePlan, group: Triad, lead: TriadLead, outer: tuple[Mark, Mark, Mark | None], pressed: Mark
+def _reactions(
+    plan: ForcePlan, group: Triad, lead: TriadLead, part: Mark | None, sides: _LeadSides
 ) -> tuple[Support, Support]:
-    """Keep a lead's outer reaction and that of the basis link on it."""
-    whole, force, part = outer
+    """Close the lead's forces by that of the basis link on it; keep this and its outer reaction."""
+    pressed = plan.board.join(
+        f"R_{indices(group.basis, lead.link)}", *sides.all[::-1], because("closes", link=lead.link)
+    )
+    whole = sides.along
+    if part is not None:
+        whole = plan.board.join(_name(lead), *sides.outer, because("both_parts"))
+    parts = () if part is None else (part, sides.along)
     loads, couples = plan.acting(lead.link)
     pair, within = (lead.host, lead.link), (group.basis, lead.link)
-    parts = () if part is None else (part, force)
     if isinstance(lead.outer, Slide):
         inner = polygon.support(plan, within, lead.pin, pressed)
         loaded, _ = polygon.on_taker(inner)

@@ -255,6 +255,8 @@ def _choices(mechanism: Mechanism, groups: Sequence[Assur], turn: CrankPositions
             # A side that is given is clear, and fits any sketch
             choices.append(SideChoice(known * ones, ones, np.where(np.isfinite(places), 0.0, np.nan)))
             continue
+        if len(turn) == 1 and (jammed := kind.jammed(plan, group)) is not None:
+            raise SketchError(jammed, ())
         sides, places = kind.sides(plan, group), list[Complexes]()
         for side in sides:
             trial = plan.trial()

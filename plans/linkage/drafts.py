@@ -17,6 +17,7 @@ from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
 from plans.linkage.sweep import RedrawnPlans, Sweep
+from plans.linkage.triads import spans
 from plans.model.dyad import Assur
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,
@@ -139,7 +140,7 @@ def gaps_of(
         edge = None if home is None else bounding(phi, home, barriers)
         # Beyond a change point or parallel guides it does not matter whether the links would meet.
         met = edge is None or edge.kind == OUT_OF_REACH or near[k]
-        unplaced = _unplaced(field[:, k], nowhere[:, k], marks, missed, k, position, phi) if met else None
+        unplaced = _unplaced(sweep.groups, field[:, k], nowhere[:, k], marks, missed, k, position, phi) if met else None
         if home is None and unplaced is None:  # the links meet, but not as the sketch shows them
             unplaced = Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))
         found.append(unplaced or _beyond(position, phi, edge, branched))
@@ -147,12 +148,13 @@ def gaps_of(
 
 
 def _unplaced(
-    margin: Floats, none: Flags, marks: Sequence[Mark], misses: Sequence[float], k: int, position: int, phi: float
-) -> Gap | None:
+    groups: Sequence[Assur], margin: Floats, none: Flags, marks: Sequence[Mark], misses: Sequence[float],
+    k: int, position: int, phi: float,
+) -> Gap | None:  # fmt: skip
     """Name the first meeting that fails at the k-th position drawn; None: all of them are found."""
-    for share, nowhere, mark, miss in zip(margin, none, marks, misses, strict=True):
+    for group, share, nowhere, mark, miss in zip(groups, margin, none, marks, misses, strict=True):
         if share < 0 and crossing(mark) is None:
-            return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, met_at(mark), miss, _reach(mark, miss, k))
+            return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, met_at(mark), miss, _reach(group, mark, miss, k))
         if nowhere and crossing(mark) is None:
             advice = message("gap.one_line", point=met_at(mark))
             return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, met_at(mark), 0.0, advice)
@@ -173,11 +175,13 @@ def _beyond(position: int, phi: float, edge: BarrierEdge | None, branched: bool)
     return Gap(position, phi, POSITIONS.plan, reason, edge.where if edge else "", 0.0, advice)
 
 
-def _reach(mark: Mark, miss: float, k: int) -> Message:
+def _reach(group: Assur, mark: Mark, miss: float, k: int) -> Message:
     """Say how far apart two loci are, and how far they reach."""
     if mark.step.settling is not None:
+        rods = tuple(message("gap.rod", line=line, **_written(sizes)) for line, sizes in spans(group, mark, k).items())
         never = miss >= mark.step.settling.body.size
-        return message("gap.leads_never" if never else "gap.leads", point=mark.name, miss=f"{miss:.6g}")
+        key = "gap.rods" if rods else "gap.leads_never" if never else "gap.leads"
+        return message(key, point=mark.name, miss=f"{miss:.6g}", rods=rods)
     first, second = mark.step.inputs
     if mark.step.op == "tangent":
         apart = abs(at(between(first, second), k))

@@ -15,7 +15,7 @@ from plans.linkage.plan import Image, Plan, Sliding, Turning, Vector
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import Floats
-from plans.words.words import because
+from plans.words.words import Message, because
 
 Of = TypeVar("Of")  # what groups of the kind are, such as dyads
 
@@ -34,6 +34,10 @@ class GroupKind(ABC, Generic[Of]):
     def followed(self, look: Callable[[Floats], Plan], group: Of, side: Side, home: float) -> Side:
         """Give what its assembly at a crank angle is over all; `look` draws what it hangs on, at any of them, rad."""
         return side
+
+    def jammed(self, plan: Plan, group: Of) -> Message | None:
+        """Say that its leads jam in the one position of a plan, where they meet their lengths as the sketch shows."""
+        return None
 
     @abstractmethod
     def positions(self, plan: Plan, group: Of, side: Any) -> None:

@@ -13,6 +13,7 @@ import numpy as np
 
 from geometry.board import Mark, Reading, held_leads
 from geometry.branch import AssemblyBranch, Settling, Side, follow
+from geometry.meet import EPS, UNBORNE
 from geometry.three_leads import GUIDE, ROD, SLOT, BodyPose, HeldBody, Known, Lead
 from plans.linkage import leads
 from plans.linkage.leads import GroupKind
@@ -21,10 +22,11 @@ from plans.linkage.primary import PRIMARIES, pushed
 from plans.model.mechanism import FRAME
 from plans.model.motion import Floats
 from plans.model.triad import Triad, TriadLead
-from plans.words.words import because
+from plans.words.words import Message, because, message
 
 NODES = 180  # places of the drive on either side of home at which a branch is followed: a degree of a crank
 NOWHERE = BodyPose(complex(np.nan, np.nan), complex(np.nan, np.nan))  # of a triad that cannot be assembled at all
+SKETCHED = EPS**0.5  # of the body's size: lengths are met, for they move a jammed body by the root of what they miss
 SEAM = 1.0 - 1e-9  # of half a turn: ways of a slide are counted no farther
 
 
@@ -55,6 +57,30 @@ class Triads(GroupKind[Triad]):
         along = pushed(plan.mechanism).way(FRAME).direction if drive.pushed else 0j
         free = complex(np.ravel(plan.board[PRIMARIES[drive.kind].free].point)[0])
         return AssemblyBranch(free, along, keys, poses, out)
+
+    def jammed(self, plan: Plan, triad: Triad) -> Message | None:
+        """Say it with the measure: the sine of the angle between S12B3 and the third lead's line (заклинивание)."""
+        links, sketch, body, known = (
+            plan.mechanism.links,
+            plan.mechanism.sketch,
+            _body(plan, triad),
+            _known(plan, triad),
+        )
+        shown = [(local, sketch[name]) for name, local in links[triad.basis].points.items() if name in sketch]
+        if len(shown) < 2 or not np.isfinite(sum(known.places) + sum(known.ways)).all():
+            return None
+        (local, seen), (first, second, third) = np.array(shown).T, triad.leads
+        turn = np.vdot(local - local.mean(), seen - seen.mean())
+        turn, begin = turn / abs(turn), known.at(0)
+        reach = seen.mean() + turn * (body.leads[0].at - local.mean()) - begin.places[0]
+        pose, missed = body.nearest(begin, BodyPose(complex(reach), complex(turn)))
+        held = body.held(begin, pose)
+        sine = abs(held.determinant / held.arm(2))
+        if missed > SKETCHED * body.size or sine**2 > UNBORNE:
+            return None
+        special = special_name((first, second), plan.written.points)
+        names = {"special": special, "pin": third.pin, "link": third.link}
+        return message("sketch.jammed", group=triad.label, sine=f"{round(sine, 6):g}", **names)
 
     def positions(self, plan: Plan, triad: Triad, side: Side) -> None:
         """Settle the basis link on its leads by false positions, along its branch (метод ложных положений, M3.10)."""
@@ -137,6 +163,19 @@ class Special(NamedTuple):
             one, other = (line_of_force(base, lead) for lead in (first, second))
             base.board.meet(name, one, other, why=because("special", first=first.link, second=second.link))
         return cls(name, base.board[name], (first, second), triad.leads[out])
+
+
+def spans(triad: Triad, settled: Mark, position: int) -> dict[str, dict[str, float]]:
+    """Tell of each rod that the others keep from its length how long it is, and how long it must be there, m."""
+    settling, begins = settled.step.settling, [mark.point for mark in settled.step.inputs]
+    assert settling is not None  # it was settled
+    known, pose = settling.known(begins[:-1]).at(position), settling.start.over(np.asarray(begins[-1]))[0]
+    found = {}
+    for k, lead in enumerate(lead for lead in triad.leads if lead.kind == ROD):
+        span = settling.body.spanned(known, pose[position], k)
+        if np.isfinite(span):
+            found[f"{lead.hinge}{lead.pin}"] = {"size": settling.body.leads[k].size, "span": span}
+    return found
 
 
 def _out(base: Plan, triad: Triad) -> int:

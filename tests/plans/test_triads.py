@@ -11,6 +11,9 @@ import mpmath
 import numpy as np
 import pytest
 
+from drawings.forces.report_equations import CutEquations
+from drawings.page.page import drafting_of
+from drawings.report.formula import Formula
 from geometry.branch import AssemblyBranch
 from geometry.errors import DraftError
 from geometry.three_leads import BodyPose
@@ -26,7 +29,7 @@ from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans import linkages
 from tests.plans.digits import printed
-from tests.plans.force_cases import ROADS, compared, of_road
+from tests.plans.force_cases import ROADS, compared, of_road, statics_of
 from tests.plans.replays import Replay
 from tests.plans.scenes import changed, scene
 from tests.plans.studies import shown, study_of, value
@@ -266,6 +269,20 @@ def test_forces_by_moments_about_the_special_point(road: str) -> None:
     )  # fmt: skip
 
 
+def test_the_report_writes_each_sum_by_its_own_arms() -> None:
+    """About each lead's hinge, then of the whole group about S: what is written on the left makes what is found."""
+    statics = statics_of(loaded())
+    plan = statics.drafts([0]).plans.plan
+    formula = Formula(drafting_of(statics.study.scene))
+    lines = [*CutEquations(plan, 0, formula, (0.0, 0.0)).lines(next(cut for cut in plan.cuts if cut.group))]
+    about = [line.split(" = ")[0] for line in lines if "sum M" in line]
+    assert about == [rf"$$\sum M_{{{sum_}}}" for sum_ in ("B1(2)", "B2(4)", "B3(5)", "S45(2,3,4,5)")]
+    solved = [line.replace(r"\cdot", "*").split(" = ")[1:] for line in lines if "/" in line]
+    assert len(solved) == len(about)
+    for sum_, found in solved:
+        assert abs(eval(sum_)) == pytest.approx(float(found.split("\\")[0]), rel=2e-4)
+
+
 def test_a_triad_that_bears_nothing_gives_nothing() -> None:
     on_the_crank = '[[loads.forces]]\non = 1\npoint = "A1"\nvalue = [0, 5]\n'
     both = Study(parse_scene(loaded().split("[[loads")[0] + on_the_crank)).comparison("forces")
@@ -304,7 +321,14 @@ PLATE = scene(
 )
 BETWEEN = "B1 = [0.171, 0.142]\nB2 = [0.490, 0.176]\nB3 = [0.3326, 0.3516]"
 AS_SHOWN = "B1 = [0.08, 0.22]\nB2 = [0.42, 0.18]\nB3 = [0.30, 0.40]"
+PARALLEL = [
+    ("A2 = [0.5, 0]\nA3 = [0.55, 0.5]", "A2 = [0.15, 0]\nA3 = [0.30, 0]"),
+    ("A1B1 = 0.25\nB1B2 = 0.34\nB1B3 = 0.28\nB2B3 = 0.25", "A1B1 = 0.2\nB1B2 = 0.12\nB1B3 = 0.27\nB2B3 = 0.15"),
+    ("A3B3 = 0.27", "A3B3 = 0.2"),
+    (AS_SHOWN, "B1 = [0.03, 0.2]\nB2 = [0.15, 0.2]\nB3 = [0.3, 0.2]"),
+]
 REFUSED = {
+    "three equal parallel leads": (PARALLEL, r"III\(2,3,4,5\) jams at the first position.* line of lead 5 is 0\. Fix:"),
     "between two assemblies": ([(AS_SHOWN, BETWEEN)], "can be assembled in"),
     "change points": ([("[mechanism.frame]", '[mechanism]\nthrough = "inertia"\n[mechanism.frame]')], "three-lead"),
     "a lead that slides twice": (
@@ -314,6 +338,16 @@ REFUSED = {
         "link 2 slides both",
     ),
 }  # fmt: skip
+
+
+def test_two_leads_may_make_a_parallelogram() -> None:
+    """The plate only translates, B1 about 0.03 as A1B1 about A1: it is halfway to A1, and square to the way there."""
+    study = LinkageStudy(parse_scene(changed(PLATE, *PARALLEL, ("start = 0", "start = 40"))))
+    first, shifted = cmath.rect(0.03, radians(40)), 0.03
+    half = (first - shifted) / 2
+    reach = -1j * half / abs(half) * (0.2**2 - abs(half) ** 2) ** 0.5
+    for road in (study.motion(0), solve(study.mechanism, study.turn.phi, 0)):
+        assert road.points["B1"].r[0] == pytest.approx(shifted + half + reach, abs=1e-13)
 
 
 @pytest.mark.parametrize("why", REFUSED)
