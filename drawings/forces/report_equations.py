@@ -106,7 +106,7 @@ class CutEquations:
         """Write an equation of moments, and the force or the moment that it gives."""
         formula, unknown = self.formula, equation.found.name
         armed = [arm for arm in arms if arm.equation is equation]
-        about = equation.about.name
+        about = armed[0].about if armed else equation.about.name
         lever_arm = next((arm for arm in armed if arm.name == unknown), None)
         loads = {load.name: load.force for load in equation.loads}
         acting = {name for name, mark in loads.items() if self._sized(abs(self.value(mark)))}

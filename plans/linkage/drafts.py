@@ -34,6 +34,7 @@ from plans.model.motion import (
     Gap,
     Motion,
 )
+from plans.model.triad import Triad
 from plans.words.words import Message, message
 
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
@@ -177,7 +178,7 @@ def _beyond(position: int, phi: float, edge: BarrierEdge | None, branched: bool)
 
 def _reach(group: Assur, mark: Mark, miss: float, k: int) -> Message:
     """Say how far apart two loci are, and how far they reach."""
-    if mark.step.settling is not None:
+    if isinstance(group, Triad) and mark.step.settling is not None:
         rods = tuple(message("gap.rod", line=line, **_written(sizes)) for line, sizes in spans(group, mark, k).items())
         never = miss >= mark.step.settling.body.size
         key = "gap.rods" if rods else "gap.leads_never" if never else "gap.leads"
