@@ -41,10 +41,10 @@ def test_nothing_is_told_of_what_stays(folder: Path) -> None:
 @pytest.mark.parametrize(
     "old, new, told",
     [
-        ("M365.657 109.492", "M365.657 113.492", "letter φ = 0 on along: moved by 4 mm"),  # where it begins
-        ('cx="347.1875"', 'cx="348.1875"', "point m_1 on along: moved by 1 mm"),
-        ('data-text="φ = 0"', 'data-text="φ = 1"', "data-text of element 252: φ = 0 -> φ = 1; nothing that is seen"),
-        ("L295.0132 136.9667", "L295.0132 139.9667", "strokes of along: 1 end by up to 3 mm"),
+        ("M330.455 139.375", "M330.455 143.375", "letter φ = 0 on along: moved by 4 mm"),  # where it begins
+        ('cx="311.986"', 'cx="312.9860"', "point m_1 on along: moved by 1 mm"),
+        ('data-text="φ = 0"', 'data-text="φ = 1"', "data-text of element 263: φ = 0 -> φ = 1; nothing that is seen"),
+        ("L259.8117 166.85", "L259.8117 169.85", "strokes of along: 1 end by up to 3 mm"),
     ],
 )
 def test_a_sheet_tells_what_changed_on_which_figure(folder: Path, old: str, new: str, told: str) -> None:
