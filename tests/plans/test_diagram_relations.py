@@ -204,7 +204,7 @@ def test_a_crank_that_is_not_even_and_a_drive_over_a_stroke_have_none() -> None:
 
     uneven = DiagramsStudy(linkage.paced(pace), True)
     assert isinstance(uneven.linkage, LinkageStudy)
-    assert str(uneven.left_out) == "the crank does not turn evenly, so that no one scale of time holds"
+    assert str(uneven.left_out) == "the crank does not rotate uniformly, so that no one scale of time holds"
     pushed = DiagramsStudy(slider(stroke=PUSH)["linkage"], True)
     assert pushed.left_out is not None
     assert pushed.diagrams is None

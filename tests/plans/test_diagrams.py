@@ -69,7 +69,7 @@ def test_chords_of_a_sine_mechanism_are_those_of_the_closed_form(drive: str) -> 
         (f"{YOKE}speed = 10\npositions = 361", "there are more than 360 positions"),
         (f"{YOKE}speed = 0\npositions = 12", "the crank is at rest"),
         (f"{PARALLEL}positions = [20, 40, 60, 80]\n[output]\nlink = 2", "link 2 does not move"),
-        (f"{PARALLEL}positions = 12\nstart = 50\n[output]\nlink = 3", "link 3 turns evenly with the crank"),
+        (f"{PARALLEL}positions = 12\nstart = 50\n[output]\nlink = 3", "link 3 rotates uniformly with the crank"),
     ],
 )
 def test_what_is_left_out_is_told(text: str, said: str | None) -> None:
