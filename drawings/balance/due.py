@@ -12,7 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.balance.report import TELLING
 from drawings.checks.expected import KNOWN, Cell, Expected, cells, course, phrases
+from drawings.forces.due_acting import diagrams
 from drawings.forces.report import drafting_of_forces
 from drawings.lettering.words import CENTRE, FORCE, MOMENT, RESULT, counterweight, with_index
 from drawings.page.page import Drafting
@@ -171,6 +173,9 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         sheet = _BalanceSheet(balance, comparison, drafting_of_forces(balance.statics), leaf.metadata["position"])
         yield from chain(sheet.schemes(), sheet.polygon(), sheet.shaking(), sheet.rocking())
         yield from chain(sheet.shares(), sheet.weight_rows(), sheet.costs())
+        if not TELLING & {*study.techniques}:
+            strokes = balance.statics.over(comparison.motion.road.extremes)
+            yield from diagrams((force for force in balance.machine.forces if force.diagram), strokes)
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,13 @@ import numpy as np
 
 from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quantities, shape
 from drawings.balance.notes import BalanceNotes
-from drawings.forces.report import drafting_of_forces, mass_table
+from drawings.forces.report import drafting_of_forces, masses_and_loads
 from drawings.lettering.words import CENTRE, FORCE, MOMENT, counterweight
 from drawings.linkage.report import ROUNDED
 from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.report import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
+from plans.forces.statics import Statics
 from plans.model.balance.linkage import Counterweight
 from plans.model.motion import NOTHING
 from plans.study import Study
@@ -23,6 +24,9 @@ from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+
+
+TELLING = frozenset({"forces", "dynamics"})  # techniques that tell masses and loads themselves
 
 
 def centres(notes: BalanceNotes) -> Iterator[str]:
@@ -109,9 +113,9 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell what is balanced, by what, and what it costs."""
     language, notes = study.scene.sheet.language, notes_of(study)
     aim = word(language, f"report.aim_{notes.balance.task.aim}")
-    masses = () if {"forces", "dynamics"} & {*study.techniques} else mass_table(notes.machine, language)
+    told = () if TELLING & {*study.techniques} else masses_and_loads(study.of(Statics), language)
     return Chapters(
-        subject=[chapter(language, "balancing"), aim, *masses, *map(entry, notes.main_points())],
+        subject=[*told, chapter(language, "balancing"), aim, *map(entry, notes.main_points())],
         values=[
             *_counterweights(notes),
             chapter(language, "balance_costs"),

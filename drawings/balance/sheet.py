@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Final
 
@@ -11,9 +11,12 @@ from drawings.balance import scheme
 from drawings.balance.costs import Nothing, costs, counterweights, nothing
 from drawings.balance.due import expected
 from drawings.balance.graphs import ShakingHodograph, ShareGraph, curve, hodograph
-from drawings.balance.report import notes_of
+from drawings.balance.report import TELLING, notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
+from drawings.forces import load_diagram
 from drawings.forces.letters import REACTION, letter_of
+from drawings.forces.load_diagram import LoadCourse, courses
+from drawings.forces.notes import given, loads_given
 from drawings.forces.sheet import of_forces
 from drawings.kinds import curve_graph, polygon
 from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
@@ -23,6 +26,7 @@ from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
 from drawings.lettering.words import RESULT as SUM
 from drawings.lettering.words import lowered
+from drawings.linkage.notes import driving
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.linkage.vector_plan import link_working
@@ -34,6 +38,7 @@ from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit, fig
 from geometry.board import at
 from plans.balance.mass_centre import ChainSide
 from plans.balance.study import BalanceStudy
+from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import Balance, State
@@ -75,6 +80,7 @@ class ShownBalance:
     balance: Balance
     notes: tuple[str, ...] = ()
     reactions: str = REACTION  # the letter of reactions
+    loads: tuple[LoadCourse, ...] = ()  # those that are told by diagrams
 
     @cached_property
     def nothing(self) -> Nothing:
@@ -95,7 +101,13 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         gap = motion.construction.gaps[0]
         where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
         raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
-    shown = balanced(study.of(BalanceStudy), motion, notes_of(study).all)
+    shown, statics = balanced(study.of(BalanceStudy), motion, notes_of(study).all), study.of(Statics)
+    if not TELLING & {*study.techniques}:
+        language, machine = study.scene.sheet.language, statics.machine
+        data = *given(statics, language), *loads_given(machine.loads, statics, language)
+        notes = driving(statics.study, statics.study.rates, language), *data, *shown.notes
+        drawn = replace(machine, forces=tuple(force for force in machine.forces if force.diagram), moments=())
+        shown = replace(shown, notes=notes, loads=tuple(courses(drawn, statics.strokes)))
     return lay_out(study.scene, [_BalancingSheet(study.scene, shown).draft])
 
 
@@ -138,6 +150,7 @@ class _BalancingSheet:
     def draft(self) -> Draft:
         """Title, figures, tables and notes of the sheets."""
         shows = (*self._schemes(), self._polygon, *self._shaking(), *self._rocking(), *self._shares())
+        shows += tuple(exhibit(load_diagram, course, self.drafting, LARGEST) for course in self.shown.loads)
         workings = captions(self._workings())
         facts = partial(figures_facts, position=self.shown.bones.shown)
         title, notes = self.drafting.word("balancing sheet title"), self.shown.notes
@@ -209,7 +222,8 @@ class _BalancingSheet:
         return (table, *rows)
 
 
-SCALES: Final = {"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"}
-FORM: Final = dict.fromkeys(SCALES, PLAN) | dict.fromkeys(("rocking", "moment", "share"), GRAPH)
+PLANS: Final = {"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"}
+SCALES: Final = PLANS | {"load_diagram-": "way"}
+FORM: Final = dict.fromkeys(PLANS, PLAN) | dict.fromkeys(("rocking", "moment", "share", "load_diagram-"), GRAPH)
 TABLES = ("costs", "counterweights")
 SHEETS: Final = {"balancing": SheetKind(leaves, expected, SCALES, of_forces, figures=FORM, tables=TABLES)}

@@ -10,6 +10,7 @@ from drawings.forces.letters import force_letter
 from drawings.forces.report import least, stretching
 from drawings.lettering.words import Slot, joined, number, numbered, phrase, runs, with_index, word
 from drawings.linkage.notes import driving, lengths
+from drawings.report.report import ANGLE
 from geometry.board import at
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics, told_line
@@ -85,7 +86,8 @@ def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
     elif isinstance(load, Moment) and load.against:
         said = word(language, "moment against", name=name, size=size, link=load.link)
     else:
-        said = word(language, "load always", name=name, size=size)
+        on = {} if isinstance(load, Force) else {"link": load.link}
+        said = word(language, "load on link" if on else "load always", name=name, size=size, **on)
     during = [*_place(load, language), *_sides(load, language)] if isinstance(load, Force) else []
     during += [] if load.during == ALWAYS else [word(language, load.during)]
     if load.overrun != (0.0, 0.0):
@@ -98,6 +100,9 @@ def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
 
 def _place(force: Force, language: str) -> Iterator[str]:
     """Tell the line of a force, and between which points of two links it acts."""
+    if force.direction is not None:
+        angle = number(float(np.degrees(np.angle(force.direction))), language)
+        yield word(language, "load at", point=force.point, angle=angle)
     if force.other is not None:
         yield word(language, "load between", start=force.point, end=force.other.point)
     if force.line is not None and (force.other is None or told_line(force)):
@@ -134,15 +139,17 @@ def masses(statics: Statics, language: str) -> Iterator[str]:
 
 
 def given(statics: Statics, language: str) -> Iterator[str]:
-    """Tell lengths, masses and mass centres where no scheme of forces shows them."""
+    """Tell lengths, masses, mass centres and gravity where no scheme of forces shows them."""
     yield from (*lengths(statics.study, language), *masses(statics, language))
-    told = []
+    told, gravity = [], statics.machine.gravity
     for link, body in sorted(statics.machine.bodies.items()):
         name = "".join(map(with_index, [*statics.study.mechanism.links[link].points][:2]))
         at = "; ".join(number(1000 * size, language) for size in (body.centre.real, body.centre.imag))
         told.append(f"{name}: S_{{{link}}} ({at})")
     if told:
+        size, way = (number(part, language) for part in (abs(gravity), np.degrees(np.angle(gravity))))
         yield word(language, "centres given", given=",  ".join(told))
+        yield f"g = {size}{NBSP}{word(language, 'm/s2')}{ANGLE}{way}°" if gravity else word(language, "no weights")
 
 
 def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:

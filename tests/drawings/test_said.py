@@ -69,7 +69,10 @@ ROWS = {
     # Balancing
     "a link on a slide has a variable vector: a yoke of 4 kg beside a stone of 0.3 kg": Row(
         gallery("scotch-yoke", "balancing", "\n[balance]\n"),
-        ["Link 3 hangs on a slide: its vector $u_{3}$ along the guide is variable, 0.93023 of the way"],
+        [
+            "Link 3 hangs on a slide: its vector $u_{3}$ along the guide is variable, 0.93023 of the way",
+            "- Gravity: (0; −9.81) m/s²",
+        ],
     ),
     "what is balanced already needs nothing": Row(
         balanced("still"),
