@@ -39,7 +39,6 @@ from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
 from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy
-from plans.forces.loading import asks
 from plans.forces.statics import Statics
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
@@ -182,15 +181,14 @@ class MachineMotion(NamedTuple):
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of the motion of a scene's machine; a constant load is told in words too."""
+    """Lay out the sheets of the motion of a scene's machine."""
     found, statics, said = study.of(DynamicsComparison), study.of(Statics), notes_of(study)
     made, drafting = study.of(DynamicsStudy), drafting_of(study.scene)
     alone = found.construction.cycle is None
     level = () if alone else courses(*statics.level())
     loads = (*courses(statics.machine, statics.strokes), *level)
-    steady = [load for load in statics.machine.loads if not asks(load)]  # the others have their diagrams
     links = () if "forces" in study.techniques else given(statics, drafting.language)
-    notes = (*links, *loads_given(steady, statics, drafting.language), *said.all)
+    notes = (*links, *loads_given(statics.machine.loads, statics, drafting.language), *said.all)
     machine = MachineMotion(said.task, found.construction, found.exact, found.methods, loads, said.rim, notes)
     if alone:
         reduced = tuple(curves(made.reduction, drafting))

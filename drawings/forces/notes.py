@@ -112,11 +112,11 @@ def _place(force: Force, language: str) -> Iterator[str]:
 
 
 def _sides(force: Force, language: str) -> Iterator[str]:
-    """Tell the areas of a piston whose sides differ by its rod."""
+    """Tell the areas of a piston whose pressure is drawn or whose sides differ by its rod, and what presses behind."""
     piston = force.piston
-    if piston is not None and piston.area != piston.other:
-        there, other = (number(1e4 * area, language) for area in (piston.area, piston.other))
-        yield word(language, "piston sides", there=there, other=other)
+    if piston is not None and (force.card or piston.area != piston.other):
+        sizes = {"there": 1e4 * piston.area, "other": 1e4 * piston.other, "behind": piston.behind}
+        yield word(language, "piston sides", **{name: number(size, language) for name, size in sizes.items()})
 
 
 def _balanced(statics: Statics, position: int, language: str) -> Iterator[str]:
