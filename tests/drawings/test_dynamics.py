@@ -182,11 +182,12 @@ def test_a_jump_is_dashed_and_no_part_of_the_curve() -> None:
         assert all(abs(other - one) < 0.1 for one, other in pairwise(curve.points) if one.real == other.real)
 
 
-@pytest.mark.parametrize(("law", "told"), [("value = 3200", True), ('value = 3200; during = "idle stroke"', False)])
-def test_a_constant_load_has_its_diagram_as_one_that_changes_and_is_told_too(law: str, told: bool) -> None:
+@pytest.mark.parametrize("law", ["value = 3200", 'value = 3200; during = "idle stroke"'])
+def test_a_load_has_its_diagram_and_is_told_too(law: str) -> None:
     laid = leaves(Study(parse_scene(text(scene(forces=[f'on = 3; point = "B"; against = "motion"; {law}'])))))
-    said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups))
-    assert ("3200 N against the motion of B" in said.replace("\N{NO-BREAK SPACE}", " ")) == told
+    said = " ".join(one.plain for leaf in laid for one in texts(leaf.groups)).replace("\N{NO-BREAK SPACE}", " ")
+    assert "3200 N against the motion of B" in said
+    assert "Weights are not counted" in said
     assert "load_diagram-F_us" in {group.name for leaf in laid for group in groups(leaf.groups)}
 
 
