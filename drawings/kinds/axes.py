@@ -18,6 +18,7 @@ from plans.model.motion import Floats
 
 LEFT, RIGHT, OVER, UNDER = math.pi, 0.0, math.pi / 2, -math.pi / 2
 CLOSE = 2.0  # gaps from a spot to its letter: what is no farther than these and the letter may be taken for the spot
+NUMBERED = 1.8  # sizes of a number beside an axis that what is drawn along it keeps off
 BETWEEN = 3.0  # mm from a part's title to its scales
 STACKED = 1.6  # sizes of a text from a title to the scales under it
 
@@ -104,7 +105,9 @@ class Pole(NamedTuple):
         """Draw the pole, and rays to values that lie apart, each value carried to where it belongs."""
         at, (letter, text) = axes.zero - self.distance, self.letters
         size = Dimension(text, at, axes.zero, self.off)
-        kept = spaced((self.values / axes.up.mu).tolist(), self.apart)  # those whose ends lie apart
+        ends = (self.values / axes.up.mu).tolist()
+        kept = spaced(ends, self.apart)  # those whose ends lie apart, and leave the numbers of the axis their room
+        kept = [k for k in kept if abs(ends[k]) >= NUMBERED * hand.number] or kept
         rays = (line for k in kept for line in self._ray(k, at, axes, hand))
         base = Line(at, axes.zero, hand.drafted)
         letters = (Letter(at, letter, hand.letter, LEFT), Letter(size.middle, text, hand.letter, self.side))
