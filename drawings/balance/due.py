@@ -30,11 +30,23 @@ from plans.model.balance.linkage import DISC, Balance, Choice, Counterweight, St
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import NOTHING as VANISHING
+from plans.model.motion import Motion
 from plans.study import Study
 
 BEFORE, AFTER = "before", "after"  # the states of a machine
 ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of more are told
 APART = 1e-3  # of its link: a mass centre nearer to a point than this bears no letter of its own
+
+
+def places(mechanism: Mechanism, bodies: Mapping[int, Body], motion: Motion, k: int) -> dict[str, complex]:
+    """Place the points of all links, the fixed ones among them, and mass centres that no point names."""
+    fixed = mechanism.links[FRAME].points
+    found = dict(fixed) | {name: complex(point.r[k]) for name, point in motion.points.items() if name not in fixed}
+    for link, body in bodies.items():
+        sizes = [abs(place - body.centre) for place in mechanism.links[link].points.values()]
+        if f"S{link}" not in found and min(sizes) > APART * max(sizes):
+            found[f"S{link}"] = complex(placed(mechanism, motion, link, body.centre)[k])
+    return {name: spot for name, spot in found.items() if cmath.isfinite(spot)}
 
 
 class Negligible(NamedTuple):
@@ -110,18 +122,8 @@ class Balanced:
 
     @cached_property
     def points(self) -> dict[str, complex]:
-        """The places of the points of all links, the fixed ones among them, and of mass centres that no point names."""
-        fixed, moving = self.mechanism.links[FRAME].points, self.comparison.motion.analysis.points
-        found = dict(fixed) | {n: complex(point.r[self.shown]) for n, point in moving.items() if n not in fixed}
-        for link, body in self.study.machine.bodies.items():
-            if f"S{link}" not in found and self._is_apart(link, body.centre):
-                found[f"S{link}"] = self.at(link, body.centre)
-        return {name: spot for name, spot in found.items() if cmath.isfinite(spot)}
-
-    def _is_apart(self, link: int, centre: complex) -> bool:
-        """Tell whether a mass centre lies in none of the points of its link."""
-        sizes = [abs(place - centre) for place in self.mechanism.links[link].points.values()]
-        return min(sizes) > APART * max(sizes)
+        """The places of points and mass centres in the shown position."""
+        return places(self.mechanism, self.study.machine.bodies, self.comparison.motion.analysis, self.shown)
 
     def centre(self, state: str) -> complex:
         """Place the common mass centre."""

@@ -37,6 +37,7 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes
 
 BEFORE, AFTER = "before", "after"
+ALONE = "alone"  # state of a linkage whose main points are not asked
 SCHEME = "scheme-"  # before a state: the name of its scheme
 CORNERS = 36  # points that stand for the rim of a counterweight
 
@@ -280,6 +281,8 @@ class SchemeFigure:
         return vector.draw(self.subject, lowered(vector.vector.name), self.place, self._hand.result, self._hand.symbol)
 
     def _centre(self) -> Iterator[Group]:
+        if self.shown.state == ALONE:
+            return
         at, value = self.place.on(self.shown.centre), self.shown.centre
         data = self.subject.data("point", CENTRE, value, self.place.scale)
         yield Group(mass_centre(at, self._hand), "", data, CENTRE)
@@ -298,7 +301,8 @@ class SchemeFigure:
 
     def _points(self, labels: Labels) -> Iterator[Stroke]:
         hand = self._hand
-        yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
+        if self.shown.state != ALONE:
+            yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
         yield from self.pairs.letters(self.shown.named, labels)
 
     def _weights(self, labels: Labels) -> Iterator[Stroke]:
@@ -310,8 +314,7 @@ class SchemeFigure:
 
 def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
     """Give the title of a scheme."""
-    key = "scheme after" if shown.state == AFTER else "scheme before"
-    return f"{drafting.word(key)}, {drafting.word('position', position=shown.shown)}"
+    return f"{drafting.word(f'scheme {shown.state}')}, {drafting.word('position', position=shown.shown)}"
 
 
 def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting) -> Picture:

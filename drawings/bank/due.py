@@ -12,14 +12,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.balance.due import places
 from drawings.bank.report import crank_of
-from drawings.checks.expected import Expected, by_hand, cells, course, measured
+from drawings.checks.expected import KNOWN, Expected, by_hand, cells, course, measured
 from drawings.lettering.words import lowered_bank
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
+from plans.analytic.points import placed
+from plans.balance.quantities import BalanceComparison
 from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, couple_letters, letters
 from plans.bank.quantities import bank_by_hand
 from plans.bank.study import BankStudy
+from plans.forces.statics import Statics
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic, Member
 from plans.model.motion import Complexes
 from plans.quantity import Comparison, Quantity
@@ -241,6 +247,21 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from chain(sheet.vectors(), sheet.views(), sheet.courses(), sheet.orders(), sheet.compensators())
     slips, polygons = bank_by_hand(comparison.findings, scales), any(name.startswith("order_") for name in scales)
     yield from sheet.results(slips, polygons)
+    if task.unit is None:
+        yield from _linkage(study, leaves[0].metadata["position"])
+
+
+def _linkage(study: Study, k: int) -> Iterator[Expected]:
+    """Give the points of the linkage that the bank is of, its mass centres and counterweights, in one position."""
+    mechanism, motion = study.of(LinkageStudy).mechanism, study.of(MotionComparison).analysis
+    found = places(mechanism, study.of(Statics).machine.bodies, motion, k)
+    reach = max(map(abs, found.values()))
+    weights = study.of(BalanceComparison).analysis.counterweights if study.scene.has(("balance",)) else ()
+    spots = {f"m_cw{one.link}": (one.link, one.centre) for one in weights if one.needed}
+    found |= {name: complex(placed(mechanism, motion, *spot)[k]) for name, spot in spots.items()}
+    for name, spot in found.items():
+        if name != mechanism.drive.pivot:
+            yield Expected(Kind.POINT, "scheme-alone", name, spot, KNOWN * reach, k)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,8 @@ from typing import Final
 
 import numpy as np
 
+from drawings.balance import scheme
+from drawings.balance.scheme import ALONE, SCHEME, BalanceScheme, placed_weight
 from drawings.bank import compensators, shaft, star
 from drawings.bank.compensators import COUPLED, MASS, CompensatorLayout
 from drawings.bank.diagrams import ACTING, LEFT, ROCKING, STATIONS, TurnCurve, TurnGraph, polygon_room, polygons
@@ -23,15 +25,21 @@ from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
 from drawings.layout.value_table import DIGITS as FIGURES
 from drawings.lettering.words import lowered_bank
+from drawings.linkage.pose import general
+from drawings.linkage.positions import position_asked
+from drawings.linkage.skeleton import skeletons
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import GRAPH, PLAN, SheetKind
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
+from plans.balance.study import BalanceStudy
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
 from plans.bank.harmonics import MOMENT as M
 from plans.bank.quantities import bank_by_hand
 from plans.bank.study import BankStudy
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import BankBalance, Compensator
 from plans.model.motion import Complexes
 from plans.quantity import EQUILIBRIUM, Comparison, Quantity
@@ -108,7 +116,18 @@ LIKE = 0.3  # of the force before: what is left is drawn to the same scale, unle
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's bank."""
-    return sheets(study.scene, view_of(study), study.comparison("bank"))
+    return sheets(study.scene, view_of(study), study.comparison("bank"), scheme_of(study))
+
+
+def scheme_of(study: Study) -> BalanceScheme | None:
+    """Give the linkage that the bank is of, in one position with its counterweights; of one told by sizes none."""
+    if study.of(BankStudy).task.unit is not None:
+        return None
+    linkage, motion = study.of(LinkageStudy), study.of(MotionComparison).construction
+    asked, paths = position_asked(linkage), [point.r for point in motion.points.values()]
+    bones = skeletons(linkage, motion, int(np.nanargmax(general(paths))) if asked is None else asked)
+    found = study.of(BalanceStudy).balance.counterweights if study.scene.has(("balance",)) else ()
+    return BalanceScheme(ALONE, bones, (), {}, tuple(placed_weight(one, bones) for one in found if one.needed))
 
 
 def view_of(study: Study) -> BankView:
@@ -118,7 +137,7 @@ def view_of(study: Study) -> BankView:
     return BankView(bank.balance, {FORCE: drawing.forces, M: drawing.moments}, crank_of(study), linkage_of(study))
 
 
-def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
+def sheets(scene: Scene, shown: BankView, comparison: Comparison, linkage: BalanceScheme | None) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
     orders = tuple(_polygon(polygon, drafting) for polygon in polygons(shown, drafting))
@@ -126,13 +145,18 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
     views = [exhibit(kind, shown, drafting, scale=shaft.VIEWS) for kind in ((star,) if thin else (star, shaft))]
     shows = (*views, *orders, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
+    facts = figures_facts
+    if linkage is not None:
+        room = scheme.measure(linkage, linkage.points, drafting)
+        shows = (Exhibit(Panel(room), partial(scheme.draw, linkage, room, drafting=drafting)), *shows)
+        facts = partial(figures_facts, position=linkage.shown)
     writers = order_table, compensator_table
     tables = [*(write(shown.balance, drafting) for write in writers), results(comparison, bool(orders), drafting)]
     notes = BankNotes(shown.balance, drafting, shown.linkage).all
     title = drafting.word("bank sheet title")
     there = tuple(written for written in tables if written is not None)
     later = partial(bank_by_hand, comparison.findings)
-    return lay_out(scene, [Draft("bank", title, shows, there, notes, figures_facts, narrow=EQUATION, later=later)])
+    return lay_out(scene, [Draft("bank", title, shows, there, notes, facts, narrow=EQUATION, later=later)])
 
 
 def _polygon(shown: Polygon, drafting: Drafting) -> Exhibit:
@@ -188,7 +212,10 @@ def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
             yield exhibit(compensators, layout, drafting)
 
 
-SCALES: Final = {"star": "scheme", "shaft": "scheme", "order_forces-": "force", "order_moments-": "moment"}
+SCALES: Final = dict.fromkeys((SCHEME, "star", "shaft"), "scheme") | {
+    "order_forces-": "force",
+    "order_moments-": "moment",
+}
 PLANS = (*SCALES, "force_hodograph", "moment_hodograph")
 FORM: Final = dict.fromkeys(PLANS, PLAN) | dict.fromkeys(("force_graph", "moment_graph"), GRAPH)
 TABLES = ("orders", "compensators", "results")

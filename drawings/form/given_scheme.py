@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import partial
-from itertools import combinations
 
 import numpy as np
 
@@ -12,22 +11,19 @@ from drawings.layout.contents import Panel
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Spot
 from drawings.linkage.guides import arrows
-from drawings.linkage.pose import Pose, letters, measured, pose, scheme
+from drawings.linkage.pose import Pose, general, letters, measured, pose, scheme
 from drawings.linkage.skeleton import Pairs
 from drawings.page.page import Drafting
 from drawings.paper.strokes import GIVEN, Stroke
-from drawings.paper.walk import PLACES
 from drawings.sheets.stated_scales import Exhibit
 from drawings.symbols.figure import heading
 from geometry.errors import DraftError
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import at_angles
-from plans.model.motion import Complexes, Floats
 from plans.study import Study
 
 MARGINS = Margins(3.0, 3.5, 3.4)  # paper around it for letters, stands, guides and numbers, in sizes of letters
 SIZES = (14.0, 10.0)  # of its letters: how large it is drawn, and how large where a sheet more would be taken
-FLAT = 1e-6  # of the square of a mechanism's size: three points of a smaller triangle are always in one line
 
 
 def given_scheme(study: Study, drafting: Drafting, size: float) -> Iterator[Exhibit]:
@@ -53,19 +49,11 @@ def _halfway(study: LinkageStudy) -> Pose | None:
     for angles in ((phi[:-1] + phi[1:]) / 2, phi):
         between = study.at(at_angles(angles))
         if len(angles) and not between.lost.all():
-            general = _general([point.r for point in between.motion(0).points.values()])
-            k = int(np.nanargmax(np.where(between.lost, np.nan, general)))
+            open_most = general([point.r for point in between.motion(0).points.values()])
+            k = int(np.nanargmax(np.where(between.lost, np.nan, open_most)))
             shown = study.at(at_angles(angles[k : k + 1]))
             return pose(shown, shown.motion(0), 0)
     return None
-
-
-def _general(paths: Sequence[Complexes]) -> Floats:
-    """Rate positions by how far no three points come near one line: by the triangle that is least of its largest."""
-    areas = (np.abs(((b - a).conj() * (c - a)).imag) for a, b, c in combinations(paths, 3))
-    size = max(float(np.nanmax(np.abs(path))) for path in paths)
-    shares = [area / np.nanmax(area) for area in areas if np.nanmax(area) > FLAT * size**2]
-    return np.asarray(np.min([np.ones(len(paths[0])), *shares], axis=0).round(PLACES))
 
 
 def _draw(bones: Pose, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:

@@ -107,8 +107,8 @@ class Pole(NamedTuple):
         size = Dimension(text, at, axes.zero, self.off)
         ends = (self.values / axes.up.mu).tolist()
         kept = spaced(ends, self.apart)  # those whose ends lie apart, and leave the numbers of the axis their room
-        kept = [k for k in kept if abs(ends[k]) >= NUMBERED * hand.number] or kept
-        rays = (line for k in kept for line in self._ray(k, at, axes, hand))
+        clear = [k for k in kept if abs(ends[k]) >= NUMBERED * hand.number]
+        rays = (line for k in clear or kept for line in self._ray(k, at, axes, hand))
         base = Line(at, axes.zero, hand.drafted)
         letters = (Letter(at, letter, hand.letter, LEFT), Letter(size.middle, text, hand.letter, self.side))
         return Part(name, (base, *rays, *size.draw(hand), pole(at)), letters)

@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -22,13 +23,14 @@ from drawings.linkage.positions import CHOICES, position
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
 from drawings.page.page import Drafting
 from drawings.paper.strokes import SheetError, Stroke, Text
+from drawings.paper.walk import PLACES
 from drawings.symbols.figure import Subject, around
 from drawings.symbols.symbols import ARROW_LENGTH, fit_dashes
 from drawings.symbols.trimming import trim
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.motion import Motion
+from plans.model.motion import Complexes, Floats, Motion
 from plans.words.words import message, placed
 
 
@@ -53,6 +55,17 @@ def pose(study: LinkageStudy, motion: Motion, k: int) -> Pose:
     turns = {number: np.exp(1j * moved.angle[k : k + 1]) for number, moved in motion.links.items()}
     poses = Poses(study.mechanism.links, points, {FRAME: np.ones(1, dtype=np.complex128)} | turns)
     return Pose(study, motion, poses, poses, None, 0)
+
+
+FLAT = 1e-6  # of the square of a mechanism's size: three points of a smaller triangle are always in one line
+
+
+def general(paths: Sequence[Complexes]) -> Floats:
+    """Rate positions by how far no three points come near one line: by the triangle that is least of its largest."""
+    areas = (np.abs(((b - a).conj() * (c - a)).imag) for a, b, c in combinations(paths, 3))
+    size = max(float(np.nanmax(np.abs(path))) for path in paths)
+    shares = [area / np.nanmax(area) for area in areas if np.nanmax(area) > FLAT * size**2]
+    return np.asarray(np.min([np.ones(len(paths[0])), *shares], axis=0).round(PLACES))
 
 
 def scheme(pairs: Pairs, subject: Subject | None, over: Iterable[Stroke] = ()) -> Iterator[Stroke]:
