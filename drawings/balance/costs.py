@@ -43,10 +43,7 @@ SHARE_DIGITS, PLACES = 3, 3  # of a change in per cent: digits, and decimals, be
 
 
 def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, drafting: Drafting) -> RuledTable:
-    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes.
-
-    Its direction is counted from that of the link's line, from where the link begins on.
-    """
+    """Tell each counterweight: static moment about its link's beginning, mass, direction off the link's line, sizes."""
     mm = drafting.word("mm")
     heads = (
         f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),

@@ -145,10 +145,7 @@ ROCKING = "rocking"
 def curve(
     states: Mapping[str, State], sense: int, shown: int, least: float, drafting: Drafting, point: str
 ) -> GraphCurve | None:
-    """Give the main moments about a point, at the positions the last one; None where all are below `least` N*m.
-
-    Of a crank that cannot turn fully there are the ordinates at its positions alone.
-    """
+    """Give the main moments about a point, of a swing at its positions alone; None where all are below `least` N*m."""
     first, last = next(iter(states.values())), list(states.values())[-1]
     if max(first.rocking, last.rocking) <= least or len(last.centre.phi) < 2:
         return None

@@ -1,7 +1,4 @@
-"""The scheme of balancing: mass centres, main-point vectors from O to S, counterweights, the path of S (рис. 8.6, 8.9).
-
-Main-point vectors that lie along links are drawn in lanes beside them.
-"""
+"""The scheme of balancing: mass centres, main-point vectors in lanes beside links, counterweights (рис. 8.6, 8.9)."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The layout of compensators: two shafts that turn against each other, and those of the couple, to scale (компенсатор).
-
-Each mass at phi = 0; the circles of the gears are drawn as large as the masses ask, the shafts so far below the crank.
-"""
+"""The layout of compensators at phi = 0, to scale: two shafts against each other, the couple's (компенсатор)."""
 
 from __future__ import annotations
 

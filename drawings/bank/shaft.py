@@ -1,7 +1,4 @@
-"""The view across the shaft of a bank: its mechanisms at their places, their cranks at phi = 0 (вид сбоку).
-
-Places and cranks are to the scale of the view, cranks as they are seen: one that points to the eye is a circle alone.
-"""
+"""The view across the shaft of a bank to scale: places, cranks at phi = 0 as they are seen from there (вид сбоку)."""
 
 from __future__ import annotations
 
@@ -163,10 +160,7 @@ def needs(text: str, hand: Hand) -> float:
 
 
 def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
-    """Dimension the places from the plane of place 0, the farthest lowest; millimetres of the machine.
-
-    One that is too short for its text has none: the notes tell all places.
-    """
+    """Dimension the places from the plane of place 0, the farthest lowest; one too short the notes tell."""
     hand, base = drafting.hand, place.on(0j)
     sizes = list[Sized]()
     for where, text in _texts(shown, drafting).items():

@@ -69,10 +69,7 @@ def compensator_table(balance: BankBalance, drafting: Drafting) -> RuledTable | 
 
 
 def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledTable | None:
-    """Tell what both roads found of every order and of the compensators, and what a hand may be out; None of nothing.
-
-    Without `by_hand` there is no polygon in which a hand might err.
-    """
+    """Tell what both roads found of orders and compensators, and what a hand may be out in polygons; or None."""
     heads = tuple(drafting.word(head) for head in (COLUMNS if by_hand else COLUMNS[:-1]))
     # What the table tells: vectors of the bank and masses, more than rounding.
     kept = [one for one in comparison.findings if one.name.partition("_")[0] in (FORCE, MOMENT, STATIC)]

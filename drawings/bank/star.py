@@ -75,10 +75,7 @@ class BankView(NamedTuple):
         return direction(Fraction(float(np.degrees(self.balance.task.axis))))
 
     def shown(self) -> Iterator[ShownOrder]:
-        """Give the polygons of every order that can be seen.
-
-        The mirror image of one is left out, and what has a single side, which is its sum.
-        """
+        """Give the polygons of every order that can be seen, but no mirror images and none of a single side."""
         for order in (order for order in self.balance.single if not slight_order(self.balance, order)):
             for kind in (FORCE, MOMENT):
                 for signed in (order,) if mirrored(self.balance, order) else (order, -order):

@@ -169,10 +169,7 @@ def _spans(axis: Axis, pieces: list[Piece]) -> Iterator[tuple[float, float]]:
 
 
 def _followed(pieces: list[Piece], turned: Floats) -> Floats:
-    """Give the smooth curve at angles: between two values it goes over from one parabola to the next.
-
-    Both are those of three neighbours, and take turns as the way between the two is passed.
-    """
+    """Give the smooth curve at angles: between two values it goes over from one parabola of neighbours to the next."""
     followed = np.full(len(turned), np.nan)
     for x, y, _ in pieces:
         inside = (turned >= x[0] - FLAT) & (turned <= x[-1] + FLAT)

@@ -77,10 +77,7 @@ class _Curves:
 
     @cached_property
     def turned(self) -> tuple[Floats, Floats]:
-        """The abscissas of a whole turn, degrees, or of a stroke, m, and what balances the drive there.
-
-        Of a turn that cannot be made nothing is told.
-        """
+        """The abscissas of a whole turn, degrees, or of a stroke, m, and what balances the drive there, if any."""
         study, road = self.statics.study, self.comparison.motion.road
         if study.mechanism.drive.turns and road.whole is None:
             return np.array([0.0, TURN]), np.full(2, math.nan)

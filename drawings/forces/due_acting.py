@@ -218,10 +218,7 @@ DOUBT = 4.0  # times more or less: rounding of a table decides whether it is one
 
 
 class Branch(NamedTuple):
-    """A load on the way there or back: its bounds and corners by shares of the stroke, rising, and what it is there.
-
-    What is told of a pressure on a piston is that pressure, MPa.
-    """
+    """A load, or its pressure on a piston MPa, on the way there or back: corners by shares of the stroke, rising."""
 
     back: bool
     shares: Floats

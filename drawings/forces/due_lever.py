@@ -30,10 +30,7 @@ QUARTER = -1j
 
 
 def lever(acting: ExpectedForces, scales: Mapping[str, float], sheets: Sequence[frozenset[Key]]) -> Iterator[Expected]:
-    """Give what must stand on the lever of a position, where there is one, by what its sheets state.
-
-    Beside its equation on a sheet without it the arms are told in true units.
-    """
+    """Give what must stand on the lever of a position, where there is one; without its equation arms are told."""
     if LEVER in scales:
         figures = [{key[1] for key in keys} for keys in sheets]
         alone = any(f"{EQUATION}-{acting.k}" in shown and LEVER not in shown for shown in figures)
@@ -158,10 +155,7 @@ class _DrawnLever:
                     yield _Hung(f"{head}{line}", written, force, far, moment * spin, near)
 
     def _bearer(self, link: int, start: str, end: str) -> int:
-        """Find the link that bears a couple on a line: of all that turn alike one that has both points, or the first.
-
-        Links that slide in one another turn alike, as a rod does with the stone that it slides through.
-        """
+        """Find the link that bears a couple on a line: of all that turn alike one with both points."""
         alike = [link]
         for turning in alike:  # it grows on the way
             pairs = ({slide.slider, slide.owner} for slide in self.mechanism.slides)

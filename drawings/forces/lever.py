@@ -280,10 +280,7 @@ BARE = str.maketrans("′", "'", "{}")
 
 
 def of_arm(study: Study, position: int, letter: str) -> str:
-    """Name the moment that an arm gives on the record of a position, or the force that is found by it; "" if none is.
-
-    The arm h_2 of a scheme may give D(G_4), the arm h'_3 of the lever p(F_us).
-    """
+    """Name the moment that an arm h_2 gives on the record, or the force that is found by it, p(F_us); "" if none is."""
     if not letter.startswith("h") or not 0 <= position < len(study.of(LinkageStudy).turn):
         return ""
     plans: ForcePlans = study.of(Statics).drafts([position]).plans

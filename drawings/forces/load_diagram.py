@@ -167,10 +167,7 @@ def name_of(course: LoadCourse) -> str:
 
 
 def marks(course: LoadCourse, hand: Hand) -> list[tuple[str, complex]]:
-    """Letter the corners at their true places; of many those that have room for it, as far as the alphabet goes.
-
-    Room is that of the smallest diagram that may be drawn: all sheets of a set letter one load alike.
-    """
+    """Letter the corners at their true places; of many those that the smallest diagram has room for."""
     corners, (low, high) = course.corners, course.span
     if len(corners) <= FEW:
         return [*zip(ascii_lowercase, corners, strict=False)]

@@ -1,7 +1,4 @@
-"""The loading scheme of a group, or of the primary link, in one position: its links with all forces (схема нагружения).
-
-The links are to scale, the forces are not: an arrow is true in direction, a larger force has a longer arrow.
-"""
+"""The loading scheme of a cut in one position: links to scale, a larger force by a longer arrow (схема нагружения)."""
 
 from __future__ import annotations
 

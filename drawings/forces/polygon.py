@@ -154,10 +154,7 @@ def measure(shown: ForcePolygon, drafting: Drafting) -> Picture:
 
 
 def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
-    """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above.
-
-    A thin circle stands around what a detail shows enlarged.
-    """
+    """Draw the polygon in its spot: sides in main lines, the rest thinner, what a detail enlarges circled."""
     place, hand, letter = room.place(*spot), drafting.hand, partial(letter_of, drafting=drafting)
     chain = lay(shown.forces, WHOLE, place, spot.box, WIDE, hand, LEAST)
     sides = chain.sides(Subject(shown.plan, SYMBOL, shown.column), WHOLE, letter, place, hand)

@@ -83,10 +83,7 @@ WHOLE = 2.0  # cranks: of a larger wheel only a part of the pitch circle is draw
 
 
 class DrivingWheel(NamedTuple):
-    """The wheel that drives the crank: shaft, pitch radius m, direction of the pitch point rad and of the force.
-
-    `flank` tells in a word which flank of the teeth bears.
-    """
+    """The wheel that drives the crank: shaft, pitch radius m, directions rad, a word for the flank that bears."""
 
     centre: complex
     radius: float

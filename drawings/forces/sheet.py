@@ -69,10 +69,7 @@ def label(finding: Quantity, language: str, reactions: str) -> str:
 
 
 def rows(comparison: ForceComparison, position: int, language: str, reactions: str) -> list[TableRow]:
-    """Give the rows of one position; what is zero over the whole turn has none.
-
-    The ways to find the balancing moment beside the force plans stand in the report.
-    """
+    """Give the rows of one position; what is zero over the turn has none, other ways to M_bal the report has."""
     nothing = dict(zip(("N", "N*m"), comparison.construction.nothing_over, strict=True))
     return [
         value_row(finding, label(finding, language, reactions), (position,), language)

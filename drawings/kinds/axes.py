@@ -75,10 +75,7 @@ class Parts(NamedTuple):
 
 
 def caption(title: str, scales: str, field: Field, hand: Hand, stacked: bool = False) -> Group:
-    """Write a part's title and its scales at the top of a field, in its middle if they are no longer.
-
-    They stand on one line, or stacked one above the other.
-    """
+    """Write a part's title and its scales at the top of a field, on one line or stacked, in its middle if they fit."""
     start = complex(max(field.centre.real - wide(title, scales, hand, stacked) / 2, field.left), field.top - hand.title)
     then = start + (-STACKED * 1j * hand.text if stacked else text_width(Text(0j, title, hand.title)) + BETWEEN)
     return Group((Text(start, title, hand.title, "start", True), Text(then, scales, hand.text, "start", True)))

@@ -1,7 +1,4 @@
-"""The poses of links, and their outlines: the straight bars of a link, its rigid corners (контуры звеньев).
-
-An outline is measured in the link's own frame, in metres, so that one outline serves every position.
-"""
+"""The poses of links, and their outlines in the link's own frame, m: straight bars, rigid corners (контуры звеньев)."""
 
 import cmath
 import math

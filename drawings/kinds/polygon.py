@@ -30,10 +30,7 @@ PAST = 1.0  # mm that the thin lines to a lane run past it
 
 
 class ShownVector(NamedTuple):
-    """A vector as a figure shows it, before it is put on paper: where it begins or acts, and its value.
-
-    The place is in the figure's own true units: N of a polygon of forces, m of a scheme, m/s of a lever.
-    """
+    """A vector as a figure shows it in its own true units, N, m or m/s: where it begins or acts, and its value."""
 
     name: str
     kind: str  # what it is on its figure

@@ -35,10 +35,7 @@ def directions(rays: Iterable[Segment], place: Place, hand: Hand) -> Iterator[St
 def letter_images(
     images: Iterable[tuple[complex, Sequence[str]]], size: float, labels: Labels, pole: float = BESIDE
 ) -> Iterator[Stroke]:
-    """Letter each image on paper once, outward; those that fall on one place share it. The pole comes first.
-
-    Its letter stands so many mm off the `pole`.
-    """
+    """Letter each image on paper once, outward; those on one place share it. The pole, so many mm off, comes first."""
     names: dict[complex, dict[str, None]] = {}
     for spot, letters in images:
         same = next((known for known in names if abs(known - spot) < SAME), spot)

@@ -98,10 +98,7 @@ def _line(parts: Sequence[str]) -> WrittenEquation:
 def segment_working(
     sizes: Mapping[str, float], symbol: str, name: str, drafting: Drafting, shortest: float = 0.0
 ) -> Workings:
-    """Write beside a polygon how long its vectors are drawn: true sizes by their letters, `symbol` of the scale.
-
-    Those that are shorter than the `shortest`, mm, are passed over.
-    """
+    """Write beside a polygon how long its vectors are drawn, but those shorter than the `shortest`, mm."""
     lines = at_scale(lambda scale: list(_rows(_shown(sizes, scale, shortest), ScaleFactor(scale, symbol, drafting))))
     return Workings(SEGMENTS, name, lines, drafting)
 

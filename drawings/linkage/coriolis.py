@@ -61,10 +61,7 @@ APART = 2.0  # mm between the figure and everything else
 
 
 class QuarterTurn(NamedTuple):
-    """A slip and the Coriolis acceleration that it gives, by directions; `sense` is that of the guide's turning.
-
-    `size` is that of the acceleration, true units: what vanishes on paper has no direction either.
-    """
+    """A slip and the Coriolis acceleration that it gives, of true size; `sense` is that of the guide's turning."""
 
     slip: complex
     result: complex

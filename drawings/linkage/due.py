@@ -115,10 +115,7 @@ class _ExpectedMotion:
                 yield Expected(Kind.DIRECTION, POSITIONS.plan, f"{symbol}_{end}", sense, TURNED)
 
     def strokes(self) -> Iterator[Expected]:
-        """Give the stroke of each slider on the frame, the swing of a rocker, the crank's angles over both strokes.
-
-        They stand where they are long enough; the strokes of the others are lettered by their points.
-        """
+        """Give strokes of sliders, the swing of a rocker, the crank's angles over both, where long enough."""
         out, found = self.study.output, self.extremes
         for slide in other_sliders(self.study.mechanism, out) if EXTREMES in self.study.plans else ():
             extremes = self.comparison.road.extremes(Output(slide.slider, slide.point))

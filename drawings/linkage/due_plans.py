@@ -29,10 +29,7 @@ SHORT = 0.1  # mm: a shorter vector may be a point
 
 @dataclass(frozen=True, eq=False, repr=False)
 class VectorPlans:
-    """The plans of a motion by the analysis; `masses` are the centres that no point names, with link and place.
-
-    `keys` are those of all that the sheets state: any two images may be joined, few are.
-    """
+    """The plans of a motion by the analysis; `masses` are unnamed centres, `keys` those that the sheets state."""
 
     study: LinkageStudy
     comparison: MotionComparison
@@ -150,10 +147,7 @@ class VectorPlans:
         return {name: f"{span.start.name} {span.end.name}" for name, span in found.items()}
 
     def _drawn(self, plan: str, long: Set[str]) -> set[str]:
-        """Give of the vectors that are long enough those that no plan is without: of points, then on from their ends.
-
-        Points of one image have one letter there.
-        """
+        """Give of the vectors long enough those that no plan is without; points of one image have one letter there."""
         drafts, pole = self.study.drafts(), POLES[plan]
         points = {drafts.velocities.point(name).name for name in self._moving}
         points |= {self._ends[f"v_{name}"].split(" ")[1] for name in self.masses}

@@ -35,10 +35,7 @@ SYMBOL = {order.plan: order.point.symbol for order in (VELOCITIES, ACCELERATIONS
 
 
 class Plans(NamedTuple):
-    """What equations of one position are written by: the sums, the plans' scales by their names, the largest rates.
-
-    A plan that is not drawn has no scale, and its vectors no length on paper; `fastest` is the largest rate of a link.
-    """
+    """What equations of one position are written by: sums, scales of plans, the `fastest` rate of a link."""
 
     sums: VectorSums
     scales: Mapping[str, float]

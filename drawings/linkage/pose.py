@@ -109,10 +109,7 @@ def measured(
 
 
 def shown(study: LinkageStudy, comparison: MotionComparison, table: str, asked: Sequence[int]) -> tuple[int, ...]:
-    """Give the positions that are drawn: those that a table asks for, or those of the plans, or one.
-
-    One that has no velocities is refused.
-    """
+    """Give the positions drawn: a table's own, or those of the plans, or one; one that has no velocities is refused."""
     chosen = tuple(asked) or study.form.sheet.plans or (position(study, comparison.construction),)
     moving = np.flatnonzero(~np.isnan(comparison.construction.links[study.output.link].omega)).tolist()
     for k in (k for k in chosen if k not in moving):

@@ -173,10 +173,7 @@ def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
 
 
 def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
-    """Draw the crank circle; hatch it where the crank cannot go, and cross its gap positions and change points.
-
-    Of an arc alone nothing is hatched or crossed past its ends: the figure has no room for that.
-    """
+    """Draw the crank circle; hatch it where the crank cannot go, cross its gaps and change points."""
     pivot, radius, (low, high) = bones.pivot(place), bones.crank(place), bones.swept
     strokes: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)] if low < high else []
     for barrier in bones.study.met:

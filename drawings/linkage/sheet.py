@@ -41,10 +41,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def sheets(
     study: LinkageStudy, comparison: MotionComparison, output: DiagramsStudy | None = None, beside: tuple[int, ...] = ()
 ) -> tuple[Leaf, ...]:
-    """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable.
-
-    Of the positions `beside` the same set has force sheets.
-    """
+    """Lay out the kinematics sheets; of the positions `beside` the same set has force sheets."""
     return lay_out(study.scene, [_KinematicsSheet(study, comparison, output, beside).draft])
 
 
