@@ -88,6 +88,7 @@ RECORDS: Final[Mapping[str, str]] = {
 # By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
 CURVES: Final[Mapping[str, str]] = {
     "dynamics": "drawings.grading.curves.dynamics_figures:figures_of_dynamics",
+    "balance": "drawings.grading.curves.diagram_figures:figures_of_loads",
     "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
     "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
     "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
