@@ -73,7 +73,7 @@ def _pair(finding: Quantity, position: int, language: str) -> tuple[str, str] | 
     both = finding.construction[position], finding.analysis[position]
     if np.isnan(np.abs(both)).any():
         return None
-    found = (float(abs(value) if np.iscomplexobj(value) else value) for value in both)
+    found = (float(abs(value)) if np.iscomplexobj(value) else float(value) for value in both)
     plan, analysis = (fixed(value, language, _places(finding)) for value in found)
     return plan, analysis
 
