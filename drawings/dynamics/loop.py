@@ -300,9 +300,11 @@ def _places(loop: ShownLoop, axes: Axes) -> list[complex]:
 
 
 def _numbered(loop: ShownLoop, axes: Axes, hand: Hand) -> tuple[int, ...]:
-    """Choose the points whose numbers have room: those that tangents touch first, then jumps."""
-    order = (*loop.touches, *loop.strips.jumps, *loop.strips.candidates[:-1])
-    return tuple(sorted(spaced(_places(loop, axes), APART * hand.number, order)))
+    """Choose the points whose numbers have room: those that tangents touch first, between edges too, then jumps."""
+    places = _places(loop, axes)
+    spots = [*places, *(axes.on(touch.varying, touch.surplus) for _, touch in loop.rests)]
+    order = (*range(len(places), len(spots)), *loop.touches, *loop.strips.jumps, *loop.strips.candidates[:-1])
+    return tuple(sorted(k for k in spaced(spots, APART * hand.number, order) if k < len(places)))
 
 
 def _points(loop: ShownLoop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Stroke]:

@@ -258,7 +258,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
             *see(leaves, language, "moments", "works", "surplus", "speeds"),
             *_wheel(study, notes),
             *see(leaves, language, "inertia", "loop", "flywheel_sketch"),
-            *_motion(notes),
+            *listed(chapter(language, "motion"), notes.achieved()),
             *_run(study, notes),
             *see(leaves, language, "tachogram", "run"),
         ],
@@ -324,10 +324,6 @@ def _concluded(study: Study) -> Iterator[str]:
         key = "report.even_enough" if speeds.delta <= task.delta * (1 + EVEN) else "report.uneven"
         text = notes.drafting.number(speeds.delta, DIGITS)
         yield word(language, key, delta=text, asked=notes.fluctuation(task.delta))
-
-
-def _motion(notes: DynamicsNotes) -> list[str]:
-    return listed(chapter(notes.drafting.language, "motion"), notes.achieved())
 
 
 def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:

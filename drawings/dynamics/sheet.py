@@ -241,7 +241,7 @@ class _DynamicsSheet:
         exhibits = [self._exhibit(shown, self._least if self._in_line else None) for shown in plates]
         yield from exhibits[:1]
         yield from (exhibit(curve_graph, curve, self.drafting) for curve in self.machine.reduced)
-        yield from self._loads()
+        yield from (exhibit(load_diagram, course, self.drafting, LARGEST) for course in self.machine.loads)
         yield from exhibits[1:]
         if self.machine.drawn.cycle is not None and not (self._in_line and self._whole.told):
             yield self._caption(self._results())
@@ -279,10 +279,6 @@ class _DynamicsSheet:
         rungs = (rung for free in (beside, above) for rung in picture.rungs(*free, self.page.standard))
         sizes = sorted({rung.extent for rung in rungs if rung.extent >= picture.least}, reverse=True)
         return sizes[self.smaller] if self.smaller < len(sizes) else None
-
-    def _loads(self) -> Iterator[Exhibit]:
-        """Show each load that changes over a stroke."""
-        return (exhibit(load_diagram, course, self.drafting, LARGEST) for course in self.machine.loads)
 
     def _wheel(self) -> Iterator[Exhibit]:
         """Show the flywheel, if there is one whose sizes are known."""

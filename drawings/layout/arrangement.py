@@ -17,7 +17,7 @@ import numpy.typing as npt
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture, Rung
 from drawings.layout.room import Stock
-from drawings.layout.slicing import GAP, SAME, Piece, Size, Tree, pieces
+from drawings.layout.slicing import GAP, SAME, Size, Tree, pieces
 from drawings.layout.standing import Area, Grid, natural
 from drawings.page.page import Field, Page, Scale
 from drawings.paper.walk import PLACES, tied
@@ -114,11 +114,7 @@ def rungs_of(steps: Sequence[Steps], state: State) -> dict[str, Rung]:
 
 def sizes_of(stock: Stock, tree: Tree, rungs: Mapping[str, Rung], ends: Mapping[int, Size]) -> dict[int, Size]:
     """Give the sizes mm of all that stands on a sheet; those of what stands in its corners are known."""
-    return {piece.unit: _size(stock, piece, rungs, ends) for piece in pieces(tree)}
-
-
-def _size(stock: Stock, piece: Piece, rungs: Mapping[str, Rung], ends: Mapping[int, Size]) -> Size:
-    return ends[piece.unit] if piece.unit in ends else stock.sizes(piece.unit, rungs)[piece.choice]
+    return {unit: ends[unit] if unit in ends else stock.sizes(unit, rungs)[way] for unit, way in pieces(tree)}
 
 
 @dataclass(eq=False, repr=False)
@@ -256,10 +252,6 @@ class Arrangement:
     def _taken(self) -> tuple[Field, ...]:
         return self.page.taken
 
-    @cached_property
-    def _block(self) -> Field:
-        return self.page.block
-
     def _share(self, boxes: Boxes) -> float:
         return self._grid.share(self._grid.barest(self._areas(boxes)))
 
@@ -311,7 +303,7 @@ class Arrangement:
         areas: Floats = np.array([*self.inked(k, box)], dtype=float).reshape(-1, 4)  # none of notes without lines
         inked: Floats = corners[:, None] + areas
         free = _within(boxes, self.room)
-        for other in (*others, self._block):
+        for other in (*others, self.page.block):
             free &= ~_meet(boxes, other)
         for place in self._taken:
             free &= ~_meet(inked, place).any(-1)

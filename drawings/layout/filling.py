@@ -261,7 +261,8 @@ def fill(ink: Ink, page: Page, last: bool, loose: Sequence[Loose]) -> Iterator[G
 
 def _least(blocks: Sequence[TextBlock], bare: Field, room: Field, most: float) -> dict[str, Field]:
     """Take the fewest workings that leave no more bare there than may be, mm2, or else as many as there is room for."""
-    inner, share = _common(bare.inset(GAP), room), most / (bare.width * bare.height)
+    clear, share = bare.inset(GAP), most / (bare.width * bare.height)
+    inner = Field(*map(max, clear[:2], room[:2]), *map(min, clear[2:], room[2:]))
     some = (*([block] for block in blocks), *(blocks[:k] for k in range(2, len(blocks))))
     ways = (column(chosen, inner) for chosen in some)
     enough = (way for way in ways if way and bareness(way.values(), bare) <= share)
@@ -299,7 +300,3 @@ def _spread(sizes: dict[str, Size], bare: Field, most: float) -> Iterator[tuple[
     for name, (width, tall) in sizes.items():
         yield name, Field(left, top - tall, left + width, top)
         top -= tall + apart
-
-
-def _common(first: Field, other: Field) -> Field:
-    return Field(*map(max, first[:2], other[:2]), *map(min, first[2:], other[2:]))

@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from drawings.layout.parallel_offsets import nearest
 from drawings.layout.standing import barest
 from drawings.lettering.lettering import bounds
 from drawings.page.page import Field
@@ -21,9 +22,11 @@ from plans.model.motion import Complexes, Floats
 
 CELL = 0.5  # mm, the grain of the cells: finer than a thin line's least distance
 COARSE = 8  # cells along the side of one by which bare paper is sought
+BESIDE = 0.8  # mm: a line drawn so near along another is taken for it
 LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crossed by so many
 CLEAR = 0.4  # mm kept free around a label
 SAG = 0.2  # mm that a straight piece may be off the arc that it stands for
+MARK = 2.5  # mm, radius of the largest circle that is the mark of a point: a hinge
 PIECES = 48  # straight pieces that stand for a smooth path, at least
 RUNGS = 5  # lines across a text's box that feel what it would cover
 
@@ -37,6 +40,7 @@ class Ink:
         self._cells, self._uncelled = _Cells(width, height), list[Stroke]()
         self._pieces, self._unpieced = _Pieces(), list[tuple[Stroke, float]]()
         self._bare = dict[Field, Field]()  # what was found since the last stroke
+        self._marks = list[Circle]()
 
     def bar(self, field: Box, taken: Iterable[Box] = ()) -> None:
         """Keep lettering inside a field and off what is taken of it: all else counts as lettered over."""
@@ -48,6 +52,7 @@ class Ink:
         inked = [*flat(strokes)]
         self._uncelled += inked
         self._unpieced += [(stroke, weight) for stroke in inked]
+        self._marks += [stroke for stroke in inked if isinstance(stroke, Circle) and stroke.radius <= MARK]
         self._bare.clear()
 
     def bare(self, field: Field) -> Field:
@@ -61,8 +66,13 @@ class Ink:
         return self._celled().under(box)
 
     def along(self, start: complex, end: complex) -> tuple[int, float]:
-        """Count what a straight line would cross, by cells; and give the longest way that it has ink under it, mm."""
+        """Count what a straight line would cross, by cells; and give the longest way that ink is at or by it, mm."""
         return self._celled().along(start, end)
+
+    def passed(self, start: complex, end: complex, own: float) -> int:
+        """Count the marks of points that a straight line passes through, but those as near its start as its own, mm."""
+        others = (mark for mark in self._marks if abs(mark.centre - start) > own)
+        return sum(abs(nearest(start, end, mark.centre) - mark.centre) < mark.radius for mark in others)
 
     def crossed_by(self, strokes: Iterable[Stroke]) -> float:
         """Give the weight of the lines that some strokes cross or touch; a text crosses what lies in its box."""
@@ -112,9 +122,10 @@ class _Cells:
         return int(np.add.reduce(self._map[self._covered(box)], axis=None))
 
     def along(self, start: complex, end: complex) -> tuple[int, float]:
-        inked = self._map[self._sampled([[start, end]])]
-        bare = np.flatnonzero(np.concatenate(([0], inked, [0])) == 0)
-        return int(inked.sum()), float(np.diff(bare).max() - 1) * abs(end - start) / len(inked)
+        side = 1j * BESIDE * (end - start) / (abs(end - start) or 1.0)
+        lanes = self._map[self._sampled([[start + off, end + off] for off in (-side, 0j, side)])].reshape(3, -1)
+        bare = np.flatnonzero(np.concatenate(([0], lanes.sum(axis=0), [0])) == 0)
+        return int(lanes[1].sum()), float(np.diff(bare).max() - 1) * abs(end - start) / len(lanes[1])
 
     def _chains(self, stroke: Stroke) -> Iterator[Chain]:
         """Give the lines of a stroke as chains of points; letters are inked in as boxes on the way."""

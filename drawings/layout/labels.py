@@ -25,7 +25,8 @@ SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its st
 STRAY = 4.0  # cost of a place that is nearer to what another label names, in mm of distance: more than any turn
 OTHER = 40.0  # cost of what another label names, or its leader, that a leader crosses, in mm of its length
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
-ACROSS, MERGED = 2.0, 8.0  # mm of ink under a leader across a line; what each mm beyond costs: it runs along a line
+ACROSS, MERGED = 3.0, 8.0  # mm of ink at a leader across a line; what each mm beyond costs: it runs along a line
+BACK, ASTRAIGHT = 4.0, math.radians(15)  # mm from one leader's start to another's; their bend there, to be two lines
 Spots: TypeAlias = Sequence[complex]
 Lines: TypeAlias = Sequence[Segment]  # a point is one of no length
 
@@ -67,8 +68,9 @@ class Labels:
                 bare.append(near)
                 if not _strays(box, near, (spot, spot), others):
                     return self._written(near, content, size)
-        led = self._led(spots, box, gap, prefer, (*others, *self._leaders))
-        led = led or (None if bare else self._led(spots, box, gap, prefer))
+        off = 0.0 if further else 0.7 * gap  # from a line a leader leads at once
+        led = self._led(spots, box, gap, off, prefer, (*others, *self._leaders))
+        led = led or (None if bare else self._led(spots, box, gap, off, prefer))
         if led is not None:
             self._leaders.append(led[:2])
             return self._written(led[2], content, size, Line(*led[:2], self._leader))
@@ -105,7 +107,7 @@ class Labels:
                 corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
                 if not (self.ink.under(padded(box, corner, WELL_CLEAR)) or _strays(box, corner, (start, end), others)):
                     return self._written(corner, content, size)
-        further = [start + share * (end - start) for share in (SHARES[3:] if others else ())]
+        further = [start + share * (end - start) for share in (SHARES[3:] if others else SHARES[:1])]
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across), others, further)
 
     def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Lines = ()) -> complex:
@@ -125,32 +127,34 @@ class Labels:
         return best
 
     def _led(
-        self, spots: Spots, box: Box, gap: float, prefer: float, others: Lines = ()
+        self, spots: Spots, box: Box, gap: float, off: float, prefer: float, others: Lines = ()
     ) -> tuple[complex, complex, complex] | None:
-        """Find a free place further off, and the leader to it: from beside a point to the label's nearer edge."""
-        best, cheapest, beginning = None, math.inf, cache(lambda start: _begins_at(start, 0.7 * gap, others))
+        """Find a free place further off, and the leader to it: from `off` a point to the label's nearer edge."""
+        best, cheapest = None, math.inf
+        clear = [(0.7 * gap, others), *([(BACK, self._leaders)] if others and not off else ())]
+        beginning = cache(lambda start: any(_begins_at(start, *near) for near in clear))
         for reach, spot in product(LED, spots):
             if cheapest <= reach:
                 break
-            for off, angle in _fan(prefer, LEAD_DIRECTIONS):
-                if cheapest <= reach + 1.5 * TURNED * off:
+            for step, angle in _fan(prefer, LEAD_DIRECTIONS):
+                if cheapest <= reach + 1.5 * TURNED * step:
                     break
                 corner = _touching(spot, box, reach, angle)
                 if self.ink.under(padded(box, corner)):
                     continue
-                start = spot + cmath.rect(0.7 * gap, angle)
+                start = spot + cmath.rect(off, angle)
                 if beginning(start):
                     continue
                 end = _nearest(box, corner, start)
-                cost = reach + 1.5 * TURNED * off + OTHER * sum(crossing((start, end), other) for other in others)
+                cost = reach + 1.5 * TURNED * step + OTHER * sum(crossing((start, end), other) for other in others)
                 if cost >= cheapest:
                     continue
                 crossed, run = self.ink.along(start, end)
                 cost += CROSSED * crossed + MERGED * max(run - ACROSS, 0.0)
                 if crossed < LETTERED and cost < cheapest:
+                    cost += OTHER * self.ink.passed(start, end, gap)
                     cost += STRAY * any(_within(box, corner, other, gap + NEAR[-1]) for other in others)
-                    # Two leaders that begin back to back are read as one
-                    if cost < cheapest and not any(merging((start, end), (2 * a - b, b)) for a, b in self._leaders):
+                    if cost < cheapest and not any(_in_line((start, end), leader) for leader in self._leaders):
                         best, cheapest = (start, end, corner), cost
         return best
 
@@ -192,6 +196,14 @@ def _strays(box: Box, corner: complex, line: Segment, others: Lines) -> bool:
     """Tell whether a shifted box is nearer to another line than to its own."""
     own = _off(box, corner, line) if others else 0.0
     return any(_within(box, corner, other, own) for other in others)
+
+
+def _in_line(leader: Segment, other: Segment) -> bool:
+    """Tell whether two leaders are read as one: they run together, or begin back to back at marks that nearly touch."""
+    (start, end), (first, last) = leader, other
+    if abs(start - first) < BACK and abs(cmath.phase((end - start) / ((first - last) or 1.0))) < ASTRAIGHT:
+        return True
+    return merging(leader, (2 * first - last, last))
 
 
 def _begins_at(start: complex, gap: float, others: Lines) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 from typing import TypeAlias
 
 from drawings.paper.walk import MARGIN, tied, tied_spot
@@ -96,16 +97,12 @@ def _shift(
             free = [
                 (_crowd(line, before), number, shift)
                 for number, shift in enumerate(sides)
-                if _clear(line := offset(segment, shift), before)
+                if not any(map(partial(merging, line := offset(segment, shift)), before))
                 and (not kept or _within(line, inside)) and (not roomy or _roomy(line, before, 0.95 * room))
             ]  # fmt: skip
             if free:
                 return min(free)[2]
     return 0j
-
-
-def _clear(segment: Segment, before: Sequence[Segment]) -> bool:
-    return not any(merging(segment, other) for other in before)
 
 
 def _within(segment: Segment, inside: Box) -> bool:

@@ -212,14 +212,10 @@ def _hull(points: set[complex]) -> list[complex]:
 def _chain(ordered: Sequence[complex]) -> list[complex]:
     chain: list[complex] = []
     for point in ordered:
-        while len(chain) > 1 and not _left(chain[-2], chain[-1], point):
+        while len(chain) > 1 and ((chain[-1] - chain[-2]).conjugate() * (point - chain[-1])).imag <= 0:  # no turn left
             chain.pop()
         chain.append(point)
     return chain
-
-
-def _left(start: complex, middle: complex, end: complex) -> bool:
-    return ((middle - start).conjugate() * (end - middle)).imag > 0
 
 
 RUNGS = 12  # scales tried for a picture: the last is a hundredth of the first, too small for any sheet

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -74,12 +73,9 @@ def _pair(finding: Quantity, position: int, language: str) -> tuple[str, str] | 
     both = finding.construction[position], finding.analysis[position]
     if np.isnan(np.abs(both)).any():
         return None
-    plan, analysis = (fixed(_stated(value), language, _places(finding)) for value in both)
+    found = (float(abs(value)) if np.iscomplexobj(value) else float(value) for value in both)
+    plan, analysis = (fixed(value, language, _places(finding)) for value in found)
     return plan, analysis
-
-
-def _stated(value: Any) -> float:
-    return float(abs(value)) if np.iscomplexobj(value) else float(value)
 
 
 def _places(finding: Quantity) -> int:

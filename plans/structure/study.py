@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
+from itertools import chain, count, repeat
 from typing import NamedTuple
 
 import numpy as np
@@ -99,7 +100,8 @@ class StructureStudy:
         return self._structure(self.pose).altered(kinds)
 
     def _structure(self, pose: SchemePose) -> Structure:
-        contacts = (contact(k, form, pose) for k, form in enumerate(self.form.contacts))
+        free = (name for name in chain("KMNPQTUVWXYZ", map("K{}".format, count(1))) if name not in pose.points)
+        contacts = map(contact, free, self.form.contacts, repeat(pose))
         links = tuple(sorted(set(self.mechanism.links) - {FRAME}))
         return Structure(links, (*joints(self.mechanism, pose), *contacts))
 
@@ -187,7 +189,7 @@ def joints(mechanism: Mechanism, pose: SchemePose) -> Iterator[Joint]:
         yield Joint(f"{slide.point} {first}-{last}", (first, last), SLIDING, SLIDING, *pose.slides[slide])
 
 
-def contact(number: int, form: ContactTable, pose: SchemePose) -> Joint:
+def contact(name: str, form: ContactTable, pose: SchemePose) -> Joint:
     """Give a contact: its normal goes through the centres of curvature, or is square to a flat side."""
     places = [pose.points[name] for name in form.between]
     if form.along:
@@ -201,7 +203,7 @@ def contact(number: int, form: ContactTable, pose: SchemePose) -> Joint:
         at = places[1] - normal * (abs(run) / 2 if form.radius is None else float(form.radius))
     centres = tuple(map(CurvatureCentre, form.between, form.links, places))
     links = tuple(sorted(form.links))
-    return Joint(f"K{number or ''} {links[0]}-{links[1]}", links, CONTACT, CONTACTS[form.kind], at, normal, centres)
+    return Joint(f"{name} {links[0]}-{links[1]}", links, CONTACT, CONTACTS[form.kind], at, normal, centres)
 
 
 def posed(mechanism: Mechanism, points: Mapping[str, complex], turns: Mapping[int, complex]) -> SchemePose:

@@ -23,7 +23,7 @@ from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.linkage.trajectories import phases
 from drawings.page.page import Field, Scale
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke
 from drawings.paper.walk import flat, texts
 from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
@@ -129,8 +129,7 @@ def test_two_blocks_on_one_pin_are_a_block_and_a_slot_about_the_pin() -> None:
 def test_a_dimension_runs_through_no_mark() -> None:
     found = drawn("high centre")
     dimension = shapely.union_all([shape(s) for s in found.strokes("stroke")])
-    marks = (shape(mark) for mark in found.strokes("pairs") if isinstance(mark, Circle))
-    assert all(mark.distance(dimension) > 0.5 for mark in marks)
+    assert all(shape(s).distance(dimension) > 0.5 for s in found.strokes("pairs") if isinstance(s, Circle))
 
 
 def test_a_number_on_a_trajectory_joins_no_row_of_a_guide() -> None:
@@ -152,14 +151,13 @@ def test_a_number_along_a_guide_is_nearest_to_its_own_tick_or_led_to_it() -> Non
     assert along > 3
 
 
-def test_a_leader_runs_along_no_line() -> None:
+@pytest.mark.parametrize(("long", "marks"), [(1.0, []), (0.2, [Circle(58 + 50j, 1.0)])])
+def test_a_leader_runs_along_no_line_and_through_no_mark(long: float, marks: list[Circle]) -> None:
     """Of two bare places the nearer lies straight along the ray that the pivot's letter should stand on."""
-    near, far = Field(64, 46, 74, 54), Field(46, 70, 54, 82)
-    rules = [Line(complex(x, y), complex(x + 1, y)) for x in range(99) for y in range(99)]
-    sheet = Ink(100, 100)
-    sheet.draw(line for line in rules if not any(field.holds(line.start + 0.5) for field in (near, far)))
-    led = Labels(sheet, A1.drafted).beside(50 + 50j, "O", 5, 3, 0.0)
-    assert any(far.holds(text.at) for text in flat([led]) if isinstance(text, Text))
+    near, far, sheet = Field(64, 46, 74, 54), Field(46, 70, 54, 82), Ink(100, 100)
+    rules = [Line(complex(x, y), complex(x + long, y)) for x in range(99) for y in range(99)]
+    sheet.draw([*marks, *(line for line in rules if not any(field.holds(line.start + 0.5) for field in (near, far)))])
+    assert any(far.holds(text.at) for text in texts([Labels(sheet, A1.drafted).beside(50 + 50j, "O", 5, 3, 0.0)]))
 
 
 def test_a_tiny_crank_circle_is_numbered_on_a_detail() -> None:

@@ -26,7 +26,8 @@ from plans.model.dyad import Dyad, Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Drive, Link, Output, Slide, StructureError
 from plans.model.motion import Floats
 from plans.scene.scene import parse_scene, read_scene
-from plans.structure.study import sketched
+from plans.structure.study import StructureStudy, sketched
+from plans.study import Study
 from tests.parts import some
 from tests.plans import linkages
 from tests.plans.linkages import ALONG_X, four_bar
@@ -55,9 +56,10 @@ def test_formula_of_the_shaper_for_any_order_of_tables(order, slides):
 
 def test_a_sketch_gives_the_other_points_of_a_link_by_its_shape():
     lines = "".join(TABLES.values()) + SLOT + GUIDE + "[mechanism.points]\nK = { on = 4, at = [0.1, 0.05] }\n"
+    lines += '[[structure.contacts]]\nlinks = [4, 1]\nbetween = "KO"\n'
     found = sketched(scene := parse_scene(lines), LinkageStudy(scene).mechanism).points
-    rod = found["D"] - found["B"]
-    assert found["K"] - found["B"] == pytest.approx((0.1 + 0.05j) * rod / abs(rod))
+    assert StructureStudy(Study(scene)).structure.joints[-1].letter == "M"  # there is a point K
+    assert (found["K"] - found["B"]) / (rod := found["D"] - found["B"]) == pytest.approx((0.1 + 0.05j) / abs(rod))
 
 
 RRR = KINDS["RRR"]
