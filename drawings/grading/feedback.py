@@ -13,8 +13,7 @@ from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
 from drawings.grading.asked import plan_told
-from drawings.grading.graded import UNREAD, Graded
-from drawings.grading.sheet_task import Hints
+from drawings.grading.graded import UNREAD, Graded, Hints
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, TABLE, Marking, Verdict, points_of
 from plans.words.words import Message, message, word
 

@@ -19,8 +19,7 @@ from drawings.grading.curves.figure_judge import allowed_of
 from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.curves.form_figure import every_axes
 from drawings.grading.feedback import lines
-from drawings.grading.graded import PASS, UNREAD, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import PASS, UNREAD, SheetTask, grade
 from drawings.grading.verdict import Marking
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups

@@ -8,8 +8,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from drawings.grading.allowance import EXACT, Allowance, Allowances
-from drawings.grading.graded import PASS, grade
-from drawings.grading.sheet_task import SheetTask, sheet_task
+from drawings.grading.graded import PASS, SheetTask, grade, sheet_task
 from drawings.reading.alphabet import folded
 from drawings.redrawn import Original, Originals
 from tests import parts

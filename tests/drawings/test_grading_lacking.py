@@ -12,8 +12,7 @@ from drawings.form.form import form_of
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.curves.form_figure import places_filled
-from drawings.grading.graded import FAIL, PASS, UNREAD, Graded, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import FAIL, PASS, UNREAD, Graded, SheetTask, grade
 from drawings.grading.verdict import Marking, Verdict, points_of
 from drawings.paper.strokes import Group, Text
 from drawings.pens.svg import svg

@@ -11,8 +11,7 @@ import pytest
 from drawings.form.form import form_of
 from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
-from drawings.grading.graded import FAIL, UNREAD, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import FAIL, UNREAD, SheetTask, grade
 from drawings.grading.verdict import points_of, read_marking
 from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written

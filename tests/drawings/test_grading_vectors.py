@@ -10,8 +10,7 @@ import pytest
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask, grade
 from drawings.grading.verdict import UNGROUPED
 from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
 from geometry.board import Mark

@@ -6,8 +6,7 @@ import math
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.cells.asked_table import TableAsked
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask, grade
 from drawings.grading.written_number import number
 from drawings.paper.strokes import Text
 from tests.drawings.cell_students import key_of, table_task, tables_of, written

@@ -7,8 +7,7 @@ import math
 import pytest
 
 from drawings.grading.allowance import Allowances
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask, grade
 from drawings.grading.written_number import stated_scales
 from drawings.paper.strokes import Group, Stroke, Text
 from tests.drawings.curve_students import curve_task

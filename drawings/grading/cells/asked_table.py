@@ -11,7 +11,7 @@ from drawings.checks.differences import plain
 from drawings.checks.expected import Expected
 from drawings.form.laid import BESIDE
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
-from drawings.grading.altered import Alteration, alterations
+from drawings.grading.altered import idle_due
 from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
 from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.written_number import SURE, number
@@ -55,7 +55,7 @@ class CellAsked(NamedTuple):
     read: tuple[str, ...] = ()  # the vectors that it is read off, as their letters are seen
     reading: Reading | None = None  # or the rate
     sheet: str = ""  # the sheet of the task that it stands on
-    altered: tuple[tuple[str, float], ...] = ()  # what it would be by mistakes of the whole task
+    idle: float | None = None  # what it is if the idle stroke is loaded
 
     def allowed(self, by: Allowances, rough: float) -> float:
         """Give what it may be out, of a sheet that is written so roughly, mm."""
@@ -127,7 +127,7 @@ class _Cell(NamedTuple):
     plain: str
     expected: Expected
     sheet: Original
-    altered: tuple[tuple[str, Expected], ...] = ()
+    idle: Expected | None = None
 
 
 class _TablePart(NamedTuple):
@@ -156,10 +156,12 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Tab
         return
     states = ((group.states.key, group) for group in stated(leaf.groups) if group.states is not None)
     by_text = {id(text): expected[key] for key, group in states if key in expected for text in texts((group,))}
-    others = alterations(originals, sheet)
+    idle = idle_due(originals, sheet.kind)
     for table in tables_seen(ruling(leaf), {folded(text.plain) for text, _ in corners}):
         cells = {
-            key: _Cell(" ".join(text.plain for text in cell.texts), due, sheet, _altered(due, others))
+            key: _Cell(
+                " ".join(text.plain for text in cell.texts), due, sheet, idle.get((due.kind, due.figure, due.name))
+            )
             for key, cell in table.cells.items()
             if cell.texts and (due := by_text.get(id(cell.texts[0]))) is not None
         }
@@ -208,7 +210,7 @@ class _Own:
             read=read,
             reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
             sheet=self.cells[key].sheet.name,
-            altered=tuple((kind, due) for kind, row in self.cells[key].altered if (due := _due(row)) is not None),
+            idle=_due(self.cells[key].idle),
         )  # fmt: skip
 
     def _printed(self, key: Key, value: float) -> float:
@@ -246,14 +248,10 @@ class _Own:
                 yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
 
 
-def _due(row: Expected) -> float | None:
-    if not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
+def _due(row: Expected | None) -> float | None:
+    if row is None or not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
         return None
     return abs(row.value) if isinstance(row.value, complex) else float(row.value)
-
-
-def _altered(row: Expected, others: Sequence[Alteration]) -> tuple[tuple[str, Expected], ...]:
-    return tuple((other.kind, found) for other in others if (found := other.of(row)) is not None)
 
 
 def _bare(plain: str) -> str:

@@ -161,9 +161,9 @@ class CellJudge:
                 return self._said(key, verdict.FOLLOWS if off > allowed else verdict.RIGHT, off)
         told = cell.quantity, cell.unit
         same = (other for other in self.asked.cells.values() if (other.quantity, other.unit) == told)
-        rows = (other.altered for other in same if abs(other.true - cell.true) <= ALIKE * abs(cell.true))  # both roads
-        altered = [value for row in rows for kind, value in row if kind in self.shown.mistakes]
-        if any(_apart(written.value, value, cell.unit) <= self._allowed(key) for value in altered):
+        idle = (one.idle for one in same if abs(one.true - cell.true) <= ALIKE * abs(cell.true))  # of both roads
+        known = (value for value in idle if value is not None and verdict.IDLE in self.shown.mistakes)
+        if any(_apart(written.value, value, cell.unit) <= self._allowed(key) for value in known):
             return self._said(key, verdict.FOLLOWS, off)
         return self._said(key, verdict.WRONG, off)
 

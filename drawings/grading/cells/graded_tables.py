@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from typing import NamedTuple
 
@@ -33,24 +32,21 @@ Drawn = Sequence[TableDrawn]
 def tables_drawn(sheet: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
     """Find the tables that are asked for on a sheet; all parts of one are put together."""
     corners = {table.corner for table in asked}
-    found: dict[int, dict[Key, SeenCell]] = {}
-    doubled: dict[int, set[Key]] = {}
-    parts = Counter[int]()
+    found: dict[int, list[SeenTable]] = {}
     for table in tables_seen(ruling(sheet.leaf), corners) if asked else ():
         fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], sheet))
         if _fit(table, asked[fits], sheet)[0] > 0:
-            cells = found.setdefault(fits, {})
-            parts[fits] += 1
-            doubled.setdefault(fits, set()).update(_doubled(asked[fits], cells, table.cells))
-            cells |= {key: cell for key, cell in table.cells.items() if key not in cells or not cells[key].texts}
-    return [TableDrawn(asked[k], cells, parts[k], doubled[k]) for k, cells in sorted(found.items())]
+            found.setdefault(fits, []).append(table)
+    return [_whole(asked[k], parts) for k, parts in sorted(found.items())]
 
 
-def _doubled(asked: TableAsked, first: Mapping[Key, SeenCell], second: Mapping[Key, SeenCell]) -> Iterator[Key]:
-    for key in (key for key in asked.cells if key in first and key in second):
-        ours, theirs = (" ".join(text.plain for text in cells[key].texts) for cells in (first, second))
-        if ours and theirs and ours != theirs:
-            yield key
+def _whole(asked: TableAsked, parts: Sequence[SeenTable]) -> TableDrawn:
+    cells, doubled = dict[Key, SeenCell](), set[Key]()
+    for key, cell in (pair for part in parts for pair in part.cells.items()):
+        first = cells.get(key, cell)
+        doubled |= {key} if key in asked.cells and len({first.plain, cell.plain, ""}) > 2 else set()
+        cells[key] = first if first.texts else cell
+    return TableDrawn(asked, cells, len(parts), doubled)
 
 
 def answered(found: Drawn, others: Collection[str]) -> bool:

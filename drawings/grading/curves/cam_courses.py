@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawCourse
-from drawings.grading.curves.run_figures import moved_means
+from drawings.grading.curves.dynamics_figures import moved_means
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import LimitLine, least, sides_of, sizes
