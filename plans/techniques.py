@@ -93,12 +93,16 @@ class Technique(ABC):
         return None
 
 
-def late(made: str) -> Any:
-    """Answer a question to a technique by what stands in its folder, as "module:name"; without a subject it is that."""
+def late(made: str, *of: str) -> Any:
+    """Answer a question to a technique by what stands in its folder, as "module:name"; without a subject it is that.
 
-    def answer(technique: Technique, *subject: object) -> Any:
+    Where it takes no whole study, but parts `of` it, these are named so too, each in the folder of its technique.
+    """
+
+    def answer(technique: Technique, *subject: Any) -> Any:
         found = named(f"plans.{name_of(technique)}.{made}")
-        return found(*subject) if subject else found
+        given = [subject[0].of(named(f"plans.{part}")) for part in of] or subject
+        return found(*given) if given else found
 
     return answer
 

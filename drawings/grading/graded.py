@@ -12,9 +12,8 @@ from typing import Final, NamedTuple, TypeAlias
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked, plan_named, plans_asked
-from drawings.grading.cells.asked_table import TableAsked, tables_asked
-from drawings.grading.cells.cell_judge import BesideTables
-from drawings.grading.cells.graded_tables import Drawn, alone, answered, table_verdicts, tables_drawn
+from drawings.grading.cells.asked_table import Drawn, TableAsked, alone, answered, tables_asked, tables_drawn
+from drawings.grading.cells.cell_judge import BesideTables, table_verdicts
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.curves.figure_records import FigureAsked, figures_asked
@@ -238,7 +237,10 @@ def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]
     if places:  # a form gives the fixed points of the plan of positions with their data
         marked = [plan for plan in marked if not plan.asked.dotted]
     whole = tuple(redrawn(plan, lines) for plan in marked)
-    if not places or any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
+    arrows = (vector for plan in marked for vector in plan.asked.vectors if vector.letters in plan.arrows)
+    if not places or any(
+        vector.start or vector.letter for vector in arrows
+    ):  # data that are left in one plan are left in all
         return whole
     sheets, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [plan for plan in plans if plan.place not in there and (not sheets or plan.sheet in sheets)]

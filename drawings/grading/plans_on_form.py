@@ -67,7 +67,8 @@ def plans_on_form(
         if here.pole is not None and any(abs(line.start - here.pole) <= JOINED for line in arrows):
             pole = POLES.get(due.plan, "")  # of which the form tells where it stands
             known = {**labels, spelled(pole): [Label(Text(here.pole, pole), here.pole)]}
-        drawn = _LetteredArrows(due, known, scale_at(here, texts, due)).drawn(arrows, near)
+        away, mu = min(((here.away(text), mu) for text, mu in scales_written(texts, due)), default=(math.inf, 0.0))
+        drawn = _LetteredArrows(due, known, mu if away <= HEADING else None).drawn(arrows, near)
         if arrows or drawn.arrows:
             yield drawn
 
@@ -205,12 +206,6 @@ def _both_ways(
     for letters, arrow in drawn.items():
         if abs(arrow.vector) > JOINED and any(_joins(other, arrow.end, arrow.start) for other in left):
             yield " ".join(filter(None, letters))
-
-
-def scale_at(place: FormPlace, texts: Sequence[Text], plan: PlanAsked) -> float | None:
-    """Give the scale that is written nearest to the place of a plan, true units a mm; None where none is near."""
-    near = min(((place.away(text), mu) for text, mu in scales_written(texts, plan)), default=(math.inf, 0.0))
-    return near[1] if near[0] <= HEADING else None
 
 
 def _distance(box: Box, arrow: Segment) -> float:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from plans.techniques import Technique, late
 
 if TYPE_CHECKING:
-    from plans.quantity import Comparison
     from plans.study import Made, Study
 
 
@@ -22,6 +21,7 @@ class CyclogramTechnique(Technique):
     survey = late("reading:survey_of")
     notes = late("reading:notes_of")
     asks = late("reading:asked_of")
+    comparison = late("quantities:compare_cyclogram", "cyclogram.study:CyclogramStudy")
     numbers = late("quantities:numbers")
     marks = late("marks:marks")
 
@@ -30,12 +30,6 @@ class CyclogramTechnique(Technique):
         from plans.linkage.study import LinkageStudy
 
         return CyclogramStudy(study.scene, study.of(LinkageStudy))
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.cyclogram.quantities import compare_cyclogram
-        from plans.cyclogram.study import CyclogramStudy
-
-        return compare_cyclogram(study.of(CyclogramStudy))
 
 
 TECHNIQUE = CyclogramTechnique()

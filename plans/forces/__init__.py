@@ -9,9 +9,7 @@ from plans.techniques import MOTION, Technique, late
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
-    from plans.quantity import Comparison
     from plans.scene.scene import Scene
-    from plans.study import Made, Study
 
 
 class ForcesTechnique(Technique):
@@ -32,21 +30,10 @@ class ForcesTechnique(Technique):
     form = late("reading.form:ForceForm")
     survey = late("reading.references:survey_of")
     notes = late("reading.references:notes_of")
+    study = late("statics:Statics", "linkage.study:LinkageStudy")
+    comparison = late("quantities:compare_forces", "forces.statics:Statics", "linkage.quantities:MotionComparison")
     numbers = late("quantities:numbers")
     marks = late("marks:marks")
-
-    def study(self, study: Study) -> Made:
-        from plans.forces.statics import Statics
-        from plans.linkage.study import LinkageStudy
-
-        return Statics(study.of(LinkageStudy))
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.forces.quantities import compare_forces
-        from plans.forces.statics import Statics
-        from plans.linkage.quantities import MotionComparison
-
-        return compare_forces(study.of(Statics), study.of(MotionComparison))
 
     def idle(self, scene: Scene) -> Iterable[Message]:
         given = scene.has(("masses",)) or scene.has(("loads",))

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from plans.techniques import Technique, late
 
 if TYPE_CHECKING:
-    from plans.quantity import Comparison
     from plans.scene.scene import Meaning, Survey
     from plans.study import Made, Study
 
@@ -24,6 +23,7 @@ class RotorTechnique(Technique):
     }
     form = late("reading:RotorForm")
     notes = late("reading:notes_of")
+    comparison = late("quantities:compare_rotor", "rotor.study:RotorStudy")
     numbers = late("quantities:numbers")
     marks = late("marks:marks")
 
@@ -37,12 +37,6 @@ class RotorTechnique(Technique):
         from plans.rotor.study import RotorStudy
 
         return RotorStudy(study.scene.meaning.of(RotorSurvey).rotor)
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.rotor.quantities import compare_rotor
-        from plans.rotor.study import RotorStudy
-
-        return compare_rotor(study.of(RotorStudy))
 
 
 TECHNIQUE = RotorTechnique()

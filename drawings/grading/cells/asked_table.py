@@ -1,9 +1,9 @@
-"""What a task asks for of its tables: cells, each with its true value and what a hand may be out in it (таблица)."""
+"""Tables of a task: cells, each with its true value and what a hand may be out in it; where a sheet has them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
@@ -12,13 +12,14 @@ from drawings.checks.expected import Expected
 from drawings.form.laid import BESIDE
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.altered import idle_due
-from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
+from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, ruling, tables_seen
 from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.written_number import SURE, number
 from drawings.lettering.words import last_place, word
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, stated, texts
 from drawings.reading.alphabet import folded
+from drawings.reading.sheet import SeenSheet
 from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import table_of
 from geometry.board import Reading
@@ -265,3 +266,62 @@ def _marked(text: Text) -> str:
     'a^n_BA'
     """
     return _bare("".join(MARKS[run.level] + run.text for run in text.runs))
+
+
+class TableDrawn(NamedTuple):
+    """A table that is found on a sheet: its cells, in so many parts, and which of them differ in two."""
+
+    asked: TableAsked
+    cells: Mapping[Key, SeenCell]
+    parts: int = 1
+    doubled: Set[Key] = frozenset()
+
+    @property
+    def filled(self) -> bool:
+        """Whether it is written in."""
+        return any(self.cells[key].texts for key in self.asked.cells if key in self.cells)
+
+
+Drawn: TypeAlias = Sequence[TableDrawn]
+
+
+def tables_drawn(sheet: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
+    """Find the tables that are asked for on a sheet; all parts of one are put together."""
+    corners = {table.corner for table in asked}
+    found: dict[int, list[SeenTable]] = {}
+    for table in tables_seen(ruling(sheet.leaf), corners) if asked else ():
+        fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], sheet))
+        if _fit(table, asked[fits], sheet)[0] > 0:
+            found.setdefault(fits, []).append(table)
+    return [_whole(asked[k], parts) for k, parts in sorted(found.items())]
+
+
+def _whole(asked: TableAsked, parts: Sequence[SeenTable]) -> TableDrawn:
+    cells, doubled = dict[Key, SeenCell](), set[Key]()
+    for key, cell in (pair for part in parts for pair in part.cells.items()):
+        first = cells.get(key, cell)
+        doubled |= {key} if key in asked.cells and len({first.plain, cell.plain, ""}) > 2 else set()
+        cells[key] = first if first.texts else cell
+    return TableDrawn(asked, cells, len(parts), doubled)
+
+
+def answered(found: Drawn, others: Collection[str]) -> bool:
+    """Tell whether the tables of a sheet can be graded: written in, or such that nothing else stands on their sheets.
+
+    `others` are the sheets that more is asked for on: where all of it is lost it is not marked down.
+    """
+    return any(table.filled or not set(table.asked.sheets) & set(others) for table in found)
+
+
+def alone(found: Drawn, sheet: SeenSheet) -> set[str]:
+    """Give the sheets of tables that are written in on the only sheet of its kind, of which all is due then."""
+    written = (table.asked for table in found if table.filled and sheet.measured.metadata.get("of") == 1)
+    return {name for asked in written for name in asked.sheets}
+
+
+def _fit(table: SeenTable, asked: TableAsked, sheet: SeenSheet) -> tuple[int, bool, int]:
+    """Give how many cells of a table are asked for, whether its sheet is titled so, how many cells are as they must."""
+    keys = [key for key in table.cells if key in asked.cells]
+    written = ((number(table.cells[key].texts, asked.cells[key].unit), asked.cells[key]) for key in keys)
+    said = sum(one is not None and abs(one.value - cell.true) <= cell.printed for one, cell in written)
+    return len(keys), sheet.leaf.title in asked.titles, said

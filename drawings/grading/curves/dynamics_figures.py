@@ -24,7 +24,7 @@ from drawings.dynamics.due_graphs import (
     AnalysedTurn,
 )
 from drawings.grading import verdict
-from drawings.grading.curves.diagram_figures import load_diagrams
+from drawings.grading.curves.diagram_figures import figures_of_loads
 from drawings.grading.curves.figure_records import (
     BEARINGS,
     ORDINATES,
@@ -143,7 +143,7 @@ ENGINE: Final[Mapping[str, Message]] = MappingProxyType({**WHY, SURPLUS: because
 def figures_of_dynamics(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of dynamics (row of the table of records)."""
     comparison, task = study.of(DynamicsComparison), study.of(DynamicsStudy).task
-    yield from load_diagrams(sheet, study.of(DynamicsStudy).statics)
+    yield from figures_of_loads(study, sheet)
     if comparison.analysis.cycle is None:
         return
     drawn = _GradedDynamics(sheet, AnalysedTurn(task, comparison.analysis), AnalysedTurn(task, comparison.exact))
