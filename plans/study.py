@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from copy import copy
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
+from plans.model.motion import Pace
 from plans.quantity import Comparison, Quantity, Stated
 from plans.scene.forms import resting
 from plans.scene.scene import Scene
 from plans.techniques import Technique, name_of, techniques
-
-if TYPE_CHECKING:
-    from plans.model.motion import Pace
 
 S = TypeVar("S")
 

@@ -1,6 +1,6 @@
 """The techniques (разделы курса): their names, and what each is asked. Each is an object of its own folder.
 
-Nothing of a technique but its `__init__` is imported before a scene asks for it: a method imports what it needs.
+Nothing of a technique but its `__init__` is imported before a scene asks for it: it is asked late for the rest.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING, ClassVar, Final
+from typing import TYPE_CHECKING, Any, ClassVar, Final
 
 if TYPE_CHECKING:
     from plans.explanation import Explanation, NoMark
@@ -91,6 +91,26 @@ class Technique(ABC):
     def pace(self, study: Study) -> Pace | None:
         """Give the rates of the drive at its positions, where the scene asks this technique for them."""
         return None
+
+
+def late(made: str, *of: str) -> Any:
+    """Answer a question to a technique by what stands in its folder, as "module:name"; without a subject it is that.
+
+    Where it takes no whole study, but parts `of` it, these are named so too, each in the folder of its technique.
+    """
+
+    def answer(technique: Technique, *subject: Any) -> Any:
+        found = named(f"plans.{name_of(technique)}.{made}")
+        given = [subject[0].of(named(f"plans.{part}")) for part in of] or subject
+        return found(*given) if given else found
+
+    return answer
+
+
+def named(place: str) -> Any:
+    """Import what stands in a place: "module:name"."""
+    module, _, name = place.partition(":")
+    return getattr(import_module(module), name)
 
 
 @cache

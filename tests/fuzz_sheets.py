@@ -26,8 +26,7 @@ from drawings.files.atomic_files import json_text
 from drawings.grading import feedback as told
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.feedback import feedback, is_plain
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask, sheet_task
+from drawings.grading.graded import SheetTask, grade, sheet_task
 from drawings.grading.verdict import Marking
 from drawings.redrawn import Originals, check
 from tests.forgeries.chance_edits import CHANGES, HANDED_IN

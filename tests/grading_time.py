@@ -16,8 +16,7 @@ from tempfile import TemporaryDirectory
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.class_list import grade_all
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import sheet_task
+from drawings.grading.graded import grade, sheet_task
 from drawings.redrawn import Originals
 from tests.gallery import GALLERY
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from plans.techniques import TECHNIQUES
+from plans.techniques import TECHNIQUES, named
 from tests.own_text import parsed
 from tests.rows import over
 
@@ -285,6 +286,13 @@ def test_a_room_knows_only_the_rooms_below(path: str) -> None:
 @pytest.mark.parametrize(("path", "module"), UPWARD)
 def test_an_exception_that_is_no_longer_needed_is_taken_off(path: str, module: str) -> None:
     assert (path, module) in set(upward(path, (ROOT / path).read_text("utf-8")))
+
+
+@pytest.mark.parametrize("path", OBJECTS)
+def test_what_a_technique_is_asked_late_is_there(path: str) -> None:
+    every = (call for call in parsed((ROOT / path).read_text("utf-8")).asked if isinstance(call, ast.Call))
+    for first, *parts in (map(ast.literal_eval, call.args) for call in every if ast.unparse(call.func) == "late"):
+        assert all(map(named, (f"{module_of(path)}.{first}", *(f"plans.{part}" for part in parts))))
 
 
 def test_every_file_stands_in_a_room() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from drawings.balance.notes import BalanceNotes
 from drawings.forces.report import drafting_of_forces, masses_and_loads
 from drawings.lettering.words import CENTRE, FORCE, MOMENT, counterweight
 from drawings.linkage.report import ROUNDED
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, entry, plain
 from drawings.report.report import Report, chapter, header, row, tabled, united
 from plans.balance.study import BalanceStudy
@@ -21,9 +22,6 @@ from plans.model.balance.linkage import Counterweight
 from plans.model.motion import NOTHING
 from plans.study import Study
 from plans.words.words import word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 
 TELLING = frozenset({"forces", "dynamics"})  # techniques that tell masses and loads themselves

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from drawings.forces.report import mass_table
 from drawings.lettering.words import lowered_bank
 from drawings.linkage.notes import assembly, lengths
 from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, listed, plain
 from drawings.report.report import ANGLE, Report, TableSubject, chapter, header, row
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
@@ -25,9 +26,6 @@ from plans.model.balance.bank import BankBalance, Compensator, Harmonic
 from plans.model.motion import Complexes
 from plans.study import Study
 from plans.words.words import word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 # Of the largest order of one mechanism: where that is drawn 100 mm long, what is less is shorter than 0.1 mm, and no
 # line is so thin. A figure of it at a scale of its own would look like those that matter.

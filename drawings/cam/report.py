@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from drawings.cam.hub import notes as hub_notes
 from drawings.cam.notes import CamNotes, letters, table_units
 from drawings.lettering.words import ROUNDING
 from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, entry, literal, plain, raised
 from drawings.report.report import Report, TableSubject, column, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
@@ -21,9 +21,6 @@ from plans.model.cam_motion import CamFound
 from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import Message, message, word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 DEGREES = math.degrees(1)
 ENGLISH = "en"  # of the gallery's page

@@ -16,8 +16,7 @@ from drawings.files.atomic_files import print_json, write
 from drawings.grading.allowance import Allowances, allowance
 from drawings.grading.class_list import grade_all, grade_own
 from drawings.grading.feedback import HEAD, feedback, is_plain, lines, plain, plain_name, row
-from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
-from drawings.grading.sheet_task import Hints, idle_keys, sheet_task
+from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, Hints, grade, idle_keys, sheet_task
 from drawings.grading.verdict import Marking, read_marking
 from drawings.paper.limits import SHEET_BYTES
 from drawings.redrawn import Originals

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 from drawings.cyclogram.notes import CyclogramNotes
 from drawings.cyclogram.sheet import HEADS, SWINGS, cells, name
 from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import Chapters, entry, plain
 from drawings.report.report import Report, chapter, header, row
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.model.cyclogram import BEGIN, END, Cyclogram, Position
 from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
-
 
 TIMES = 3  # digits of a condition
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.lettering import every
 from drawings.lettering.words import fixed, number
 from drawings.page.page import Drafting
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import Chapters, see
 from drawings.report.report import Report, chapter, heading, tabled
 from plans.diagrams.study import DiagramsStudy
@@ -22,9 +23,6 @@ from plans.model.motion import Floats
 from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import said, word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 
 def diagram_notes(diagrams: DiagramsStudy, drafting: Drafting) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from drawings.dynamics.given import RPM, given
 from drawings.forces.report import masses_and_loads
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, entry, listed, plain, see
 from drawings.report.report import Report, chapter, header, row, tiny
 from plans.dynamics.cycle import methods, rim_of
@@ -27,9 +28,6 @@ from plans.model.dynamics import TURN, Cycle, Flywheel, Task, Wheel, settled
 from plans.model.run import Account
 from plans.study import Study
 from plans.words.words import Message, message, word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 OTHERS = (2.0, 0.5)  # times the fluctuation that is asked for
 PER_CENT = 3  # digits of a share

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from drawings.lettering import words as lettering
 from drawings.lettering.words import fixed, number, runs
 from drawings.linkage.notes import greatest, stroke_line
 from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, Formula, plain, see
 from drawings.report.report import ANGLE, Report, chapter, column, gap_line, gap_lines, header, heading, row, tabled
 from plans.forces.cut import indices
@@ -29,9 +30,6 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study
 from plans.words.words import Message, message, word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 
 class Least(NamedTuple):

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import PLAN as LEVER
 from drawings.linkage.equations import in_position
 from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.report import chapter, header, row
@@ -21,11 +21,8 @@ from plans.forces.lever import Lever
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.motion import FORCES, NOTHING
+from plans.study import Study
 from plans.words.words import word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
-    from plans.study import Study
 
 
 @dataclass(frozen=True)

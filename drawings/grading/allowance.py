@@ -10,10 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.grading.asked import PlanAsked, VectorAsked
+from drawings.grading.asked import PlanAsked
 from drawings.paper.limits import QUANTUM
-from geometry.board import Mark
-from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
+from geometry.hand_error import EVEN, SlippingHand, slopes
 from plans.quantity import SLIP
 from plans.words.words import Message, message
 
@@ -93,20 +92,10 @@ def _allowed(plan: PlanAsked, drawn: Mapping[str, float], by: Allowance, coarse:
     hand = SlippingHand(slip, {name: np.array([mu]) for name, mu in scales.items()})
     found = slopes(hand, *(mark for vector in plan.vectors if vector.found for mark in vector.found.span))
     ends = EVEN * slip * scales[plan.plan] * np.array([1, 1j, 1, 1j])[:, None]  # of the arrow itself
-    return {
-        vector.letters: DEVIATIONS * _deviation(np.concatenate([_moved(vector, found), ends]))
-        for vector in plan.vectors
+    spans = {vector.letters: () if vector.found is None else (vector.found.span,) for vector in plan.vectors}
+    moved = {
+        key: np.concatenate([*(found[end] - found[start] for start, end in rows), ends]) for key, rows in spans.items()
     }
-
-
-def _moved(vector: VectorAsked, found: Mapping[Mark, Slopes]) -> Slopes:
-    if vector.found is None:
-        return np.zeros((0, 1), dtype=np.complex128)
-    start, end = vector.found.span
-    return np.asarray(found[end] - found[start])
-
-
-def _deviation(moved: Slopes) -> float:
-    """Give the standard deviation along the line on which slips spread an end most."""
-    total, lean = (np.abs(moved) ** 2).sum(), abs((moved**2).sum())
-    return float(np.sqrt((total + lean) / 2))
+    # The standard deviation along the line on which slips spread an end most.
+    spread = {key: ((np.abs(by) ** 2).sum() + abs((by**2).sum())) / 2 for key, by in moved.items()}
+    return {key: DEVIATIONS * float(np.sqrt(square)) for key, square in spread.items()}

@@ -5,45 +5,29 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import TypeAlias, TypeVar
 
 from drawings.checks.expected import Expected
-from drawings.grading import verdict
 from drawings.paper.strokes import Kind
-from drawings.redrawn import Original, Originals
+from drawings.redrawn import Originals
 from drawings.sheets.kind import sheet_kind
 from plans.forces.statics import Statics
 from plans.model.machine import ALWAYS, Force, Machine, Moment
 
-KINDS = ("dynamics",)  # of sheets on which all follows from the loads
+LOADED = "dynamics"  # the kind of sheets on which all follows from the loads
+Dues: TypeAlias = Mapping[tuple[Kind, str, str], Expected]  # by figures and names
 L = TypeVar("L", Force, Moment)
 
 
-class Alteration(NamedTuple):
-    """A mistake that changes all that follows from it: its kind, and what is due then, by figures and names."""
-
-    kind: str
-    due: Mapping[tuple[Kind, str, str], Expected]
-
-    def of(self, row: Expected) -> Expected | None:
-        """Give what is due in place of a row; None where nothing of its name is."""
-        return self.due.get((row.kind, row.figure, row.name))
-
-
-def alterations(originals: Originals, sheet: Original) -> tuple[Alteration, ...]:
-    """Give what is due on a sheet by the mistakes that are known of a whole task."""
-    return _found(originals, sheet.kind) if sheet.kind in KINDS else ()
-
-
 @lru_cache(maxsize=8)
-def _found(originals: Originals, kind: str) -> tuple[Alteration, ...]:
-    leaves = [sheet.leaf for sheet in originals.sheets if sheet.kind == kind]
-    machine = _idle(originals.study.of(Statics).machine)
+def idle_due(originals: Originals, kind: str) -> Dues:
+    """Give what is due on sheets of a kind if the idle stroke is loaded as the working one; nothing if it is so."""
+    machine = _idle(originals.study.of(Statics).machine) if kind == LOADED else None
     if machine is None:
-        return ()
+        return {}
+    leaves = [sheet.leaf for sheet in originals.sheets if sheet.kind == kind]
     study = originals.study.exchanged("forces", originals.study.of(Statics).bearing(machine))
-    due = sheet_kind(kind).expected(study, leaves)
-    return (Alteration(verdict.IDLE, {(row.kind, row.figure, row.name): row for row in due}),)
+    return {(row.kind, row.figure, row.name): row for row in sheet_kind(kind).expected(study, leaves)}
 
 
 def _idle(machine: Machine) -> Machine | None:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from importlib import import_module
 from types import MappingProxyType
-from typing import Any, Final, NamedTuple, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from drawings.checks.expected import Expected
 from drawings.checks.hold import MARKS
@@ -19,7 +18,7 @@ from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import PLAN, figure_of
 from geometry.board import Board, Mark, Span, behind
 from plans.study import Study
-from plans.techniques import technique_of
+from plans.techniques import named, technique_of
 from plans.words.words import Message, message
 
 Place: TypeAlias = tuple[str, int | None]  # a plan and its position
@@ -67,12 +66,6 @@ class Record(NamedTuple):
 def lettered(plan: str, position: int | None, vectors: Iterable[Found]) -> dict[Letters, Found]:
     """Give vectors that are lettered themselves by the letters of a plan."""
     return {(plan, position, "", vector.name): vector for vector in vectors}
-
-
-def named(text: str) -> Any:
-    """Import what a row of a table of this room names: "module:name"."""
-    module, _, name = text.partition(":")
-    return getattr(import_module(module), name)
 
 
 # By technique: of a study and a leaf to the record of that sheet, where more is known of it than its quantities say.

@@ -15,8 +15,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from drawings.files.atomic_files import of_system
 from drawings.grading.allowance import Allowances
-from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import OURS, PASS, UNREAD, Graded, SheetTask, grade
 from drawings.paper.limits import SHEET_BYTES
 from drawings.redrawn import Originals
 from geometry.errors import regular_bytes

@@ -52,11 +52,6 @@ class DrawnPlan:
         return [vector for vector in self.asked.vectors if vector.letters not in self.arrows]
 
     @property
-    def arrowed(self) -> bool:
-        """Whether an arrow is on it, and not points alone."""
-        return any(vector.start or vector.letter for vector in self.asked.vectors if vector.letters in self.arrows)
-
-    @property
     def whole(self) -> bool:
         """Whether each vector that is asked for is on it."""
         return not self.lacking

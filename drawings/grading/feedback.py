@@ -13,8 +13,7 @@ from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
 from drawings.grading.asked import plan_told
-from drawings.grading.graded import UNREAD, Graded
-from drawings.grading.sheet_task import Hints
+from drawings.grading.graded import UNREAD, Graded, Hints
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, TABLE, Marking, Verdict, points_of
 from plans.words.words import Message, message, word
 
@@ -25,29 +24,27 @@ HEAD = ("sheet", "outcome", "points", "of", "right", "follows", "mistakes", "wha
 def lines(path: Path, graded: Graded, marking: Marking, hints: Hints, language: str) -> Iterator[str]:
     """Tell of one sheet, line by line."""
     yield f"{plain_name(path)}: {_heading(graded, marking).worded(language)}"
-    yield from (f"  {with_values(said, hints, language)}" for said in gathered(graded.verdicts) if not said.good)
+    yield from (f"  {told(said, hints, language)}" for said in gathered(graded.verdicts) if not said.good)
     follows = (said for said in graded.verdicts if said.kind == FOLLOWS)
     if follow := tuple(said.name if said.position is None else f"{said.name} ({said.position})" for said in follows):
         yield f"  {word(language, 'grade.follow', names=follow)}"
 
 
 def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
-    """Give verdicts with those of a plan, or of a table, that is not there at all as one."""
-    figures: dict[str, dict[int | None, list[Verdict]]] = {}
+    """Give verdicts with those of a plan, of a table or of a column that is not there at all as one."""
+    figures: dict[tuple[str, int | None], list[Verdict]] = {}
     for said in verdicts:
-        place = said.plan if said.plan.startswith(TABLE) else f"{said.plan} {said.position}"
-        figures.setdefault(place, {}).setdefault(said.position, []).append(said)
-    for positions in figures.values():
-        every = [said for plan in positions.values() for said in plan]
-        if every[0].plan.startswith(TABLE) and all(said.kind == MISSING for said in every):
-            cells = [cell for said in every for cell in said.frames]
-            yield every[0]._replace(name="", position=None, frames=tuple(cells))
-            continue
-        if every[0].plan.startswith(TABLE):
-            yield from _columns(every)
-            continue
-        for plan in positions.values():
-            yield from [plan[0]._replace(name="")] if all(said.kind == MISSING for said in plan) else plan
+        figures.setdefault((said.plan, None if said.plan.startswith(TABLE) else said.position), []).append(said)
+    for (plan, position), every in figures.items():
+        if all(said.kind == MISSING for said in every):
+            yield _as_one(every, "", position)
+        else:
+            yield from _columns(every) if plan.startswith(TABLE) else every
+
+
+def _as_one(lost: Sequence[Verdict], name: str, position: int | None = None) -> Verdict:
+    cells = tuple(cell for said in lost for cell in said.frames)
+    return lost[0]._replace(name=name, position=position, frames=cells)
 
 
 def _columns(cells: Sequence[Verdict]) -> Iterator[Verdict]:
@@ -60,8 +57,7 @@ def _columns(cells: Sequence[Verdict]) -> Iterator[Verdict]:
         left = []
         for name, column in names.items():
             lost = len(column) > 1 and bool(name) and all(said.kind == MISSING for said in column)
-            spots = [cell for said in column for cell in said.frames]
-            left += [column[0]._replace(name=name.rstrip(")"), position=None, frames=tuple(spots))] if lost else column
+            left += [_as_one(column, name.rstrip(")"))] if lost else column
     yield from left
 
 
@@ -78,18 +74,16 @@ def _heading(graded: Graded, marking: Marking) -> Message:
     return message(f"grade.outcome.{graded.outcome}", won=f"{won:g}", most=f"{most:g}")
 
 
-def with_values(said: Verdict, hints: Hints, language: str) -> str:
-    """Tell what is wrong, by how much of what is allowed, and which step to look at again."""
-    text = _worded(said, language)
-    if said.off is not None and said.allowed is not None:
+def told(said: Verdict, hints: Hints, language: str, silent: bool = False) -> str:
+    """Tell what is wrong and which step to look at again; beside it by how much of what is allowed.
+
+    What is `silent` has nothing from which the right value can be had.
+    """
+    text, steps = _worded(said, language), hints.get(said.name)
+    if not silent and said.off is not None and said.allowed is not None:
         off, allowed = f"{said.off:.3g}", f"{said.allowed:.2g}"
         text = word(language, "grade.off", told=text, off=off, allowed=allowed, unit=said.unit)
-    return _again(said, text, hints, language)
-
-
-def without_values(said: Verdict, hints: Hints, language: str) -> str:
-    """Tell what is wrong and which step to look at again, and nothing from which the right value can be had."""
-    return _again(said, _worded(said, language), hints, language)
+    return word(language, "grade.again", told=text, steps=steps) if steps else text
 
 
 def _worded(said: Verdict, language: str) -> str:
@@ -97,11 +91,6 @@ def _worded(said: Verdict, language: str) -> str:
     kind = word(language, "grade.of", kind=kind, of=said.of) if said.of else kind
     where = plan_told(said.plan, said.position)
     return word(language, "grade.vector" if said.name else "grade.whole", where=where, name=said.name, kind=kind)
-
-
-def _again(said: Verdict, text: str, hints: Hints, language: str) -> str:
-    steps = hints.get(said.name)
-    return word(language, "grade.again", told=text, steps=steps) if steps else text
 
 
 def plain(path: Path, graded: Graded, marking: Marking, language: str) -> dict[str, object]:
@@ -149,7 +138,7 @@ def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: 
     """Draw the feedback sheet of a graded one."""
     small = (verdict.DEAD, verdict.SMALL)
     wrong = [said for said in gathered(graded.verdicts) if not said.good and said.kind not in small]
-    notes = [without_values(said, hints, language) for said in wrong] or [word(language, "grade.nothing_wrong")]
+    notes = [told(said, hints, language, silent=True) for said in wrong] or [word(language, "grade.nothing_wrong")]
     return annotated(source, graded.paper, plain_name(Path(path.name)), wrong, notes)
 
 

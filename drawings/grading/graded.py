@@ -1,4 +1,4 @@
-"""A sheet graded: what was found on it, what is said of it, and how it ends (оценённый лист)."""
+"""A sheet graded: what its scene asks for, what was found on it, what is said of it, how it ends (оценённый лист)."""
 
 from __future__ import annotations
 
@@ -7,36 +7,98 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from hashlib import sha256
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import PlanAsked
-from drawings.grading.cells.cell_judge import BesideTables
-from drawings.grading.cells.graded_tables import Drawn, alone, answered, table_verdicts, tables_drawn
+from drawings.grading.asked import PlanAsked, plan_named, plans_asked
+from drawings.grading.cells.asked_table import Drawn, TableAsked, alone, answered, tables_asked, tables_drawn
+from drawings.grading.cells.cell_judge import BesideTables, table_verdicts
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
-from drawings.grading.curves.figure_records import FigureAsked
+from drawings.grading.curves.figure_records import FigureAsked, figures_asked
 from drawings.grading.curves.form_figure import every_axes, places_filled
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places, from_marks, lacking_places, scales_beside
 from drawings.grading.form_place import form_places
 from drawings.grading.judgement import Judge
 from drawings.grading.onlooker import Onlooker, legible, segments, spelled_labels
-from drawings.grading.plans_on_form import plans_on_form, redrawn
-from drawings.grading.points_on_form import points_on_form
-from drawings.grading.scheme_arrows import arrow_verdicts, once
-from drawings.grading.verdict import Verdict
+from drawings.grading.plans_on_form import plans_on_form, points_on_form, redrawn
+from drawings.grading.scheme_arrows import COUPLE, arrow_verdicts, once
+from drawings.grading.verdict import OTHERS, RIGHT, Marking, Verdict, keys_of
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, texts
 from drawings.reading.sheet import SeenSheet, see, ungiven
 from drawings.reading.transform import STAY, Affine
+from drawings.redrawn import Originals
+from geometry.board import Mark
 from plans.model.motion import POSITIONS, Complexes
-from plans.words.words import Message, message
+from plans.words.words import Message, because, message
 
-if TYPE_CHECKING:
-    from drawings.grading.sheet_task import SheetTask
+Hints: TypeAlias = Mapping[str, tuple[Message, ...]]  # the steps to look at again, by the names of quantities
+# How the record names lines that no letter names, and the keys of their words.
+LINES: Final = {"guide of": "guide", "slot of": "slot", "stone": "stone", "line of action": "action"}
+
+
+class SheetTask(NamedTuple):
+    """The plans, curves and tables that are asked for."""
+
+    plans: Sequence[PlanAsked] = ()
+    curves: Sequence[FigureAsked] = ()
+    tables: Sequence[TableAsked] = ()
+
+    @property
+    def sheets(self) -> frozenset[str]:
+        """The sheets that ask for something, by name."""
+        drawn = (*(plan.sheet for plan in self.plans), *(curve.sheet for curve in self.curves))
+        return frozenset((*drawn, *(name for table in self.tables for name in table.sheets)))
+
+    @property
+    def hints(self) -> Hints:
+        """By what each quantity is found, by their names."""
+        return dict(_of_curves(self.curves)) | {name: steps for plan in self.plans for name, steps in _of_plan(plan)}
+
+
+def sheet_task(originals: Originals) -> SheetTask:
+    """Gather what a scene's own sheets ask for."""
+    return SheetTask(plans_asked(originals), figures_asked(originals), tables_asked(originals))
+
+
+def _of_plan(plan: PlanAsked) -> Iterator[tuple[str, tuple[Message, ...]]]:
+    for vector in plan.vectors:
+        if vector.found is not None:
+            yield vector.name, tuple(_steps(max(vector.found.span, key=lambda mark: mark.number)))
+    couple = _hint(plan_named(plan.plan), because("inertia_moment"))
+    yield from ((name, (couple,)) for name in plan.ways if name.startswith(COUPLE))
+
+
+def _of_curves(figures: Sequence[FigureAsked]) -> Iterator[tuple[str, tuple[Message, ...]]]:
+    for figure in figures:
+        if figure.why is not None:
+            hint = _hint(plan_named(figure.plan), figure.why)
+            yield from ((item.called, (hint,)) for item in figure.items)
+
+
+def _hint(name: str | Message, why: Message) -> Message:
+    return message("grade.hint", name=name, why=why)
+
+
+def _steps(end: Mark) -> Iterator[Message]:
+    """Give what a place is found by: the lines that meet there, or the vector that is laid off."""
+    sources = end.step.inputs if end.step.op == "meet" else end.step.inputs[1:]
+    yield from (_hint(_named(mark), mark.step.why) for mark in (*sources, end) if isinstance(mark.step.why, Message))
+
+
+def _named(mark: Mark) -> str | Message:
+    """Name what is drawn in a step: by its letters, or a line by what it is of.
+
+    The record names its lines in one language.
+    """
+    for begin, key in LINES.items():
+        if mark.name.startswith(begin):
+            return message(f"grade.line.{key}", of=mark.name.removeprefix(begin).strip())
+    return mark.name
 
 
 # Right, with mistakes, not read, by an error of ours. What is not read somebody has to look at himself.
@@ -175,7 +237,10 @@ def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]
     if places:  # a form gives the fixed points of the plan of positions with their data
         marked = [plan for plan in marked if not plan.asked.dotted]
     whole = tuple(redrawn(plan, lines) for plan in marked)
-    if not places or any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
+    arrows = (vector for plan in marked for vector in plan.asked.vectors if vector.letters in plan.arrows)
+    if not places or any(
+        vector.start or vector.letter for vector in arrows
+    ):  # data that are left in one plan are left in all
         return whole
     sheets, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [plan for plan in plans if plan.place not in there and (not sheets or plan.sheet in sheets)]
@@ -195,3 +260,25 @@ def _judged(sheet: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Ite
         yield from Judge(plan, may, drawn_places(beside), lacking_places(beside)).verdicts()
         yield from arrow_verdicts(sheet, plan, by)
         yield from drawing_faults(sheet.leaf, labels, plan)
+
+
+def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
+    """Give the keys of points and of tolerances that are of no quantity of a task, as their tables have them."""
+    drawn, cells = list(_drawn(task)), [cell for table in task.tables for cell in table.cells.values()]
+    verdicts = [Verdict(table.name, None, cell.name, RIGHT) for table in task.tables for cell in table.cells.values()]
+    points = {key for quantity in (*drawn, *verdicts) for key in keys_of(quantity)} | {OTHERS}
+    names = (*(quantity.name for quantity in drawn), *(cell.quantity for cell in cells))
+    slips = {key for name in names for key in (name, name.partition("_")[0])}
+    idle = [f"points.{key}" for key in marking.points if key not in points]
+    plans = {quantity.plan for quantity in (*drawn, *verdicts)}
+    figures = {*plans, *(re.split("[- ]", plan)[0] for plan in plans), OTHERS}
+    idle += [f"caps.{key}" for key in marking.caps if key not in figures]
+    return (*idle, *(f"tolerance.{key}" for key in marking.tolerance if key not in slips))
+
+
+def _drawn(task: SheetTask) -> Iterator[Verdict]:
+    for plan in task.plans:
+        names = (*(vector.name for vector in plan.vectors), *plan.ways)
+        yield from (Verdict(plan.plan, plan.position, name, RIGHT) for name in names)
+    for curve in task.curves:
+        yield from (Verdict(curve.plan, None, item.called, RIGHT) for item in curve.items)

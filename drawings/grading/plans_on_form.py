@@ -1,4 +1,4 @@
-"""Plans on a form: the arrows in the place of one are of it, each told by its letters (планы на бланке)."""
+"""Plans on a form: arrows and points in the place of one are of it, each told by its letters (планы на бланке)."""
 
 from __future__ import annotations
 
@@ -8,15 +8,19 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Final, NamedTuple
 
+import numpy as np
+
 from drawings.checks.hold import Label, along, distance, off
 from drawings.grading.asked import PlanAsked, VectorAsked
+from drawings.grading.curves.drawn_figure import foot
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
-from drawings.grading.form_place import FormPlace, place_of
+from drawings.grading.form_place import KIND, FormPlace, place_of
 from drawings.grading.onlooker import JOINED, Segment, figures, spelled
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import Box, Text
+from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from plans.linkage.plan import POLES
+from plans.model.motion import POSITIONS
 
 FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
 CLOSE = 8.0  # mm: nor one that is farther from a line without an arrowhead
@@ -63,7 +67,8 @@ def plans_on_form(
         if here.pole is not None and any(abs(line.start - here.pole) <= JOINED for line in arrows):
             pole = POLES.get(due.plan, "")  # of which the form tells where it stands
             known = {**labels, spelled(pole): [Label(Text(here.pole, pole), here.pole)]}
-        drawn = _LetteredArrows(due, known, scale_at(here, texts, due)).drawn(arrows, near)
+        away, mu = min(((here.away(text), mu) for text, mu in scales_written(texts, due)), default=(math.inf, 0.0))
+        drawn = _LetteredArrows(due, known, mu if away <= HEADING else None).drawn(arrows, near)
         if arrows or drawn.arrows:
             yield drawn
 
@@ -203,12 +208,6 @@ def _both_ways(
             yield " ".join(filter(None, letters))
 
 
-def scale_at(place: FormPlace, texts: Sequence[Text], plan: PlanAsked) -> float | None:
-    """Give the scale that is written nearest to the place of a plan, true units a mm; None where none is near."""
-    near = min(((place.away(text), mu) for text, mu in scales_written(texts, plan)), default=(math.inf, 0.0))
-    return near[1] if near[0] <= HEADING else None
-
-
 def _distance(box: Box, arrow: Segment) -> float:
     left, low, right, high = box
     corners = (complex(x, y) for x in (left, right) for y in (low, high))
@@ -231,41 +230,76 @@ def paired(costs: Sequence[Sequence[float]]) -> list[int]:
     [1, 0]
     """
     count = len(costs[0]) if costs else 0
-    rows, columns = [0.0] * (len(costs) + 1), [0.0] * (count + 1)
-    owner = [0] * (count + 1)  # by columns, from 1 on: the row that has it
-    for row in range(1, len(costs) + 1):
-        _exchange(costs, row, (rows, columns), owner)
-    found = [0] * len(costs)
-    for column, row in enumerate(owner[1:]):
-        if row:
-            found[row - 1] = column
-    return found
+    table, rows, columns = np.array(costs), np.zeros(len(costs)), np.zeros(count + 1)
+    owner = np.full(count + 1, -1)  # the row that has a column; the last column is that of the row which is added
+    for row in range(len(costs)):
+        least, before, used, here = np.full(count, np.inf), np.zeros(count, int), np.zeros(count + 1, bool), count
+        owner[here] = row
+        while owner[here] >= 0:
+            used[here] = True
+            cost = table[owner[here]] - rows[owner[here]] - columns[:count]
+            nearer = ~used[:count] & (cost < least)
+            least[nearer], before[nearer] = cost[nearer], here
+            there = int(np.where(used[:count], np.inf, least).argmin())
+            step = least[there]
+            rows[owner[used]] += step
+            columns[used] -= step
+            least[~used[:count]] -= step
+            here = there
+        while here != count:
+            owner[here], here = owner[before[here]], int(before[here])
+    return np.argsort(owner[:count])[count - len(costs) :].tolist() if costs else []
 
 
-def _exchange(
-    costs: Sequence[Sequence[float]], row: int, prices: tuple[list[float], list[float]], owner: list[int]
-) -> None:
-    """Give a row its column, and those whose columns it takes others."""
-    rows, columns = prices
-    least, before = [math.inf] * len(columns), [0] * len(columns)
-    used, here = set[int](), 0
-    owner[0] = row
-    while owner[here]:
-        used.add(here)
-        owning = owner[here]
-        free = [k for k in range(1, len(columns)) if k not in used]
-        for k in free:
-            cost = costs[owning - 1][k - 1] - rows[owning] - columns[k]
-            if cost < least[k]:
-                least[k], before[k] = cost, here
-        there = min(free, key=lambda k: least[k])
-        step = least[there]
-        for k in used:
-            rows[owner[k]] += step
-            columns[k] -= step
-        for k in free:
-            least[k] -= step
-        here = there
-    while here:
-        owner[here] = owner[before[here]]
-        here = before[here]
+LETTERED = 25.0  # mm: a letter that is farther from a point does not name it
+BESIDE = 8.0  # mm: nor one that is farther from a place on a line where nothing marks it
+
+
+def points_on_form(
+    plan: PlanAsked, place: FormPlace, leaf: Leaf, labels: Mapping[str, Sequence[Label]]
+) -> DrawnPlan | None:
+    """Give the points that are drawn in a place, where strokes end or go by; None of none, or of a few of a view."""
+    strokes = [stroke for stroke in _drawn(leaf.groups) if any(place.off(spot) == 0 for spot in _ends(stroke))]
+    spots = [spot for stroke in strokes for spot in _ends(stroke)]
+    datum, found = (place.pole or 0j) - place.value / place.scale, dict[str, complex]()
+    for vector in plan.vectors:
+        letter = spelled(vector.title or vector.end)  # alone, or with the number of the position
+        named = [label for name in (letter, f"{letter}{plan.position}") for label in labels.get(name, ())]
+        at = _at(datum + vector.true / place.scale, spots, strokes, named)
+        found |= {} if at is None else {vector.end: at}
+    arrows = {("", name): Arrow(datum, spot) for name, spot in found.items()}
+    some = len(arrows) >= (1 if plan.plan == POSITIONS.plan else len(plan.vectors) / 2)
+    return DrawnPlan(plan, arrows, place.scale, places_of(arrows), lettered=True) if some else None
+
+
+def _drawn(strokes: Sequence[Stroke]) -> Iterator[Stroke]:
+    """Give the strokes that are no part of the form's own places and axes."""
+    for stroke in strokes:
+        if not isinstance(stroke, Group):
+            yield stroke
+        elif stroke.data.get("kind") not in (KIND, "axes"):
+            yield from _drawn(stroke.strokes)
+
+
+def _ends(stroke: Stroke) -> Sequence[complex]:
+    match stroke:
+        case Line():
+            return stroke.start, stroke.end
+        case Polyline():
+            return stroke.points
+        case Circle():
+            return (stroke.centre,)
+    return ()
+
+
+def _at(due: complex, spots: Sequence[complex], strokes: Sequence[Stroke], labels: Sequence[Label]) -> complex | None:
+    """Give where a point is: at what is marked where it is due, by its letter on a line, else nearest to its letter."""
+    nearest = min(spots, key=lambda spot: abs(spot - due), default=due + 2 * JOINED)
+    if abs(nearest - due) <= JOINED:
+        return nearest
+    feet = (foot((np.array([line.start, line.end]),), due) for line in strokes if isinstance(line, Line))
+    near = min(feet, key=lambda at: abs(at - due), default=nearest)
+    if abs(near - due) <= JOINED and distance(labels, [due]) <= BESIDE:
+        return near
+    lettered = min(spots, key=lambda spot: distance(labels, [spot]), default=None)
+    return lettered if lettered is not None and distance(labels, [lettered]) <= LETTERED else None

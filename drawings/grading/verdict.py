@@ -15,51 +15,39 @@ from geometry.errors import DraftError, regular_bytes
 from plans.scene.guard import Places, line_column
 from plans.words.words import message
 
-RIGHT, FOLLOWS = "right", "follows"
-MISSING, REVERSED, WRONG = "missing", "reversed", "wrong"
-NORMAL, CORIOLIS = "normal", "coriolis"  # reversed parts, which have names of their own
-LONG, TURNED = "long", "turned"  # only the size, only the direction
-SIMILAR, BRANCH = "similar", "branch"
+RIGHT, FOLLOWS = GOOD = "right", "follows"
+# By which a quantity is wrong that may keep a share of its points; of all of it, of its size, of its direction alone.
+MISSING, REVERSED, WRONG, LONG, TURNED = _OF_ANY = "missing", "reversed", "wrong", "long", "turned"
+SIMILAR, BRANCH, ASIDE, LEVEL = _OF_PLACES = "similar", "branch", "aside", "level"
+NORMAL, CORIOLIS = _OF_PARTS = "normal", "coriolis"  # reversed parts, which have names of their own
+INERTIA, UPWARD, REACTION = _OF_FORCES = "inertia", "upward", "reaction"  # reversed forces, which have too
+MOMENT, COUPLE, FORGOTTEN, SLANT = _OF_MOMENTS = "moment", "couple", "forgotten", "slant"  # in an equation, of an arm
+# Of a counterweight, of what is multiplied, of an arm's sign, of a harmonic.
+HEAVY, PRODUCT, BEYOND, ORDER = _OF_MASSES = "heavy", "product", "beyond", "order"
+SIGN, DECADE, DEGREES, TURNS, TWICE = _OF_NUMBERS = "sign", "decade", "degrees", "turns", "twice"
+ROW, PLACE = _OF_CELLS = "row", "place"
+OF_QUANTITIES = (
+    *_OF_ANY, *_OF_PLACES, *_OF_PARTS, *_OF_FORCES, *_OF_MOMENTS, *_OF_MASSES, *_OF_NUMBERS, *_OF_CELLS,
+)  # fmt: skip
+# By which a plan or a curve is wrong as a whole.
+SCALE, MIRRORED, OPPOSITE, ASKEW, INVERTED, FACTOR = _OF_ALL = (
+    "scale", "mirrored", "opposite", "askew", "inverted", "factor",
+)  # fmt: skip
+SHIFTED, IDLE, UNLOADED, UNDRIVEN = _OF_TURNS = "shifted", "idle", "unloaded", "undriven"
+AXES, EXCHANGED, STRAIGHT, FLYWHEEL = _OF_RUNS = "axes", "exchanged", "straight", "flywheel"
+PHASES, SIDE, BACKWARDS, BASE = _OF_CAMS = "phases", "side", "backwards", "base"
+OF_PLANS = (*_OF_ALL, LEVEL, *_OF_TURNS, *_OF_RUNS, *_OF_CAMS)
+# By which it is drawn badly.
+UNSCALED, OPEN, UNCLOSED, OUTSIDE = _OF_LINES = "unscaled", "open", "unclosed", "outside"
+UNLETTERED, SWAPPED, APART, HEADLESS = _OF_LETTERS = "unlettered", "swapped", "apart", "headless"
+OF_DRAWING = (*_OF_LINES, *_OF_LETTERS)
+# What somebody has to look at himself: not read, taken apart by an editor, standing there twice otherwise, unlettered.
+UNREAD, UNGROUPED, ILLEGIBLE = _UNREAD = "unread", "ungrouped", "illegible"
+UNTABLED, DOUBLED, UNNAMED = _UNSURE = "untabled", "doubled", "unnamed"
+UNSEEN = (*_UNREAD, *_UNSURE)
 DEAD, SMALL = "dead", "small"  # too near a dead centre, too short to be found by its letter: not graded
-INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
-MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
-HEAVY, PRODUCT, BEYOND = "heavy", "product", "beyond"  # of a counterweight, of what is multiplied, of an arm's sign
-ORDER = "order"  # of a harmonic
-# Of a plan as a whole.
-SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
-# Of a curve, or of all of it.
-INVERTED, FACTOR = "inverted", "factor"
-ASIDE, UNREAD = "aside", "unread"
-UNGROUPED = "ungrouped"  # the arrows of a scheme that an editor has taken apart: not graded
-SHIFTED, LEVEL, IDLE, UNLOADED, UNDRIVEN = "shifted", "level", "idle", "unloaded", "undriven"
-AXES, EXCHANGED, PHASES = "axes", "exchanged", "phases"
-SIDE, BACKWARDS, BASE = "side", "backwards", "base"
-STRAIGHT, FLYWHEEL = "straight", "flywheel"
-# Of how it is drawn.
-UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
-APART, HEADLESS = "apart", "headless"
-UNCLOSED = "unclosed"  # of a polygon
-# Of a cell of a table, or of all of it.
-SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE = "sign", "decade", "degrees", "turns", "twice", "row", "place"
-ILLEGIBLE, UNTABLED = "illegible", "untabled"
-# Of what stands there twice and differs, and of a plan whose arrows are not all found by their letters.
-DOUBLED, UNNAMED = "doubled", "unnamed"
 WORKINGS = "workings"  # numbers that are written beside the tables: told to be unread, and nothing hangs on them
-
-GOOD: Final = (RIGHT, FOLLOWS)
-OF_PLANS: Final = (
-    SCALE, MIRRORED, OPPOSITE, ASKEW, INVERTED, FACTOR,
-    SHIFTED, LEVEL, IDLE, UNLOADED, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE, STRAIGHT, FLYWHEEL,
-)  # fmt: skip
-OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART, HEADLESS)
-UNSEEN: Final = (UNREAD, UNGROUPED, ILLEGIBLE, UNTABLED, DOUBLED, UNNAMED)  # what somebody has to look at himself
-UNGRADED: Final = (DEAD, SMALL, WORKINGS, *UNSEEN)
-# By which a quantity is wrong that may keep a share of its points.
-OF_QUANTITIES: Final = (
-    MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, ASIDE,
-    INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT, HEAVY, PRODUCT, BEYOND, ORDER,
-    SIGN, DECADE, DEGREES, TURNS, TWICE, LEVEL, ROW, PLACE,
-)  # fmt: skip
+UNGRADED = (DEAD, SMALL, WORKINGS, *UNSEEN)
 
 
 class Verdict(NamedTuple):

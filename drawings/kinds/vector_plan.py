@@ -5,17 +5,14 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from drawings.layout.labels import Labels
+from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke, Text
-
-if TYPE_CHECKING:
-    from drawings.layout.parallel_offsets import Segment
 
 BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
 from drawings.page.page import Scale, drafting_of
+from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.report import chapter
+from geometry.board import Mark
 from plans.linkage.plan import POLES, Turning
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import largest_of
@@ -22,12 +24,8 @@ from plans.linkage.vector_sums import VectorSum, VectorSums
 from plans.model.dyad import Assur, Dyad
 from plans.model.motion import ACCELERATIONS, NOTHING, PLANS, POSITIONS, VELOCITIES, Motion
 from plans.model.triad import Triad
+from plans.study import Study
 from plans.words.words import word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
-    from geometry.board import Mark
-    from plans.study import Study
 
 V, A = VELOCITIES.plan, ACCELERATIONS.plan
 UNIT = {order.plan: order.point.unit for order in (VELOCITIES, ACCELERATIONS)}

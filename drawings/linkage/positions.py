@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 
@@ -20,6 +20,9 @@ from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit
 from geometry.errors import LimitError
+from plans.forces.quantities import ForceComparison
+from plans.forces.reading.form import ForceForm
+from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
@@ -30,11 +33,6 @@ from plans.scene.faults import Path
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import message, placed
-
-if TYPE_CHECKING:
-    from plans.forces.quantities import ForceComparison
-    from plans.forces.reading.form import ForceForm
-    from plans.forces.statics import Statics
 
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
 

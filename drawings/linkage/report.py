@@ -7,7 +7,6 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from drawings.linkage.equations import drawn_scales, equations, equations_of, sh
 from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, subject
 from drawings.page.page import drafting_of
 from drawings.paper.limits import MANY
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, Formula, display, inline, see
 from drawings.report.report import Report, chapter, gap_line, gap_lines, header, positions, row, tabled
 from plans.linkage.assembly import Barrier
@@ -31,9 +31,6 @@ from plans.model.triad import Triad
 from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import Message, message, term, word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 MM = 1000.0  # mm in a metre
 ROUNDED = 6  # decimals of a degree: a rounding below zero is no whole turn

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from functools import partial
 from typing import TypeAlias
 
 from drawings.files.atomic_files import write
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowance
-from drawings.grading.feedback import annotated, gathered, is_plain, with_values, without_values
+from drawings.grading.feedback import annotated, gathered, is_plain, told
 from drawings.grading.graded import Graded
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SHEET_BYTES
@@ -93,15 +92,15 @@ def _assert_none(sheet: HandedSheet, graded: Graded, wrong: Sequence[Verdict], h
         raise AssertionError(_rejected(sheet, graded))
     if wrong:
         lines = [line for said in gathered(wrong) for line in _lines(sheet, graded, said)]
-        say = partial(without_values, hints={}, language=sheet.language)
-        spots = [(say(said), *said.at) for said in wrong if said.at is not None]
+        places = [(told(said, {}, sheet.language, silent=True), said.at) for said in wrong]
+        spots = [(what, *at) for what, at in places if at is not None]
         raise AssertionError(_worded(sheet, head, lines, graded.paper, spots))
 
 
 def _lines(sheet: HandedSheet, graded: Graded, said: Verdict) -> Iterator[str]:
     """Tell of a verdict, and what is drawn and what the analysis gives."""
     hints = _scene(sheet).task.hints
-    yield (without_values if sheet.silent else with_values)(said, hints, sheet.language)
+    yield told(said, hints, sheet.language, sheet.silent)
     plan = next((plan for plan in graded.drawn if plan.asked.place == (said.plan, said.position)), None)
     if sheet.silent or plan is None:
         return

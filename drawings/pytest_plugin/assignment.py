@@ -12,8 +12,7 @@ from drawings.grading.allowance import Allowance, Allowances, allowance
 from drawings.grading.asked import Place, PlanAsked, VectorAsked, ends_of
 from drawings.grading.class_list import grade_all, grade_own
 from drawings.grading.drawn_plan import from_marks
-from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
-from drawings.grading.sheet_task import SheetTask, sheet_task
+from drawings.grading.graded import OURS, PASS, UNREAD, Graded, SheetTask, grade, sheet_task
 from drawings.paper.limits import SheetRefused
 from drawings.reading.measure import Measured, measure
 from drawings.reading.sheet import see

@@ -9,16 +9,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from drawings.lettering.words import LEVEL, Phrase, template_of
 from drawings.lettering.words import letter as lettered
 from drawings.page.page import Drafting
+from drawings.paper.strokes import Leaf
 from drawings.reading.items import STILL, SheetFigures
 from plans.words.words import word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 
 class Chapters(NamedTuple):

@@ -9,25 +9,21 @@ from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import count
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from drawings.lettering.words import RAISED, decimal, fixed, letter, number, runs, span
 from drawings.page.page import Drafting
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, drawn, entry, literal, mathed
+from geometry.board import Mark
 from plans.model.mechanism import Drive
 from plans.model.motion import Complexes, Floats, Gap
 from plans.quantity import EQUILIBRIUM, SLIP, Comparison, Quantity, together
 from plans.study import Study
 from plans.techniques import TECHNIQUES, techniques
 from plans.words.words import ENGLISH, Message, message, term, word, written
-
-if TYPE_CHECKING:
-    from drawings.page.page import Drafting
-    from drawings.paper.strokes import Leaf
-    from geometry.board import Mark
-    from plans.study import Study
 
 
 def chapter(language: str, name: str) -> str:

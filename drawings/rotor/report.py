@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.limits import DECIMALS
-from drawings.paper.strokes import Line
+from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import groups
 from drawings.report.formula import DIGITS, Chapters, entry, listed, plain
 from drawings.report.report import ANGLE, Report, TableSubject, chapter
@@ -19,9 +19,6 @@ from plans.rotor.balancing import UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, RotorStudy
 from plans.study import Study
 from plans.words.words import word
-
-if TYPE_CHECKING:
-    from drawings.paper.strokes import Leaf
 
 GRAM_MILLIMETRES = 1e6  # of a kg*m
 

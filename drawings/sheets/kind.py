@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import Final, NamedTuple
 
+from drawings.checks.expected import Expected
+from drawings.files.atomic_files import Enclosure
+from drawings.paper.strokes import Leaf
+from plans.scene.scene import Scene
+from plans.study import Study
 from plans.techniques import technique_of
-
-if TYPE_CHECKING:
-    from drawings.checks.expected import Expected
-    from drawings.files.atomic_files import Enclosure
-    from drawings.paper.strokes import Leaf
-    from plans.scene.scene import Scene
-    from plans.study import Study
-
 
 # What a form shows of a figure: a place with its pole; fixed points and guides too; bare axes.
 PLAN, FRAME, GRAPH = "plan", "frame", "graph"

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from plans.techniques import MOTION, Technique
+from plans.techniques import MOTION, Technique, late
 
 if TYPE_CHECKING:
-    from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Stated
-    from plans.scene.faults import Fault
-    from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
@@ -24,21 +19,12 @@ class BalanceTechnique(Technique):
     needs = ("linkage",)
     borrows = ("forces",)
     scales = {"unbalance": ("kg*m", "Of polygons of static moments.")}
-
-    def form(self) -> type[TechniqueForm]:
-        from plans.balance.form import BalanceForm
-
-        return BalanceForm
-
-    def survey(self, meaning: Meaning) -> Survey:
-        from plans.balance.reading import survey_of
-
-        return survey_of(meaning)
-
-    def notes(self, scene: Scene) -> Iterable[Fault]:
-        from plans.balance.reading import notes_of
-
-        return notes_of(scene)
+    form = late("form:BalanceForm")
+    survey = late("reading:survey_of")
+    notes = late("reading:notes_of")
+    comparison = late("quantities:comparison_of")
+    numbers = late("quantities:numbers")
+    marks = late("marks:marks")
 
     def study(self, study: Study) -> Made:
         from plans.balance.reading import BalanceSurvey
@@ -48,21 +34,6 @@ class BalanceTechnique(Technique):
 
         task = study.scene.meaning.of(BalanceSurvey).task
         return BalanceStudy(study.of(LinkageStudy), study.of(Statics), task)
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.balance.quantities import comparison_of
-
-        return comparison_of(study)
-
-    def numbers(self, study: Study, by: str) -> Stated:
-        from plans.balance.quantities import numbers
-
-        return numbers(study, by)
-
-    def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
-        from plans.balance.marks import marks
-
-        return marks(study, position, name)
 
 
 TECHNIQUE = BalanceTechnique()

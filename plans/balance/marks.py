@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from geometry.board import Board, Mark, at, behind
 from plans.balance import mass_centre, sums
@@ -13,10 +12,8 @@ from plans.balance.study import BalanceStudy
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
 from plans.model.balance.linkage import EPS, ROUNDING
+from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 AFTER = "'"  # behind the letter of what a balanced machine has
 STILL = re.compile(r"(U|H|mh)_\d+'?|m_left\w+")  # what is the same in every position

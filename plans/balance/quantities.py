@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -27,9 +27,7 @@ from plans.model.balance.linkage import ANALYSIS, EPS, Balance, Choice, Counterw
 from plans.model.mechanism import FRAME
 from plans.model.motion import ACCELERATIONS, Floats, Motion
 from plans.quantity import Comparison, Numbers, Quantity, gap_numbers, pairs, plain
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 
 class Costs:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from geometry.board import Mark, behind
 from plans.bank.harmonics import COMPENSATORS, FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters, roman
@@ -13,10 +12,8 @@ from plans.bank.reading import ORDER_LIMIT, BankSurvey
 from plans.bank.study import BankStudy, orders_of
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model.balance.bank import BankTask
+from plans.study import Study
 from plans.words.words import message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 LETTERS = re.compile(rf"-?({SINGLE}|{FORCE}|{MOMENT}|{STATIC})_|Φ\(")
 NUMERAL = re.compile(rf"-?(?:{SINGLE}|{FORCE}|{MOMENT}|{STATIC})_(?:{MOMENT},)?-?([IVXLC]+|100)(?:,|$)")

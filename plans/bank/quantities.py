@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,9 +23,7 @@ from plans.model.balance.linkage import Counterweight
 from plans.model.motion import ACCELERATIONS, Complexes
 from plans.quantity import EQUILIBRIUM, MOST_SIDES, Comparison, Numbers, Quantity, by_hand
 from plans.rotor.balancing import polygon
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 FIGURES = {FORCE: "order_forces", MOMENT: "order_moments"}  # on which each polygon stands, before its order
 BACK = "-back"  # after the order of what turns against the crank

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,10 +27,8 @@ from plans.model.balance.bank import CONSTRUCTION, EPS, ROUNDING, STEPS, BankBal
 from plans.model.balance.linkage import NONE
 from plans.model.motion import Complexes, Floats, Rates
 from plans.rotor.balancing import heading
+from plans.study import Study
 from plans.words.words import message, placed
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 LOOKS = 72  # positions of a turn over which the size of the forces is taken
 

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from geometry.board import GIVEN, Board, Mark, behind
 from plans.cam.centre.place import Sizing
 from plans.cam.study import PROFILE, SIZES, CamDrawing, CamStudy
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.cam import Cam, dimensions
+from plans.study import Study
 from plans.words.words import Message, because, message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 LAW = "law"  # the board of the diagrams
 OF = ":"  # between the name of a cam and the name of a mark

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -19,9 +19,7 @@ from plans.model.cam import MM, RATIO, RETURN, RISE, ROLLER, Cam, dimensions
 from plans.model.cam_motion import CONSTRUCTION, CamFlaw, CamFound, CamSizes, Contour, Extreme, Pressing, Shock
 from plans.model.motion import Floats
 from plans.quantity import SLIP, Numbers, Slipping, pairs, plain
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 
 def numbers(study: Study, by: str) -> Numbers:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,9 +20,7 @@ from plans.model.cam import SHAPE, TABLE, Cam, dimensions
 from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFlaw, CamFound, Extreme, Points, Pressing
 from plans.model.motion import Floats, Gap
 from plans.quantity import Comparison, Quantity
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 EQUAL = 1e-9  # of an extreme value: what is as large is another place of the same extreme
 NEAR = 1e-6  # of the turn: a place where something is level is known to half of the digits

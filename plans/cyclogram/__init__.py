@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from plans.techniques import Technique
+from plans.techniques import Technique, late
 
 if TYPE_CHECKING:
-    from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Stated
-    from plans.scene.faults import Fault
-    from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
     from plans.study import Made, Study
 
 
@@ -22,48 +17,19 @@ class CyclogramTechnique(Technique):
     plans = ("cyclogram",)
     sheets = {"cyclogram": ("extremes", "positions", "cyclogram")}
     needs = ("linkage",)
-
-    def form(self) -> type[TechniqueForm]:
-        from plans.cyclogram.reading import CyclogramForm
-
-        return CyclogramForm
-
-    def survey(self, meaning: Meaning) -> Survey:
-        from plans.cyclogram.reading import survey_of
-
-        return survey_of(meaning)
-
-    def notes(self, scene: Scene) -> Iterable[Fault]:
-        from plans.cyclogram.reading import notes_of
-
-        return notes_of(scene)
-
-    def asks(self, scene: Scene) -> Iterable[str]:
-        from plans.cyclogram.reading import asked_of
-
-        return asked_of(scene)
+    form = late("reading:CyclogramForm")
+    survey = late("reading:survey_of")
+    notes = late("reading:notes_of")
+    asks = late("reading:asked_of")
+    comparison = late("quantities:compare_cyclogram", "cyclogram.study:CyclogramStudy")
+    numbers = late("quantities:numbers")
+    marks = late("marks:marks")
 
     def study(self, study: Study) -> Made:
         from plans.cyclogram.study import CyclogramStudy
         from plans.linkage.study import LinkageStudy
 
         return CyclogramStudy(study.scene, study.of(LinkageStudy))
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.cyclogram.quantities import compare_cyclogram
-        from plans.cyclogram.study import CyclogramStudy
-
-        return compare_cyclogram(study.of(CyclogramStudy))
-
-    def numbers(self, study: Study, by: str) -> Stated:
-        from plans.cyclogram.quantities import numbers
-
-        return numbers(study, by)
-
-    def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
-        from plans.cyclogram.marks import marks
-
-        return marks(study, position, name)
 
 
 TECHNIQUE = CyclogramTechnique()

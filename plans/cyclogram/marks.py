@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,10 +12,8 @@ from plans.cyclogram.study import CyclogramStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model.cyclogram import BEGIN, END
 from plans.model.motion import POSITIONS
+from plans.study import Study
 from plans.words.words import message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 NAME = re.compile(r"(?:φ|phi)_(?P<number>\d+)")
 UNITS = {POSITIONS.plan: "m"}

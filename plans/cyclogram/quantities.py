@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -15,10 +15,8 @@ from plans.linkage.quantities import ANALYSIS as ROUNDINGS
 from plans.linkage.quantities import MOST_ALLOWED, road_of
 from plans.model.cyclogram import ANALYSIS, BEGIN, END, TURN, Cyclogram, Position
 from plans.quantity import Comparison, Numbers, Quantity
+from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 
 @dataclass(frozen=True)

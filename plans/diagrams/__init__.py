@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plans.techniques import Technique
+from plans.techniques import Technique, late
 
 if TYPE_CHECKING:
-    from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Stated
-    from plans.scene.scene import TechniqueForm
     from plans.study import Made, Study
 
 
@@ -20,32 +17,16 @@ class DiagramsTechnique(Technique):
     plans = ("diagrams",)
     needs = ("linkage",)
     scales = {"angle": ("rad", "Of the crank angle of kinematic diagrams; the larger it is, the smaller these are.")}
-
-    def form(self) -> type[TechniqueForm]:
-        from plans.diagrams.study import DiagramsForm
-
-        return DiagramsForm
+    form = late("study:DiagramsForm")
+    comparison = late("quantities:comparison_of")
+    numbers = late("quantities:numbers")
+    marks = late("marks:marks")
 
     def study(self, study: Study) -> Made:
         from plans.diagrams.study import DiagramsForm, DiagramsStudy
         from plans.linkage.study import LinkageStudy
 
         return DiagramsStudy(study.of(LinkageStudy), study.scene.of(DiagramsForm).sheet.diagrams)
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.diagrams.quantities import comparison_of
-
-        return comparison_of(study)
-
-    def numbers(self, study: Study, by: str) -> Stated:
-        from plans.diagrams.quantities import numbers
-
-        return numbers(study, by)
-
-    def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
-        from plans.diagrams.marks import marks
-
-        return marks(study, position, name)
 
 
 TECHNIQUE = DiagramsTechnique()

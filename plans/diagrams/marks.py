@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from geometry.board import Mark, behind
@@ -12,10 +10,8 @@ from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion
 from plans.model.motion import Floats
+from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 SPEED, GROWTH = "dS/dt", "dv/dt"
 TURNING = {"dψ/dt": SPEED, "dω/dt": GROWTH}  # as an output that turns is lettered

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,10 +18,8 @@ from plans.linkage.travel import frame_slide
 from plans.model.diagrams import FEWEST, Diagrams
 from plans.model.motion import ACCELERATIONS, ORDERS, Floats
 from plans.quantity import Comparison, Numbers, Quantity, plain
+from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 LETTERS = {True: ("S", "v", "a"), False: ("ψ", "ω", "ε")}  # of an output that slides, and of one that turns
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,10 +15,8 @@ from plans.dynamics.study import DynamicsStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion
 from plans.model.dynamics import edge_names
+from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 MOMENT, INERTIA, DRIVING, RESISTING = "M_red", "J_red", "M_dr", "M_us"
 SIDES = (DRIVING, RESISTING, "A_dr", "A_us")  # moments and works of the loads and of the constant other side

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from geometry.errors import ConstructionError
 from plans.analytic.dynamics.flywheel import reduced_link
+from plans.analytic.dynamics.run import SteadySwing
 from plans.analytic.dynamics.speeds import Swing
 from plans.dynamics.form import DYNAMICS, DynamicsForm
 from plans.dynamics.quantities import DynamicsComparison, compare_dynamics
@@ -18,12 +19,8 @@ from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
 from plans.model.motion import VELOCITIES, Floats, Pace, Rates
 from plans.model.run import Account, Failure, MachineRun, Stage, SteadyTurn
 from plans.quantity import Numbers, Quantity, gap_numbers, plain
+from plans.study import Study
 from plans.words.words import message, placed
-
-if TYPE_CHECKING:
-    from plans.analytic.dynamics.run import SteadySwing
-    from plans.study import Study
-
 
 SEGMENTS = {"o_1k": 1, "o_1l": 0}  # cut off the axis of energy, at the greatest and the least speed
 CRANK = "crank"

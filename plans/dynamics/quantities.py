@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -45,9 +45,7 @@ from plans.model.machine import Track
 from plans.model.motion import Floats
 from plans.model.run import Account, MachineRun
 from plans.quantity import Comparison, Quantity
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
 SAME = 1e-7  # rad: a break is known to half the digits of an angle, by a notch or by a root

@@ -6,7 +6,6 @@ from bisect import bisect_right
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,10 +22,8 @@ from plans.model.dynamics import CONSTRUCTION, ROUNDED, TURN, Cycle, Flywheel, M
 from plans.model.motion import Floats
 from plans.model.motor import Motor
 from plans.model.run import Account, MachineRun, ReducedLink, RunTask
+from plans.study import Study
 from plans.words.words import message, placed
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 
 @dataclass(frozen=True)

@@ -6,18 +6,14 @@ Drawn by drawings/forces/lever.py; held by `balancing` of quantities.py, its ink
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from geometry.board import Board, Mark
-from plans.forces.cut import REACTION, Couple, Load
+from geometry.board import Board, Mark, Reading
+from plans.forces.cut import REACTION, Couple, ForcePlan, Load
 from plans.forces.drive import BALANCING, DRIVING
 from plans.linkage import leads
 from plans.model.mechanism import FRAME
 from plans.words.words import because
-
-if TYPE_CHECKING:
-    from geometry.board import Reading
-    from plans.forces.cut import ForcePlan
 
 
 class LeverCouple(NamedTuple):

@@ -4,27 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark, behind
+from geometry.board import Board, Mark, behind
 from geometry.hand_error import SlippingHand, slopes
 from plans.explanation import Explanation, NoMark
 from plans.forces.cut import CutGroup, ForcePlan, indices
 from plans.forces.drive import BALANCING, DRIVING, balancing_quantity
+from plans.forces.force_template import ForcePlans
 from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.linkage import marks as motion
 from plans.linkage.study import LinkageStudy
+from plans.model.motion import Floats
 from plans.quantity import SLIP, Slipping, errors_by_hand
+from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from geometry.board import Board
-    from plans.forces.force_template import ForcePlans
-    from plans.model.motion import Floats
-    from plans.study import Study
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
 PART = re.compile(r"[RPF](?=\^[nt]_)")  # of a reaction, whichever letter a sheet has for reactions

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -26,9 +26,7 @@ from plans.model.kinetostatics import Friction, Kinetostatics, Loading, Reaction
 from plans.model.machine import Track
 from plans.model.motion import FORCES, ORDERS, Floats
 from plans.quantity import Comparison, Numbers, Quantity, gap_numbers, pairs, plain
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
 ENERGY = "energy"  # by what a finding of the balancing moment is told that no road of its own finds

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -21,7 +21,7 @@ from plans.linkage.study import BLOCK, LinkageStudy, obstruction
 from plans.linkage.sweep import RedrawnPlans, at_angles
 from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.dyad import Pair, pairs
-from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
+from plans.model.kinetostatics import Friction, Kinetostatics, Loading, without_forces
 from plans.model.machine import IDLE, WORKING, Diagram, Force, Machine, Moment, Track
 from plans.model.mechanism import NoWorkingStroke, Output, StructureError, frame_way
 from plans.model.motion import (
@@ -39,9 +39,6 @@ from plans.model.motion import (
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
-
-if TYPE_CHECKING:
-    from plans.model.kinetostatics import Friction
 
 
 def off_their_lines(machine: Machine, motion: Motion) -> Iterator[tuple[int, Force]]:

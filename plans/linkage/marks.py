@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from geometry.board import Mark, Reading, at, behind
@@ -14,10 +12,8 @@ from plans.linkage.plan import Masses, Plan, unnamed
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Drive
 from plans.model.motion import ORDERS, POSITIONS
+from plans.study import Study
 from plans.words.words import Message, message
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 PLACES = 4  # decimals of degrees, and of millimetres
 

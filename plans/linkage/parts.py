@@ -5,7 +5,7 @@ and epsilon of the link and the places of its points (M3.1) (составляю�
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,9 +23,7 @@ from plans.model.dyad import Assur
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, VELOCITIES, Complexes, Floats, Motion, Order
 from plans.quantity import SLIP, Quantity, Shown, Slipping, errors_by_hand
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 # A vector by the plan's subject and the names of its ends: ("velocities", "a", "b").
 Arrow = tuple[str, str, str]

@@ -7,7 +7,7 @@ linear systems magnify a rounding by the condition of the Jacobian once for ever
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,10 +23,8 @@ from plans.linkage.sweep import at_angles
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, Extremes, Floats, Motion, numbers_of, stroke_rates
 from plans.quantity import Comparison, Quantity, gap_numbers, pairs, plain
+from plans.study import Study
 from plans.words.words import Message, message, placed
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 SYMBOLS = ("s", "v", "a")
 ROUNDINGS = 16.0  # of a distance by two places, each of a few roundings itself

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from plans.techniques import Technique
+from plans.techniques import Technique, late
 
 if TYPE_CHECKING:
-    from plans.explanation import Explanation, NoMark
-    from plans.quantity import Comparison, Stated
-    from plans.scene.faults import Fault
-    from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
+    from plans.scene.scene import Meaning, Survey
     from plans.study import Made, Study
 
 
@@ -25,43 +21,22 @@ class RotorTechnique(Technique):
         "couple": ("kg*m2", "Of the polygon of a rotor's moments of unbalance."),
         "rotor": ("", "Of the views of a rotor."),
     }
-
-    def form(self) -> type[TechniqueForm]:
-        from plans.rotor.reading import RotorForm
-
-        return RotorForm
+    form = late("reading:RotorForm")
+    notes = late("reading:notes_of")
+    comparison = late("quantities:compare_rotor", "rotor.study:RotorStudy")
+    numbers = late("quantities:numbers")
+    marks = late("marks:marks")
 
     def survey(self, meaning: Meaning) -> Survey:
         from plans.rotor.reading import RotorForm, RotorSurvey, rotor_of
 
         return RotorSurvey(rotor_of(meaning.scene.of(RotorForm).rotor), [])
 
-    def notes(self, scene: Scene) -> Iterable[Fault]:
-        from plans.rotor.reading import notes_of
-
-        return notes_of(scene)
-
     def study(self, study: Study) -> Made:
         from plans.rotor.reading import RotorSurvey
         from plans.rotor.study import RotorStudy
 
         return RotorStudy(study.scene.meaning.of(RotorSurvey).rotor)
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.rotor.quantities import compare_rotor
-        from plans.rotor.study import RotorStudy
-
-        return compare_rotor(study.of(RotorStudy))
-
-    def numbers(self, study: Study, by: str) -> Stated:
-        from plans.rotor.quantities import numbers
-
-        return numbers(study, by)
-
-    def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
-        from plans.rotor.marks import marks
-
-        return marks(study, position, name)
 
 
 TECHNIQUE = RotorTechnique()

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from geometry.board import Mark, behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
 from plans.rotor.study import BEARINGS, REACTIONS, RotorStudy
+from plans.study import Study
 from plans.words.words import languages, message, written
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 REACTION_LETTERS = frozenset(f"R_{bearing}{prime}" for bearing in BEARINGS for prime in ("", "'"))
 UNITS = {COUPLES: "kg*m2", UNBALANCES: "kg*m", REACTIONS: "N"}

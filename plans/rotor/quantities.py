@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from geometry.board import Span
 from plans.analytic.rotor import balance, moment
@@ -24,9 +24,7 @@ from plans.model.rotor import (
 from plans.quantity import MOST_SIDES, Comparison, Numbers, Quantity, Shown
 from plans.rotor.balancing import COUPLES, UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, REACTIONS, RotorStudy
-
-if TYPE_CHECKING:
-    from plans.study import Study
+from plans.study import Study
 
 
 def compare_rotor(study: RotorStudy) -> Comparison:

@@ -61,12 +61,10 @@ def test_f3_an_angular_acceleration_adds_a_tangential_part() -> None:
 
 
 YOKE = scene(
-    frame="O = [0, 0]",
-    links="OA A BE",
-    lengths="OA = 0.1; BE = 0.2",
+    frame="O = [0, 0]", links="OA A BE", lengths="OA = 0.1; BE = 0.2",
     slides=['link = 2; along = "BE"', "link = 3; along = { through = [0, 0], angle = 0 }; angle = 90"],
     drive="link = 1; speed = 10",
-)
+)  # fmt: skip
 
 
 def test_e17_a_scotch_yoke_moves_by_the_cosine() -> None:
@@ -77,13 +75,10 @@ def test_e17_a_scotch_yoke_moves_by_the_cosine() -> None:
 
 def test_d14_a_guide_in_any_direction_and_through_the_axis_is_the_same_mechanism() -> None:
     slider = scene(
-        frame="O = [0, 0]",
-        links="OA AB B",
-        lengths="OA = 0.06; AB = 0.2",
-        slides=["link = 3; along = {{ through = [0, 0], angle = {angle} }}"],
-        sketch="B = [{x}, {y}]",
+        frame="O = [0, 0]", links="OA AB B", lengths="OA = 0.06; AB = 0.2",
+        slides=["link = 3; along = {{ through = [0, 0], angle = {angle} }}"], sketch="B = [{x}, {y}]",
         drive="link = 1; speed = 10; start = {angle}",
-    )
+    )  # fmt: skip
     found = {}
     for angle in (0, 90, 180, 270, 33):
         way = np.exp(1j * math.radians(angle))
@@ -94,12 +89,11 @@ def test_d14_a_guide_in_any_direction_and_through_the_axis_is_the_same_mechanism
 
 
 PEAUCELLIER = scene(
-    frame="O = [0, 0]; C = [1, 0]",
-    links="CP OA OB PA PB AQ BQ",
+    frame="O = [0, 0]; C = [1, 0]", links="CP OA OB PA PB AQ BQ",
     lengths="CP = 1; OA = 3; OB = 3; PA = 1.5; PB = 1.5; AQ = 1.5; BQ = 1.5",
     sketch="A = [2.6, 1.5]; B = [2.6, -1.5]; Q = [3.4, 0]",
     drive="link = 1; speed = 1; positions = [0, 10, 20, 30, 40, 50, -10, -20, -30, -40, -50]",
-)
+)  # fmt: skip
 
 
 def test_e23_peaucellier_s_point_runs_on_a_straight_line() -> None:
@@ -160,13 +154,9 @@ def test_b20_many_positions_of_many_links_are_too_many(tmp_path: Path, capsys: p
 
 
 SLOT = scene(
-    frame="O = [0, 0]; C = [0, -0.35]",
-    links="OA A CB",
-    lengths="OA = 0.12; CB = 0.7",
-    slides=['link = 2; along = "CB"'],
-    sketch="B = [0.16, 0.33]",
-    drive="link = 1; speed = 10; start = 10",
-)
+    frame="O = [0, 0]; C = [0, -0.35]", links="OA A CB", lengths="OA = 0.12; CB = 0.7",
+    slides=['link = 2; along = "CB"'], sketch="B = [0.16, 0.33]", drive="link = 1; speed = 10; start = 10",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("speed", [10, -10])

@@ -3,43 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 from xml.sax.saxutils import escape
 
 from drawings.form.blank_file import SEAL
 from drawings.grading.asked import PlanAsked
-from drawings.grading.cells.asked_table import TableAsked, tables_asked
+from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.seen_table import Key, SeenCell, ruling, tables_seen
 from drawings.paper.strokes import Group, Leaf, Stroke
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.reading.alphabet import folded
-from drawings.redrawn import Original, Originals
+from drawings.redrawn import Original
 from drawings.sheets.kind import table_of
-from tests.drawings.students import drawn, task
+from tests.drawings.students import Task, drawn
 
 SIZE = 4.9  # of an editor's letters, user units
-
-
-class TableTask(NamedTuple):
-    """A scene that is set: its sheets, and the tables that they ask for."""
-
-    originals: Originals
-    tables: tuple[TableAsked, ...]
-
-    def table(self, name: str) -> TableAsked:
-        return next(one for one in self.tables if one.sought[1] == name)
-
-    def sheet(self, table: TableAsked) -> Original:
-        return next(one for one in self.originals.sheets if one.name == table.sheets[0])
-
-
-@cache
-def table_task(scene: str) -> TableTask:
-    """Set a scene of the gallery."""
-    originals = task(scene).originals
-    return TableTask(originals, tables_asked(originals))
 
 
 def tables_of(sheet: Original) -> Leaf:
@@ -91,10 +70,10 @@ def _text(leaf: Leaf, cell: SeenCell, text: str) -> str:
     return f'<text style="{style}"><tspan x="{x:.3f}" y="{y:.3f}">{escape(text)}</tspan></text>'
 
 
-def made(task: TableTask, row: Mapping[str, Any]) -> bytes:
+def made(task: Task, row: Mapping[str, Any]) -> bytes:
     """Draw a sheet with a mistake of the list of rows."""
     table = task.table(row["table"])
-    leaf = tables_of(task.sheet(table))
+    leaf = tables_of(task.sheet(table.sheets[0]))
     if "without" in row:
         cells = (cell for key, cell in cells_of(leaf, table).items() if key[0].startswith(row["without"]))
         gone = {id(text) for cell in cells for text in cell.texts}

@@ -5,42 +5,21 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, figures_asked
+from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
-from drawings.redrawn import Original, Originals
+from drawings.redrawn import Original
 from plans.model.motion import Complexes
-from tests.drawings.students import task
+from tests.drawings.students import Task
 
 Keep = Callable[[Stroke], Stroke | None]
 
 
-class CurveTask(NamedTuple):
-    """A scene that is set: its sheets, and the figures that they ask for."""
-
-    originals: Originals
-    figures: tuple[FigureAsked, ...]
-
-    def figure(self, key: str) -> FigureAsked:
-        return next(one for one in self.figures if one.key == key)
-
-    def sheet(self, name: str) -> Original:
-        return next(one for one in self.originals.sheets if one.name == name)
-
-
-@cache
-def curve_task(scene: str) -> CurveTask:
-    """Set a scene of the gallery."""
-    originals = task(scene).originals
-    return CurveTask(originals, figures_asked(originals))
-
-
-def gone_on(task: CurveTask, key: str, values: Complexes) -> dict[str, Complexes]:
+def gone_on(task: Task, key: str, values: Complexes) -> dict[str, Complexes]:
     """Give all figures of a sheet where one is drawn otherwise and those that rest on it go on from there."""
     sheet = task.figure(key).sheet
     own = [one for one in task.figures if one.sheet == sheet]
@@ -55,7 +34,7 @@ def gone_on(task: CurveTask, key: str, values: Complexes) -> dict[str, Complexes
 
 
 def drawn(
-    task: CurveTask, sheet: Original, values: Mapping[str, Complexes], keep: Keep = lambda one: one, along: float = 0.0
+    task: Task, sheet: Original, values: Mapping[str, Complexes], keep: Keep = lambda one: one, along: float = 0.0
 ) -> bytes:
     """Draw a sheet with the values of some figures otherwise; `along` moves their ordinates along the axis, mm."""
     leaf = sheet.leaf
@@ -115,7 +94,7 @@ def _curve(one: Stroke, asked: FigureAsked, moves: Complexes, along: float) -> S
     return one._replace(points=tuple((np.array(one.points) + by + along * way).tolist()))
 
 
-def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
+def made(task: Task, row: Mapping[str, Any]) -> bytes:
     """Draw a sheet with a mistake of the table."""
     asked = task.figure(row["figure"])
     places = {one.name if one.position is None else one.called: one.place for one in asked.items}

@@ -11,8 +11,8 @@ from drawings.form.form import form_of
 from drawings.grading.asked import PlanAsked
 from drawings.grading.form_place import FormPlace, form_places
 from drawings.paper.strokes import Leaf
-from tests.drawings.students import task, true_places
-from tests.drawings.vector_students import laid, written
+from tests.drawings.students import lettered, task, true_places
+from tests.drawings.vector_students import laid
 
 MARKER = '<defs><marker id="head" orient="auto"><path d="M0 0L5 2"/></marker></defs>'
 LOOK = 'style="stroke:#000;fill:none;stroke-width:0.7;marker-end:url(#head)"'
@@ -48,7 +48,7 @@ def polygon_on_form(leaf: Leaf, plan: PlanAsked, share: float) -> bytes:
         at, by = begun.conjugate() + 1j * leaf.height, vector.conjugate() / scale
         parts.append(f'<path {LOOK} d="m {at.real:.4f},{at.imag:.4f} {by.real:.4f},{by.imag:.4f}"/>')
         beside = at + by / 2 + 1 - 1j
-        parts.append(f'<text x="{beside.real}" y="{beside.imag}" style="font-size:3.5px">{written(one.letter)}</text>')
+        parts.append(f'<text x="{beside.real}" y="{beside.imag}" style="font-size:3.5px">{lettered(one.letter)}</text>')
     return blank_file(leaf).replace(b"</svg>", f"{MARKER}{''.join(parts)}</svg>".encode())
 
 
@@ -91,9 +91,8 @@ def position_on_form(leaf: Leaf, plan: PlanAsked, moved: complex = 0j) -> bytes:
     assert place.pole is not None
     parts = []
     for k, one in enumerate(plan.vectors):
-        at = place.pole + (one.true + (moved if k == 0 else 0) - place.value) / place.scale
-        parts.append(
-            f'<circle cx="{at.real:.3f}" cy="{leaf.height - at.imag:.3f}" r="1" style="fill:none;stroke:#000"/>'
-        )
-        parts.append(f'<text x="{at.real + 1.5:.2f}" y="{leaf.height - at.imag - 1.5:.2f}">{written(one.title)}</text>')
+        at = (place.pole + (one.true + (moved if k == 0 else 0) - place.value) / place.scale).conjugate()
+        at += 1j * leaf.height
+        parts.append(f'<circle cx="{at.real:.3f}" cy="{at.imag:.3f}" r="1" style="fill:none;stroke:#000"/>')
+        parts.append(f'<text x="{at.real + 1.5:.2f}" y="{at.imag - 1.5:.2f}">{lettered(one.title)}</text>')
     return blank_file(leaf).replace(b"</svg>", f"{''.join(parts)}</svg>".encode())

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Iterator, Mapping
-from functools import cache
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import cache, cached_property
 
 import numpy as np
 
 from drawings.grading.asked import PlanAsked, plans_asked
+from drawings.grading.cells.asked_table import TableAsked, tables_asked
+from drawings.grading.curves.figure_records import FigureAsked, figures_asked
 from drawings.lettering.words import with_index
 from drawings.paper.strokes import Circle, Fill, Group, Line, Stroke, Text
 from drawings.pens.svg import svg
@@ -23,14 +25,32 @@ TABLED = ("notes", "title-block", "equations")  # of a sheet that is handed in w
 Places = Mapping[str, complex]
 
 
-class Task(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Task:
     """A scene that is set: its sheets, and what they ask for."""
 
     originals: Originals
-    plans: tuple[PlanAsked, ...]
+
+    @cached_property
+    def plans(self) -> tuple[PlanAsked, ...]:
+        return plans_asked(self.originals)
+
+    @cached_property
+    def figures(self) -> tuple[FigureAsked, ...]:
+        return figures_asked(self.originals)
+
+    @cached_property
+    def tables(self) -> tuple[TableAsked, ...]:
+        return tables_asked(self.originals)
 
     def plan(self, plan: str, position: int | None) -> PlanAsked:
         return next(one for one in self.plans if one.place == (plan, position))
+
+    def figure(self, key: str) -> FigureAsked:
+        return next(one for one in self.figures if one.key == key)
+
+    def table(self, name: str) -> TableAsked:
+        return next(one for one in self.tables if one.sought[1] == name)
 
     def sheet(self, name: str) -> Original:
         return next(one for one in self.originals.sheets if one.name == name)
@@ -39,8 +59,7 @@ class Task(NamedTuple):
 @cache
 def task(scene: str) -> Task:
     """Set a scene of the gallery."""
-    originals = Originals(GALLERY / f"{scene}.toml")
-    return Task(originals, plans_asked(originals))
+    return Task(Originals(GALLERY / f"{scene}.toml"))
 
 
 def marks_of(plan: PlanAsked) -> dict[str, Mark]:

@@ -16,18 +16,17 @@ from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.curves.figure_judge import allowed_of
-from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.curves.form_figure import every_axes
 from drawings.grading.feedback import lines
-from drawings.grading.graded import PASS, UNREAD, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import PASS, UNREAD, SheetTask, grade
 from drawings.grading.verdict import Marking
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
 from drawings.reading.sheet import see
 from drawings.redrawn import Originals
 from plans.model.motion import Complexes
-from tests.drawings.curve_students import CurveTask, curve_task, made
+from tests.drawings.curve_students import made
+from tests.drawings.students import Task, task
 from tests.mistakes import mistakes
 
 HAND = Allowances()
@@ -36,14 +35,14 @@ CASES = Path(__file__).parents[1] / "cases"
 MISTAKES = mistakes("curve_mistakes")
 
 
-def said(own: CurveTask, source: bytes) -> list[str]:
+def said(own: Task, source: bytes) -> list[str]:
     wrong = grade(source, SheetTask(curves=own.figures), HAND).wrong
     out = [(one.off, one.allowed) for one in wrong if one.kind == "wrong" and one.off and one.allowed]
     assert all(off > allowed for off, allowed in out)
     return sorted(" ".join(filter(None, (one.plan, one.name, one.kind))) for one in wrong)
 
 
-def ours_are_right(own: CurveTask, ways: tuple[Allowances, ...] = (HAND, Allowances(EXACT), SHARE)) -> None:
+def ours_are_right(own: Task, ways: tuple[Allowances, ...] = (HAND, Allowances(EXACT), SHARE)) -> None:
     for sheet in own.originals.sheets:
         due = [one for one in own.figures if one.sheet == sheet.name]
         for by in ways if due else ():
@@ -55,22 +54,22 @@ def ours_are_right(own: CurveTask, ways: tuple[Allowances, ...] = (HAND, Allowan
 @pytest.mark.rest
 def test_a_curve_may_end_before_a_dead_centre() -> None:
     originals = Originals(CASES / "alarms" / "curve-short-of-a-dead-centre.toml")
-    ours_are_right(CurveTask(originals, figures_asked(originals)))
+    ours_are_right(Task(originals))
 
 
 def test_a_share_is_of_the_largest_value_that_is_known() -> None:
-    figure = curve_task("slider-crank").figures[0]
+    figure = task("slider-crank").figures[0]
     known = replace(figure, true=np.where(np.arange(len(figure.true)) == 0, np.nan, figure.true))
     allowed = allowed_of(known, SHARE, 0.0)
     assert (allowed >= 0.02 * np.abs(figure.true[1:]).max()).all()
 
 
 def found(row: dict[str, Any]) -> None:
-    own = curve_task(row["scene"])
+    own = task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
-def on_form(own: CurveTask, heights: dict[str, float], scaled: bool = True) -> bytes:
+def on_form(own: Task, heights: dict[str, float], scaled: bool = True) -> bytes:
     """Draw graphs on a form as an editor does: each a line through its values, times a factor, and its scale."""
     figures = [own.figure(key) for key in heights]
     leaf = blank_leaf(own.originals.path.stem, figures[0].plan)
@@ -92,7 +91,7 @@ def on_form(own: CurveTask, heights: dict[str, float], scaled: bool = True) -> b
 
 @cache
 def forms(scene: str) -> tuple[Leaf, ...]:
-    return tuple(leaf for leaves in form_of(curve_task(scene).originals.study).values() for leaf in leaves)
+    return tuple(leaf for leaves in form_of(task(scene).originals.study).values() for leaf in leaves)
 
 
 def blank_leaf(scene: str, plan: str) -> Leaf:
@@ -100,7 +99,7 @@ def blank_leaf(scene: str, plan: str) -> Leaf:
 
 
 def test_a_graph_on_the_axes_of_a_form_is_read() -> None:
-    own = curve_task("slider-crank")
+    own = task("slider-crank")
     due = dict.fromkeys(("travel", "velocity", "acceleration"), 1.0)
     assert said(own, on_form(own, {**due, "acceleration": -1.0})) == ["diagrams-acceleration inverted"]
     assert said(own, on_form(own, due, scaled=False)) == [f"diagrams-{key} unscaled" for key in sorted(due)]
@@ -108,7 +107,7 @@ def test_a_graph_on_the_axes_of_a_form_is_read() -> None:
     assert {one.kind for one in lost} == {"missing"}
 
 
-def line_on_form(own: CurveTask, key: str, values: Complexes) -> bytes:
+def line_on_form(own: Task, key: str, values: Complexes) -> bytes:
     """Draw a line through the values of a figure in its place on a form, as an editor does."""
     asked = own.figure(key)
     leaf = blank_leaf(own.originals.path.stem, asked.plan)
@@ -128,7 +127,7 @@ def of(plan: str, told: list[str]) -> list[str]:
 
 @pytest.mark.rest
 def test_a_profile_in_its_place_on_a_form_is_read() -> None:
-    own = curve_task("valve-cam")
+    own = task("valve-cam")
     asked = own.figure("profile points")
     for values, due in ((asked.true, []), (-asked.true.conj(), ["profile backwards"])):
         assert of("profile", said(own, line_on_form(own, asked.key, np.asarray(values)))) == due
@@ -136,7 +135,7 @@ def test_a_profile_in_its_place_on_a_form_is_read() -> None:
 
 @pytest.mark.rest
 def test_the_least_radius_of_a_line_is_found_as_far_as_it_lies_out() -> None:
-    own = curve_task("feed-cam")
+    own = task("feed-cam")
     base = next(one for one in own.figure("profile points").mistakes if one.kind == "base")
     assert base.along is not None
     values = np.asarray(base.values + 6 * own.figure("profile points").scale * base.along)
@@ -145,20 +144,20 @@ def test_the_least_radius_of_a_line_is_found_as_far_as_it_lies_out() -> None:
 
 @pytest.mark.rest
 def test_a_diagram_of_sizes_on_a_form_is_read() -> None:
-    own = curve_task("feed-cam")
+    own = task("feed-cam")
     sizes = own.figure("sizes").true
     for times, due in ((1.0, []), (1.2, ["sizes factor"])):
         assert of("sizes", said(own, line_on_form(own, "sizes", times * sizes))) == due
 
 
 def test_a_load_on_its_axes_on_a_form_is_read_on_either_branch() -> None:
-    own = curve_task("slider-crank")
+    own = task("slider-crank")
     plan = "load_diagram-F_g"
     for way, due in ((1.0, []), (-1.0, [f"{plan} inverted"])):
         assert of(plan, said(own, load_on_form(own, way))) == due
 
 
-def load_on_form(own: CurveTask, way: float) -> bytes:
+def load_on_form(own: Task, way: float) -> bytes:
     """Draw the load diagram on its axes on a form, both branches by their corners, 60 mm long and 40 mm high."""
     asked, leaf = own.figure("load_diagram-F_g"), blank_leaf("slider-crank", "load_diagram-F_g")
     source = blank_file(leaf)
@@ -177,7 +176,7 @@ def load_on_form(own: CurveTask, way: float) -> bytes:
     return source.replace(b"</svg>", ("".join(paths) + scales).encode() + b"</svg>")
 
 
-def law(own: CurveTask) -> list[Branch]:
+def law(own: Task) -> list[Branch]:
     """Give the branches of the load of a scene, as its own check reads them."""
     machine = own.originals.study["forces"].machine
     return [branch for load in machine.forces if load.name == "F_g" for branch in branches(load)]
@@ -185,13 +184,13 @@ def law(own: CurveTask) -> list[Branch]:
 
 @pytest.mark.rest
 def test_a_loop_on_its_axes_on_a_form_is_read() -> None:
-    own = curve_task("planer")
+    own = task("planer")
     loop = own.figure("loop").true
     for values, due in ((loop, []), (np.asarray(1j * loop.conj()), ["loop axes"])):
         assert of("loop", said(own, loop_on_form(own, values))) == due
 
 
-def loop_on_form(own: CurveTask, values: Complexes, reduced: float = 0.25) -> bytes:
+def loop_on_form(own: Task, values: Complexes, reduced: float = 0.25) -> bytes:
     """Draw a loop on its axes on a form, so much smaller than on our own sheet, with its scales."""
     asked, leaf = own.figure("loop"), blank_leaf(own.originals.path.stem, "loop")
     source = blank_file(leaf)
@@ -206,7 +205,7 @@ def loop_on_form(own: CurveTask, values: Complexes, reduced: float = 0.25) -> by
 
 
 def test_curves_without_marks_and_axes_are_not_read() -> None:
-    own = curve_task("slider-crank")
+    own = task("slider-crank")
     text = own.originals.drawn(own.originals.sheets[0]).decode()
     bare = re.sub(r"<metadata.*?</metadata>", "", re.sub(r' data-(?!text)[a-z]+="[^"]*"', "", text), flags=re.DOTALL)
     graded = grade(bare.encode(), SheetTask(curves=own.figures), HAND)
@@ -215,7 +214,7 @@ def test_curves_without_marks_and_axes_are_not_read() -> None:
 
 
 def test_what_follows_is_told_by_its_name_alone() -> None:
-    own = curve_task("slider-crank")
+    own = task("slider-crank")
     row = next(row for row in MISTAKES if row["scene"] == "slider-crank" and row["how"] == "times")
     graded = grade(made(own, row), SheetTask(curves=own.figures), HAND)
     told = list(lines(Path("ann.svg"), graded, Marking(), {}, "en"))

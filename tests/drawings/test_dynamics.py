@@ -20,7 +20,7 @@ from drawings.dynamics.due_graphs import INERTIA, SURPLUS, WORKS, AnalysedTurn
 from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.dynamics.report import chapters, notes_of
 from drawings.dynamics.sheet import MachineMotion, leaves, positions, results, sheets
-from drawings.grading.curves.run_figures import TurnCourses, speeds_before
+from drawings.grading.curves.dynamics_figures import TurnCourses, speeds_before
 from drawings.page.page import drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Kind, Line, Polyline

@@ -14,17 +14,12 @@ from tests.plans.force_cases import ROADS, WORKED, text_of
 from tests.plans.scenes import scene
 
 STEEP = scene(
-    'title = "Steep rod"; sheets = ["forces"]',
-    frame="O = [0, 0]",
-    links="OA AB B",
-    lengths="OA = 0.07; AB = 0.09",
-    slides=["link = 3; along = { through = [0, 0], angle = 0 }"],
-    sketch="B = [0.16, 0]",
-    drive="link = 1; speed = 1; start = 7; positions = 12",
+    'title = "Steep rod"; sheets = ["forces"]', frame="O = [0, 0]", links="OA AB B",
+    lengths="OA = 0.07; AB = 0.09", slides=["link = 3; along = { through = [0, 0], angle = 0 }"],
+    sketch="B = [0.16, 0]", drive="link = 1; speed = 1; start = 7; positions = 12",
     forces=['on = 3; point = "B"; against = "motion"; value = 100'],
-    friction='coefficient = 1.0; radius = "1 mm"',
-    sheet='language = "ru"',
-)
+    friction='coefficient = 1.0; radius = "1 mm"', sheet='language = "ru"',
+)  # fmt: skip
 BRACES = str.maketrans("{}", "()")
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 LOADED = GALLERY / "shaper-loaded.toml"
@@ -141,15 +136,11 @@ def test_all_steps_behind_a_force_go_back_to_the_fixed_points(run: Run, worked: 
 def test_a_diagram_over_lengths_that_is_stretched_to_the_stroke_is_told(run: Run, tmp_path: Path) -> None:
     """A central crank of 100 mm has a stroke of 200 mm; the table of the load ends a millimetre before."""
     press = scene(
-        'title = "Press"; sheets = ["forces"]',
-        frame="O = [0, 0]",
-        links="OA AB B",
-        lengths="OA = 0.1; AB = 0.3",
-        slides=["link = 3; along = { through = [0, 0], angle = 0 }"],
-        sketch="B = [0.39, 0]",
+        'title = "Press"; sheets = ["forces"]', frame="O = [0, 0]", links="OA AB B", lengths="OA = 0.1; AB = 0.3",
+        slides=["link = 3; along = { through = [0, 0], angle = 0 }"], sketch="B = [0.39, 0]",
         drive="link = 1; speed = 1; start = 7; positions = 12",
         forces=['on = 3; point = "B"; against = "motion"; diagram = { travel = [0, "199 mm"], force = [0, 900] }'],
-    )
+    )  # fmt: skip
     (tmp_path / "press.toml").write_text(press, "utf-8")
     (tmp_path / "exact.toml").write_text(press.replace("199 mm", "200 mm"), "utf-8")
     told = (

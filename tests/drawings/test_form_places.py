@@ -6,8 +6,7 @@ import pytest
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.form_place import FormPlace, form_places, place_of
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask, grade
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Text
 from tests.drawings.form_students import edited, form_leaf, on_form, polygon_on_form, position_on_form

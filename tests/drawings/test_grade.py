@@ -21,8 +21,7 @@ from drawings.commands.grade import write_feedback
 from drawings.grading import asked, class_list
 from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback, gathered, row
-from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
-from drawings.grading.sheet_task import SheetTask, idle_keys
+from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, SheetTask, grade, idle_keys
 from drawings.grading.verdict import OF_QUANTITIES, Marking, MarkingError, Verdict, points_of, read_marking
 from tests.drawings.students import TABLED, task
 from tests.drawings.test_grading import MISTAKES, made

@@ -11,8 +11,7 @@ import pytest
 from drawings.commands import cli
 from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
-from drawings.grading.graded import UNREAD, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import UNREAD, SheetTask, grade
 from tests.drawings.form_students import form_leaf, on_form, polygon_on_form
 from tests.drawings.students import Task, task
 from tests.gallery import GALLERY

@@ -14,8 +14,7 @@ import pytest
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.class_list import answered, grade_all
-from drawings.grading.graded import PASS, UNREAD, Graded, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import PASS, UNREAD, Graded, SheetTask, grade
 from tests.drawings.students import Task, drawn, task, true_places
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="no process that knows what its parent knows")

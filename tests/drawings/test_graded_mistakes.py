@@ -8,16 +8,16 @@ from typing import Any, NamedTuple
 import pytest
 
 from drawings.grading.allowance import EXACT, Allowance, Allowances
-from drawings.grading.graded import PASS, grade
-from drawings.grading.sheet_task import SheetTask, sheet_task
+from drawings.grading.graded import PASS, SheetTask, grade, sheet_task
 from drawings.reading.alphabet import folded
 from drawings.redrawn import Original, Originals
 from tests import parts
-from tests.drawings import cell_students, curve_students, students
+from tests.drawings import cell_students, curve_students
 from tests.drawings import test_curve_grading as curves
 from tests.drawings import test_grading as plans
 from tests.drawings import test_grading_tables as tables
 from tests.drawings import test_grading_vectors as polygons
+from tests.drawings.students import task
 from tests.gallery import GALLERY, SCENES
 from tests.parts import first
 from tests.rows import over
@@ -26,10 +26,9 @@ WAYS = (Allowances(), Allowances(EXACT), Allowances(Allowance(share=0.02)))
 
 
 class Table(NamedTuple):
-    """A table of mistakes: how its scenes are set, a mistake made and told; the scene and share of every day."""
+    """A table of mistakes: how one is made and told; the scene and share of every day."""
 
     rows: list[dict[str, Any]]
-    set_: Callable[[str], Any]
     made: Callable[..., bytes]
     said: Callable[..., list[str]]
     scene: str
@@ -42,10 +41,10 @@ class Table(NamedTuple):
 
 
 TABLES = {
-    "plans": Table(plans.MISTAKES, students.task, plans.made, plans.said, "shaper", 12),
-    "polygons": Table(polygons.MISTAKES, students.task, polygons.made, polygons.said, "fan", 1),
-    "tables": Table(tables.MISTAKES, cell_students.table_task, cell_students.made, tables.said, "shaper", 3),
-    "curves": Table(curves.MISTAKES, curve_students.curve_task, curve_students.made, curves.said, "slider-crank", 9),
+    "plans": Table(plans.MISTAKES, plans.made, plans.said, "shaper", 12),
+    "polygons": Table(polygons.MISTAKES, polygons.made, polygons.said, "fan", 1),
+    "tables": Table(tables.MISTAKES, cell_students.made, tables.said, "shaper", 3),
+    "curves": Table(curves.MISTAKES, curve_students.made, curves.said, "slider-crank", 9),
 }
 
 
@@ -56,7 +55,7 @@ def test_a_mistake_is_named_and_costs_once(name: str) -> None:
 
     @over("row", own.daily)
     def named(row: dict[str, Any]) -> None:
-        given = own.set_(row["scene"])
+        given = task(row["scene"])
         assert own.said(given, own.made(given, row)) == sorted(row["says"])
 
     named()

@@ -14,9 +14,8 @@ import pytest
 from drawings.checks.expected import Expected
 from drawings.grading.allowance import Allowance, Allowances
 from drawings.grading.asked import PlanAsked, plans_asked
-from drawings.grading.graded import FAIL, PASS, UNREAD, grade
+from drawings.grading.graded import FAIL, PASS, UNREAD, SheetTask, grade
 from drawings.grading.judgement import turned_over
-from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Key, Kind, Line, Stroke, Text
 from drawings.redrawn import Original, Originals
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places

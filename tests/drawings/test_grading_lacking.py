@@ -12,8 +12,7 @@ from drawings.form.form import form_of
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.curves.form_figure import places_filled
-from drawings.grading.graded import FAIL, PASS, UNREAD, Graded, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import FAIL, PASS, UNREAD, Graded, SheetTask, grade
 from drawings.grading.verdict import Marking, Verdict, points_of
 from drawings.paper.strokes import Group, Text
 from drawings.pens.svg import svg
@@ -23,15 +22,15 @@ from drawings.pytest_plugin.handed_sheet import HandedSheet
 from drawings.reading.alphabet import folded
 from drawings.reading.sheet import see
 from drawings.sheets.kind import table_of
-from tests.drawings.cell_students import key_of, table_task, tables_of, written
-from tests.drawings.curve_students import curve_task
+from tests.drawings.cell_students import key_of, tables_of, written
+from tests.drawings.students import task
 from tests.drawings.test_curve_grading import on_form
 
 HAND = Allowances()
 
 
 def test_a_table_that_was_taken_off_a_sheet_of_ours_is_missing() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     sheet = own.originals.sheets[0]
     leaf = tables_of(sheet)
     kept = tuple(one for one in leaf.groups if table_of(sheet.kind, one.name) != "output")
@@ -44,7 +43,7 @@ def test_a_table_that_was_taken_off_a_sheet_of_ours_is_missing() -> None:
 
 
 def test_a_table_whose_lines_are_lost_is_not_read_and_not_missing() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     sheet = own.originals.sheets[0]
     leaf = tables_of(sheet)
     groups = (unruled(one) if table_of(sheet.kind, one.name) == "output" else one for one in leaf.groups)
@@ -59,7 +58,7 @@ def unruled(group: Group) -> Group:
 
 
 def test_a_row_that_was_taken_off_a_form_is_missing() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     table, sheet = own.table("values"), own.originals.sheets[0]
     leaf = tables_of(sheet._replace(leaf=form_of(own.originals.study)["kinematics"][0]))
     less = leaf._replace(groups=tuple(unnamed(one, "atA,") for one in leaf.groups))
@@ -77,7 +76,7 @@ def unnamed(group: Group, row: str) -> Group:
 
 
 def test_one_of_two_copies_of_a_table_is_to_be_left() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     table, leaf = own.table("values"), tables_of(own.originals.sheets[0])
     same, other = (
         beside(svg(leaf), written(leaf, table, {key_of(table, "vB", "by plan", 2): text})) for text in ("", "9.99")
@@ -94,7 +93,7 @@ def beside(source: bytes, other: bytes) -> bytes:
 
 
 def test_one_of_two_curves_on_a_pair_of_axes_is_to_be_left() -> None:
-    own = curve_task("slider-crank")
+    own = task("slider-crank")
     source, other = on_form(own, {"velocity": 1.0}), on_form(own, {"velocity": 1.3})
     begun = other.index(b'<path style="fill:none;stroke:#00f')
     path = other[begun : other.index(b"<text x=", begun)]
@@ -105,7 +104,7 @@ def test_one_of_two_curves_on_a_pair_of_axes_is_to_be_left() -> None:
 
 @pytest.mark.parametrize("kind", verdict.UNSEEN)
 def test_what_is_not_read_fails_a_test(kind: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    own = table_task("shaper").originals
+    own = task("shaper").originals
     graded = Graded(UNREAD, (Verdict("table values", None, "", kind),))
     monkeypatch.setattr(Assignment, "graded", lambda *_: graded)
     sheet = HandedSheet(tmp_path / "ann.svg", Assignment(own))

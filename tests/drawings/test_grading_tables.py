@@ -11,12 +11,11 @@ import pytest
 from drawings.form.form import form_of
 from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
-from drawings.grading.graded import FAIL, UNREAD, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import FAIL, UNREAD, SheetTask, grade
 from drawings.grading.verdict import points_of, read_marking
 from drawings.pens.svg import svg
-from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
-from tests.drawings.students import gone_on, task, true_places
+from tests.drawings.cell_students import both, cells_of, key_of, made, tables_of, written
+from tests.drawings.students import Task, gone_on, task, true_places
 from tests.drawings.test_grading import laid
 from tests.mistakes import mistakes
 from tests.rows import over
@@ -26,14 +25,14 @@ HAND = Allowances()
 MISTAKES = mistakes("table_mistakes")
 
 
-def said(own: TableTask, source: bytes) -> list[str]:
+def said(own: Task, source: bytes) -> list[str]:
     wrong = grade(source, SheetTask(tables=own.tables), HAND).wrong
     return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) for one in wrong)
 
 
 @pytest.mark.rest
 def test_of_a_blank_form_all_cells_are_missing() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     leaf = form_of(own.originals.study)["kinematics"][0]
     asked = SheetTask(task("shaper").plans, tables=own.tables)
     graded = grade(svg(leaf), asked, HAND)
@@ -45,7 +44,7 @@ def test_of_a_blank_form_all_cells_are_missing() -> None:
 
 def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
     """A form has each table in one piece, and stands otherwise on the sheet than ours."""
-    own = table_task("shaper")
+    own = task("shaper")
     form = own.originals.sheets[0]._replace(leaf=form_of(own.originals.study)["kinematics"][0])
     table, leaf = own.table("values"), tables_of(form)
     right = {key_of(table, "vB", "by plan", 2): "1.517", key_of(table, "ω4", "by plan", 9): "-2.587"}
@@ -59,7 +58,7 @@ def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
 @pytest.mark.rest
 @over("how", ["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"])
 def test_tables_are_found_on_a_sheet_that_was_moved_as_a_whole(how: str) -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     row = next(one for one in MISTAKES if one["says"] == ["v_B (by plan) wrong"])
     corners = tuple(one for one in own.originals.sheets[0].leaf.groups if not one.name.startswith(DRAWN))
     leaf = own.originals.sheets[0].leaf._replace(groups=corners)
@@ -71,14 +70,14 @@ def test_tables_are_found_on_a_sheet_that_was_moved_as_a_whole(how: str) -> None
 
 def test_a_number_read_off_a_wrong_plan_follows() -> None:
     """The vector of B is too long: its size, and the rate of the connecting rod read off from there, lose nothing."""
-    own, asked = table_task("shaper"), task("shaper")
-    plan = asked.plan("velocities", 2)
+    own = task("shaper")
+    plan = own.plan("velocities", 2)
     moved = gone_on(plan, {"b": 1.3 * true_places(plan)["b"]})
     table, sheet = own.table("values"), own.originals.sheets[0]
     size, rate = abs(moved["b"]), 1.3 * 1.598
     texts = {key_of(table, "vB", "by plan", 2): f"{size:.3f}", key_of(table, "ω4", "by plan", 2): f"{-rate:.3f}"}
     source = both(sheet, plan, moved, table, texts)
-    verdicts = grade(source, SheetTask(asked.plans, tables=own.tables), HAND).verdicts
+    verdicts = grade(source, SheetTask(own.plans, tables=own.tables), HAND).verdicts
     kinds = {one.name: one.kind for one in verdicts if one.plan == "table values" and one.position == 2}
     assert (kinds["v_B (by plan)"], kinds["ω_4 (by plan)"]) == ("follows", "follows")
     alone = grade(written(tables_of(sheet), table, texts), SheetTask(tables=own.tables), HAND)
@@ -86,7 +85,7 @@ def test_a_number_read_off_a_wrong_plan_follows() -> None:
 
 
 def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path) -> None:
-    own, marks = table_task("shaper"), tmp_path / "marks.toml"
+    own, marks = task("shaper"), tmp_path / "marks.toml"
     marks.write_text('[points]\ndefault = 1\nv_B = 5\ntable = 0.25\n"table v_B" = 2\n[keeps]\nsign = 0.5\n', "utf-8")
     table = own.table("values")
     wrong = {key_of(table, "vB", "by plan", 2): "", key_of(table, "ω4", "by plan", 2): "1.6"}
@@ -96,7 +95,7 @@ def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path
 
 
 def test_feedback_frames_a_table_that_is_empty() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     table, leaf = own.table("output"), tables_of(own.originals.sheets[0])
     source = written(leaf, table, dict.fromkeys(table.cells, ""))
     graded = grade(source, SheetTask(tables=own.tables), HAND)
@@ -111,7 +110,7 @@ def test_feedback_frames_a_table_that_is_empty() -> None:
 
 
 def test_feedback_marks_the_cell_and_tells_no_value() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     source = made(own, next(one for one in MISTAKES if one["says"] == ["ω_4 (by plan) sign"]))
     graded = grade(source, SheetTask(tables=own.tables), HAND)
     text = feedback(Path("ann.svg"), source, graded, {}, "en").decode()
@@ -123,7 +122,7 @@ def test_feedback_marks_the_cell_and_tells_no_value() -> None:
 
 def test_what_an_editor_draws_in_a_cell_is_not_marked_down() -> None:
     """A number written by hand or turned into a path is told to the teacher, and neither right nor wrong."""
-    own = table_task("shaper")
+    own = task("shaper")
     table, leaf = own.table("values"), tables_of(own.originals.sheets[0])
     key = key_of(table, "vB", "by plan", 2)
     box = cells_of(leaf, table)[key].box

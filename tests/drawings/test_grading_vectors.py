@@ -10,16 +10,15 @@ import pytest
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask, grade
 from drawings.grading.verdict import UNGROUPED
 from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
 from geometry.replay import redraw
 from tests.draughtsman import Draughtsman, copies
-from tests.drawings.students import Task, task
+from tests.drawings.students import Task, lettered, task
 from tests.drawings.test_grading import laid as as_a_whole
-from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned, written
+from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned
 from tests.mistakes import mistakes
 
 HAND = Allowances()
@@ -102,7 +101,7 @@ def _is_arrow(group: Group, name: str) -> bool:
 def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
     """Give a stroke as a mistake of drawing leaves it."""
     names = row.get("vector", "").split(" ")
-    letters = {one.name: written(one.letter) for one in plan.vectors}
+    letters = {one.name: lettered(one.letter) for one in plan.vectors}
     if isinstance(stroke, Group) and row.get("arrow") and _is_arrow(stroke, names[0]):
         return shown_back(stroke)
     if isinstance(stroke, Group) and (stroke.data.get("kind"), stroke.data.get("name")) == ("couple", row.get("arc")):

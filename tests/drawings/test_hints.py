@@ -7,7 +7,7 @@ import re
 import pytest
 
 from drawings.grading.curves.figure_records import figures_asked
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask
 from tests.drawings.students import task
 from tests.gallery import SCENES
 from tests.rows import over

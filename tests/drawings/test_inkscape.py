@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 
 from tests.drawings import cell_students, test_curve_grading, test_grading
-from tests.drawings.curve_students import curve_task
 from tests.drawings.students import task
 from tests.drawings.test_graded_mistakes import TABLES, Table
 
@@ -67,7 +66,7 @@ def test_every_sheet_is_right(tmp_path: Path, scene: str) -> None:
 
 
 def test_our_own_graphs_are_right(tmp_path: Path) -> None:
-    own = curve_task("planer")
+    own = task("planer")
     for way in ("as it is", "moved", "in no groups"):
         source = saved(own.originals.drawn(own.originals.sheets[0]), tmp_path, WAYS[way])
         names = test_curve_grading.said(own, source)
@@ -84,7 +83,7 @@ ROWS = [(row, own) for own in TABLES.values() if own.made is not cell_students.m
     ids=[f"{row['scene']}: {row['name']}" for row, _ in ROWS],
 )  # fmt: skip
 def test_a_mistake_is_named_as_before(tmp_path: Path, number: int, row: dict[str, Any], table: Table) -> None:
-    own = table.set_(row["scene"])
+    own = task(row["scene"])
     way = KEPT[number % len(KEPT)]
     source = saved(table.made(own, row), tmp_path, WAYS[way], plain=bool(number % 2))
     names = table.said(own, source)

@@ -133,12 +133,9 @@ def test_an_orientation_that_the_standard_lacks_is_refused_with_advice(
 
 
 SCENE = scene(
-    frame="O = [0, 0]; C = [0.35, 0]",
-    links="OA AB CB",
-    lengths="OA = 0.1; AB = 0.4; CB = 0.3",
-    sketch="B = [0.39, 0.30]",
-    drive="link = 1; speed = 10",
-)
+    frame="O = [0, 0]; C = [0.35, 0]", links="OA AB CB", lengths="OA = 0.1; AB = 0.4; CB = 0.3",
+    sketch="B = [0.39, 0.30]", drive="link = 1; speed = 10",
+)  # fmt: skip
 
 
 def test_the_scene_s_sheet_table_makes_the_page() -> None:

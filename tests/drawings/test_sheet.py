@@ -23,13 +23,10 @@ from tests.plans.scenes import scene
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 
 FOUR_BAR = scene(
-    'title = "Crank-rocker"',
-    frame="O = [0, 0]; C = [0.35, 0]",
-    links="OA AB CB",
-    lengths="OA = {crank}; AB = {rod}; CB = {rocker}",
-    sketch="B = [0.39, 0.30]",
+    'title = "Crank-rocker"', frame="O = [0, 0]; C = [0.35, 0]", links="OA AB CB",
+    lengths="OA = {crank}; AB = {rod}; CB = {rocker}", sketch="B = [0.39, 0.30]",
     drive="link = 1; speed = {speed}; start = {start}",
-)
+)  # fmt: skip
 
 
 @cache

@@ -16,17 +16,13 @@ from tests.plans.scenes import scene
 
 # A four-bar of which some positions are out of reach, with masses, and a rotor on whose bearings nothing is asked.
 BOTH = scene(
-    'sheets = ["forces", "rotor"]',
-    frame="O = [0, 0]; C = [0.3, 0]",
-    links="OA AB BC",
-    lengths="OA = 0.2; AB = 0.2; BC = 0.2",
-    sketch="A = [0.1, 0.17]; B = [0.25, 0.2]",
-    drive="link = 1; speed = 10; start = 60; positions = 12",
-    masses="2 = { mass = 1 }",
+    'sheets = ["forces", "rotor"]', frame="O = [0, 0]; C = [0.3, 0]", links="OA AB BC",
+    lengths="OA = 0.2; AB = 0.2; BC = 0.2", sketch="A = [0.1, 0.17]; B = [0.25, 0.2]",
+    drive="link = 1; speed = 10; start = 60; positions = 12", masses="2 = { mass = 1 }",
     rotor='bearings = [-0.1, 0.6]; speed = "1500 rpm"',
     rotor_masses=["mass = 1; radius = 0.1; angle = 30; place = 0.1"],
     rotor_planes=["place = 0.5; radius = 0.1", "place = 0; radius = 0.1"],
-)
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("name", TECHNIQUES)

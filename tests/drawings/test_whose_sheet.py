@@ -9,8 +9,7 @@ import pytest
 
 from drawings.commands import cli
 from drawings.grading.allowance import Allowances
-from drawings.grading.graded import PASS, grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import PASS, SheetTask, grade
 from drawings.redrawn import Original, Originals
 from tests import parts
 from tests.drawings import students, test_grading

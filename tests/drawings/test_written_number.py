@@ -6,11 +6,11 @@ import math
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.cells.asked_table import TableAsked
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask, grade
 from drawings.grading.written_number import number
 from drawings.paper.strokes import Text
-from tests.drawings.cell_students import key_of, table_task, tables_of, written
+from tests.drawings.cell_students import key_of, tables_of, written
+from tests.drawings.students import task
 from tests.rows import over
 
 READ = [
@@ -46,7 +46,7 @@ def test_two_numbers_are_none(text: str) -> None:
 
 
 def test_a_cell_with_a_unit_that_is_not_understood_is_told() -> None:
-    own = table_task("shaper")
+    own = task("shaper")
     table, sheet = own.table("values"), own.originals.sheets[0]
     texts = {key_of(table, "vB", "by plan", 2): "1.517 kn", key_of(table, "vD", "by plan", 2): "1.492 9.99"}
     assert kinds(own.tables, written(tables_of(sheet), table, texts)) == {

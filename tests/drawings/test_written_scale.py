@@ -7,11 +7,9 @@ import math
 import pytest
 
 from drawings.grading.allowance import Allowances
-from drawings.grading.graded import grade
-from drawings.grading.sheet_task import SheetTask
+from drawings.grading.graded import SheetTask, grade
 from drawings.grading.written_number import stated_scales
 from drawings.paper.strokes import Group, Stroke, Text
-from tests.drawings.curve_students import curve_task
 from tests.drawings.students import drawn, task, true_places
 from tests.drawings.test_curve_grading import on_form, said
 from tests.rows import over
@@ -71,7 +69,7 @@ def test_a_plan_is_measured_by_its_scale_however_written(row: tuple[str, list[st
 
 @pytest.mark.rest
 def test_a_graph_on_a_form_is_read_by_its_scale_however_written() -> None:
-    own = curve_task("slider-crank")
+    own = task("slider-crank")
     source = on_form(own, {"velocity": 1.0})
     figure = own.figure("velocity")
     letter = next(iter(figure.scales))

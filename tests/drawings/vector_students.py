@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.grading.asked import PlanAsked, VectorAsked
-from drawings.lettering.words import with_index
 from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
 from drawings.pens.svg import svg
 from geometry.board import Mark
@@ -139,11 +138,6 @@ def _arrow(group: Group, by: complex, vector: complex) -> tuple[Stroke, ...]:
 
 def _along(head: Stroke, by: complex) -> Stroke:
     return head._replace(points=tuple(spot + by for spot in head.points)) if isinstance(head, Fill) else head
-
-
-def written(letter: str) -> str:
-    """Give a letter as it is read."""
-    return Text(0j, letter if "{" in letter else with_index(letter)).plain
 
 
 def turned(vector: complex, degrees: float) -> complex:

@@ -12,7 +12,6 @@ from drawings.grading.curves.figure_records import POINTS, FigureAsked
 from drawings.grading.verdict import UNGRADED, Verdict
 from plans.quantity import SLIP
 from tests.drawings.curve_draughtsman import drawings as curves_by_hand
-from tests.drawings.curve_students import curve_task
 from tests.drawings.students import task
 from tests.hands.plans_by_hand import Ends, Key, PlansByHand, beside_one_another
 from tests.hands.shares import Share, foretold, promised
@@ -62,7 +61,7 @@ class Slipped(NamedTuple):
 
 def of_scene(scene: str, seed: int = 7) -> Iterator[Slipped]:
     """Try a scene of the gallery with a fair hand, with poorer ones and with a poor one."""
-    plans, figures = task(scene).plans, curve_task(scene).figures
+    plans, figures = task(scene).plans, task(scene).figures
     return tried(plans, figures, seed) if plans or figures else iter(())
 
 

@@ -93,20 +93,17 @@ HINGE_OF_CRANK = 0.2 - 0.05j
 # A slider HB pushes by the rod HA a crank OA that is braked, and a slider D behind it; masses lie midway between two
 # points of their links.
 SLIDER = scene(
-    frame="O = {O}",
-    links="HB HA OA AD D",
-    lengths="AD = {AD}; HB = {HB}; HA = {HA}; OA = {OA}",
+    frame="O = {O}", links="HB HA OA AD D", lengths="AD = {AD}; HB = {HB}; HA = {HA}; OA = {OA}",
     slides=[
         "link = 5; along = {{ through = {O}, angle = {back} }}",
         'link = 1; point = "B"; along = {{ through = {through}, angle = {guide} }}; offset = {offset}; angle = {lean}',
     ],
     sketch="A = {A}; B = {B}; H = {H}; D = {D}",
-)
+)  # fmt: skip
 LOADS = scene(
-    loads="gravity = {gravity!r}",
-    forces=['on = {on}; point = "{at}"; direction = {direction}; value = {force!r}'],
+    loads="gravity = {gravity!r}", forces=['on = {on}; point = "{at}"; direction = {direction}; value = {force!r}'],
     moments=['on = {turned}; name = "M_T"; value = {moment!r}'],
-)
+)  # fmt: skip
 FORCE, MOMENT = 60.0, 7.0  # N, N*m
 PULL = cmath.rect(1.0, -2.0)  # the direction of the force
 
@@ -159,11 +156,9 @@ def slider(picture: Picture = PLAIN, stroke: Stroke = PUSH, gravity: float = 0.0
 
 # A boom OH that the cylinder EF lifts by a point F beside its line; the cylinder EG moves in the rod FG, or is bare.
 BOOM = scene(
-    frame="O = {O}; E = {E}",
-    links='1 = ["H", "O", "F"]; {links}',
-    lengths="OH = {OH}; OF = {OF}; HF = {HF}; {lengths}",
-    sketch="H = {H}; F = {F}; {sketch}",
-)
+    frame="O = {O}; E = {E}", links='1 = ["H", "O", "F"]; {links}',
+    lengths="OH = {OH}; OF = {OF}; HF = {HF}; {lengths}", sketch="H = {H}; F = {F}; {sketch}",
+)  # fmt: skip
 HINGE, FIXED = 0.05 + 0.1j, 0.35 + 0.05j
 LIFT = Stroke(0.45, 0.55)
 BOOM_MASSES, ROD = (1, 20.0, 0.5), (2, 4.0, 0.1)

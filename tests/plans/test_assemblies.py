@@ -181,12 +181,10 @@ def test_a_block_is_as_sharp_as_the_notch_of_its_group(make: Callable[[], Mechan
 def test_a_pin_in_a_slot_of_the_crank_and_on_a_guide_is_where_they_cross(start: int, tilt: int, left: float) -> None:
     """Nowhere where the crank goes along the guide, which no start is possible at, and not beyond."""
     told = scene(
-        frame="O = [0, 0]",
-        links="OA B B",
-        lengths="OA = 0.1",
+        frame="O = [0, 0]", links="OA B B", lengths="OA = 0.1",
         slides=['link = 2; along = "OA"', f"link = 3; along = {{ through = [{left}, 0.3], angle = {tilt} }}"],
         drive=f"link = 1; speed = 5; start = {start}; positions = 12",
-    )
+    )  # fmt: skip
     study = LinkageStudy(parse_scene(told))
     roads, parallel = (
         [solve(study.mechanism, study.turn.phi)],
@@ -214,13 +212,11 @@ def test_a_hinge_of_three_links_is_where_the_sketch_has_it_however_they_are_numb
     told = scene(
         frame="O = [-0.059, -0.084]; A = [-0.14, -0.038]; B = [-0.16, -0.027]",
         links=f'{crank} = "OC"; {rod} = "CD"; {stone} = ["D"]; {first} = "EC"; {second} = "DE"',
-        lengths="CO = 0.0078; DC = 0.061; CE = 0.031; DE = 0.052",
-        slides=[f'link = {stone}; along = ["A", "B"]'],
+        lengths="CO = 0.0078; DC = 0.061; CE = 0.031; DE = 0.052", slides=[f'link = {stone}; along = ["A", "B"]'],
         sketch="D = [-0.12, -0.051]; E = [-0.068, -0.046]",
         masses=f"{first} = {{ mass = 2, centre = [0.01, 0] }}; {second} = {{ mass = 3, centre = [0.02, 0] }}",
-        loads="gravity = 9.81",
-        drive=f"link = {crank}; speed = 1.1; positions = 4; start = 140",
-    )
+        loads="gravity = 9.81", drive=f"link = {crank}; speed = 1.1; positions = 4; start = 140",
+    )  # fmt: skip
     study = Study.of_all(parse_scene(told))
     for by in ("construction", "analysis"):
         points = study.numbers("linkage", by).plain()["points"]

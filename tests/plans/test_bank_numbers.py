@@ -13,11 +13,10 @@ from plans.study import Study
 from tests.plans.scenes import scene
 
 SCENE = scene(
-    bank='speed = "3000 rpm"; orders = [1, 2]',
-    bank_unit='crank = "40 mm"; rod = "140 mm"; reciprocating = "0.5 kg"',
+    bank='speed = "3000 rpm"; orders = [1, 2]', bank_unit='crank = "40 mm"; rod = "140 mm"; reciprocating = "0.5 kg"',
     bank_members=['crank = 0; place = "-50 mm"', 'crank = 180; place = "50 mm"'],
     bank_compensators=['order = 2; mass = "2 kg"; offset = "60 mm"; shafts = "300 mm"'],
-)
+)  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -20,10 +20,8 @@ from tests.plans.scenes import scene
 
 # Shocks of both kinds, an angle beyond its limit, a spring that does not hold.
 SCENE = scene(
-    cam=['speed = "400 rpm"'],
-    cam_follower='motion = "translating"; end = "pointed"; lift = "20 mm"',
-    cam_limits="rise = 25; return = 35",
-    cam_sizes='base = "20 mm"; offset = "2 mm"',
+    cam=['speed = "400 rpm"'], cam_follower='motion = "translating"; end = "pointed"; lift = "20 mm"',
+    cam_limits="rise = 25; return = 35", cam_sizes='base = "20 mm"; offset = "2 mm"',
     cam_load='mass = "2 kg"; force = "20 N"; preload = "5 N"; stiffness = "1 N/mm"',
     cam_phases=[
         'kind = "rise"; angle = 100; law = "constant acceleration"',
@@ -31,7 +29,7 @@ SCENE = scene(
         'kind = "return"; angle = 100; law = "constant velocity"',
         'kind = "dwell"; angle = "rest"',
     ],
-)
+)  # fmt: skip
 
 
 @cache

@@ -12,16 +12,12 @@ from tests.parts import some
 from tests.plans.scenes import scene
 
 COUPLING_ROD = scene(
-    mechanism="{through}",
-    frame="O = [0, 0]; C = [1.6, 0]",
-    links="OA AB CB",
-    lengths="OA = 0.3; AB = 1.6; CB = 0.3",
-    sketch="B = [1.75, 0.26]",
+    mechanism="{through}", frame="O = [0, 0]; C = [1.6, 0]", links="OA AB CB",
+    lengths="OA = 0.3; AB = 1.6; CB = 0.3", sketch="B = [1.75, 0.26]",
     drive="link = 1; speed = {speed}; start = {start}; positions = 12",
-    masses='2 = {{ mass = 20, inertia = 3, centre = "middle" }}',
-    loads="gravity = 9.81",
+    masses='2 = {{ mass = 20, inertia = 3, centre = "middle" }}', loads="gravity = 9.81",
     moments=["on = 3; value = -50"],
-)
+)  # fmt: skip
 
 
 def study(text: str, through: str = 'through = "parallel"', speed: float = 20.0, start: float = 60.0) -> LinkageStudy:

@@ -28,12 +28,9 @@ from tests.plans.scenes import scene
 
 # A crank OA with a slider B beside its centre, a rocker CB, and a second crank DB that turns fully.
 SLIDER_CRANK = scene(
-    frame="O = {O}",
-    links="OA AB B",
-    lengths="OA = {OA}; AB = {AB}",
-    slides=["link = 3; along = {{ through = {K}, angle = {guide} }}"],
-    sketch="A = {A}; B = {B}",
-)
+    frame="O = {O}", links="OA AB B", lengths="OA = {OA}; AB = {AB}",
+    slides=["link = 3; along = {{ through = {K}, angle = {guide} }}"], sketch="A = {A}; B = {B}",
+)  # fmt: skip
 ROCKER = scene(
     frame="O = {O}; C = {C}", links="OA AB CB", lengths="OA = {OA}; AB = {AB}; CB = {CB}", sketch="A = {A}; B = {B}"
 )

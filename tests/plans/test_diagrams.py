@@ -18,13 +18,10 @@ RADIUS, SPEED = 0.060, 10.0
 SINC = np.sin(np.pi / 12) / (np.pi / 12)  # of half a step of twelve: the chord of a sine over the sine at its middle
 # A sine mechanism (Scotch yoke) of radius r: S = r (1 - cos φ) from where its yoke is on the right.
 YOKE = scene(
-    frame="O = [0, 0]",
-    links="OA A BC",
-    lengths="OA = 0.060; BC = 0.160",
+    frame="O = [0, 0]", links="OA A BC", lengths="OA = 0.060; BC = 0.160",
     slides=['link = 2; along = "BC"', "link = 3; along = { through = [0, -0.080], angle = 0 }; angle = 90"],
-    sketch="B = [0.06, -0.08]",
-    drive="link = 1",
-)
+    sketch="B = [0.06, -0.08]", drive="link = 1",
+)  # fmt: skip
 ROCKER = LINKAGE.replace('"10 rad/s"', "10")
 # A parallelogram that a second one carries through its change points.
 PARALLEL = (

@@ -42,13 +42,10 @@ WORKED = scene(
 ON_D = '[[loads.forces]]\non = 5\npoint = "D"\n'
 # A hinge of three links: connecting rods 2 and 4 both hang on the crank's end.
 TWIN = scene(
-    frame="O = [0, 0]",
-    links="OA AB B AD D",
-    lengths="OA = 0.1; AB = 0.4; AD = 0.4",
+    frame="O = [0, 0]", links="OA AB B AD D", lengths="OA = 0.1; AB = 0.4; AD = 0.4",
     slides=["link = 3; along = { through = [0, 0] }", "link = 5; along = { through = [0, 0], angle = 90 }"],
-    sketch="B = [0.5, 0]; D = [0, 0.4]",
-    drive="link = 1; speed = 10",
-)
+    sketch="B = [0.5, 0]; D = [0, 0.4]", drive="link = 1; speed = 10",
+)  # fmt: skip
 
 
 def machine(text: str) -> Machine:

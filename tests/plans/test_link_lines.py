@@ -13,27 +13,22 @@ from tests.plans.scenes import scene
 HEAD = scene(
     'sheets = ["kinematics", "forces"]',
     drive='link = 1; speed = "60 rpm"; acceleration = 2; positions = 12; start = {start}',
-    loads="gravity = 9.81",
-    sketch="{sketch}",
-    points="{points}",
-)
+    loads="gravity = 9.81", sketch="{sketch}", points="{points}",
+)  # fmt: skip
 # The yoke of the sine mechanism: B on the guide, the slot square to it.
 YOKE = scene(
-    frame="O = [0, 0]",
-    links="OA A B",
-    lengths='OA = "60 mm"',
+    frame="O = [0, 0]", links="OA A B", lengths='OA = "60 mm"',
     slides=["link = 2; along = {line}", 'link = 3; along = {{ through = [0, "-80 mm"], angle = 0 }}'],
     masses='2 = {{ mass = 0.3 }}; 3 = {{ mass = 4, centre = [0, "80 mm"] }}',
     forces=['on = 3; point = "B"; against = "motion"; value = 400; during = "working stroke"'],
-)
+)  # fmt: skip
 # A coupler with a slot across it, through its point B, in which a stone runs that is hinged to a slider of the frame.
 COUPLER = scene(
-    frame='O = [0, 0]; C = ["300 mm", 0]',
-    links="OA AB CB D D",
+    frame='O = [0, 0]; C = ["300 mm", 0]', links="OA AB CB D D",
     lengths='OA = "80 mm"; AB = "300 mm"; CB = "200 mm"',
     slides=["link = 4; along = {line}", 'link = 5; along = {{ through = [0, "350 mm"], angle = 0 }}'],
     masses='2 = {{ mass = 1, inertia = 0.01, centre = "middle" }}; 5 = {{ mass = 2 }}',
-)
+)  # fmt: skip
 
 
 def study_of(text: str, line: str, points: str = "", sketch: str = "", start: int = 20) -> LinkageStudy:

@@ -79,15 +79,12 @@ def test_a_wrong_use_is_told_with_what_to_write(written: str, where: str, said: 
 
 
 GEARED = scene(
-    frame="O = [0, 0]",
-    links="OA AB B",
-    lengths="OA = 0.1; AB = 0.35",
-    slides=["link = 3; along = { through = [0, 0.02] }"],
-    sketch="B = [0.449, 0.02]",
+    frame="O = [0, 0]", links="OA AB B", lengths="OA = 0.1; AB = 0.35",
+    slides=["link = 3; along = { through = [0, 0.02] }"], sketch="B = [0.449, 0.02]",
     drive="link = 1; speed = -8; positions = [0, 35, 80, 120, 200, 250, 310]",
     drive_gear="radius = 0.15; at = 210; pressure_angle = 20",
     forces=['on = 3; point = "B"; value = [-300, 0]'],
-)
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("road", ROADS)

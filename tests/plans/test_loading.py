@@ -21,32 +21,24 @@ from plans.scene.scene import parse_scene
 from tests.plans.scenes import scene
 
 SHAPER = scene(
-    frame="O = [0, 0]; C = [0, -0.350]",
-    links="OA A CB BD D",
-    lengths="OA = 0.120; CB = 0.700; BD = 0.200",
+    frame="O = [0, 0]; C = [0, -0.350]", links="OA A CB BD D", lengths="OA = 0.120; CB = 0.700; BD = 0.200",
     slides=['link = 2; along = "CB"', "link = 5; along = { through = [0, 0.3287856445], angle = 0 }"],
     sketch="B = [0.20, 0.32]; D = [0.40, 0.33]",
     drive='link = 1; speed = 10; acceleration = 5; start = "extreme"',
-)
+)  # fmt: skip
 # The slider starts from x = 0.5 and is back there after a turn: H = 0.2, and at 60 degrees x = 0.05 + sqrt(0.1525).
 ENGINE = scene(
-    frame="O = [0, 0]",
-    links="OA AB B",
-    lengths="OA = 0.1; AB = 0.4",
-    slides=["link = 3; along = { through = [0, 0] }"],
-    sketch="B = [0.5, 0]",
+    frame="O = [0, 0]", links="OA AB B", lengths="OA = 0.1; AB = 0.4",
+    slides=["link = 3; along = { through = [0, 0] }"], sketch="B = [0.5, 0]",
     drive="link = 1; speed = 10; positions = [0, 60, 90, 180, 270, 300]",
-)
+)  # fmt: skip
 AT_60 = (0.5 - 0.05 - math.sqrt(0.1525)) / 0.2
 AT_90 = (0.5 - math.sqrt(0.15)) / 0.2
 # A crank-rocker; its rocker swings between directions that the law of cosines gives.
 ROCKER = scene(
-    frame="O = [0, 0]; C = [0.350, 0]",
-    links="OA AB CB",
-    lengths="OA = 0.1; AB = 0.4; CB = 0.3",
-    sketch="B = [0.39, 0.30]",
-    drive='link = 1; speed = 10; start = "extreme"',
-)
+    frame="O = [0, 0]; C = [0.350, 0]", links="OA AB CB", lengths="OA = 0.1; AB = 0.4; CB = 0.3",
+    sketch="B = [0.39, 0.30]", drive='link = 1; speed = 10; start = "extreme"',
+)  # fmt: skip
 ON_B, ON_D = '[[loads.forces]]\non = 3\npoint = "B"\n', '[[loads.forces]]\non = 5\npoint = "D"\n'
 AGAINST = 'against = "motion"\n'
 

@@ -23,30 +23,22 @@ from tests.parts import examples, some
 from tests.plans.scenes import scene
 
 SHAPER = scene(
-    'title = "Crank shaper"; sheets = ["kinematics"]',
-    frame="O = [0, 0]; C = [0, -0.350]",
-    links="OA A CB BD D",
-    lengths='OA = 0.120; CB = "700 mm"; BD = 0.200',
+    'title = "Crank shaper"; sheets = ["kinematics"]', frame="O = [0, 0]; C = [0, -0.350]",
+    links="OA A CB BD D", lengths='OA = 0.120; CB = "700 mm"; BD = 0.200',
     slides=['link = 2; along = "CB"', "link = 5; along = { through = [0, 0.3287856445], angle = 0 }"],
     sketch="B = [0.20, 0.32]; D = [0.40, 0.33]",
     drive='link = 1; speed = "60 rpm"; acceleration = 5; start = "extreme"; positions = 12',
-)
+)  # fmt: skip
 ENGINE = scene(
-    frame="O = [0, 0]",
-    links="OA AB B",
-    lengths='OA = "60 mm"; AB = "200 mm"',
-    points="S2 = { on = 2, at = [0.070, 0] }",
-    slides=["link = 3; along = { through = [0, 0.020], angle = 0 }"],
-    sketch="B = [0.23, 0.02]",
-    drive='link = 1; speed = "10 rad/s"',
-)
+    frame="O = [0, 0]", links="OA AB B", lengths='OA = "60 mm"; AB = "200 mm"',
+    points="S2 = { on = 2, at = [0.070, 0] }", slides=["link = 3; along = { through = [0, 0.020], angle = 0 }"],
+    sketch="B = [0.23, 0.02]", drive='link = 1; speed = "10 rad/s"',
+)  # fmt: skip
 FOUR_BAR = scene(
-    frame="O = [0, 0]; C = [0.350, 0]",
-    links="OA ABE CB",
-    lengths="OA = 0.100; AB = 0.5; AE = 0.3; EB = 0.4; CB = 0.300",
-    sketch="B = [0.39, 0.30]; E = [0.1, 0.4]",
+    frame="O = [0, 0]; C = [0.350, 0]", links="OA ABE CB",
+    lengths="OA = 0.100; AB = 0.5; AE = 0.3; EB = 0.4; CB = 0.300", sketch="B = [0.39, 0.30]; E = [0.1, 0.4]",
     drive="link = 1; speed = 10; start = 30",
-)
+)  # fmt: skip
 
 
 def build(text: str, *changes: tuple[str, str]) -> Mechanism:

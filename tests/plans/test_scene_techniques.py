@@ -18,12 +18,9 @@ from tests.plans.wheel import WheelForm
 
 ROOT = Path(__file__).parents[2]
 LINKAGE = scene(
-    frame="O = [0, 0]; C = [0.350, 0]",
-    links="OA AB CB",
-    lengths="OA = 0.100; AB = 0.400; CB = 0.300",
-    sketch="B = [0.39, 0.30]",
-    drive='link = 1; speed = "10 rad/s"',
-)
+    frame="O = [0, 0]; C = [0.350, 0]", links="OA AB CB", lengths="OA = 0.100; AB = 0.400; CB = 0.300",
+    sketch="B = [0.39, 0.30]", drive='link = 1; speed = "10 rad/s"',
+)  # fmt: skip
 ROTOR = 'sheets = ["rotor"]\nrotor.masses = [{ moment = 1, angle = 0 }]\n'
 # The start of a program that knows a technique without a linkage, which stands in the table before a scene is read.
 WHEELS = """

@@ -27,42 +27,29 @@ from tests.plans.scenes import scene
 # The datum is the crank's hinge O; the slider's line leans by 30 degrees and passes half a metre above O. Of the
 # triangle ABE with sides 0.5, 0.3 and 0.4 m the foot of E is 0.18 m from A, its height 0.24 m.
 LEANING = scene(
-    frame="O = [1, 2]; C = [1.3, 1.6]",
-    links="OA ABE B",
-    lengths="OA = 0.1; AB = 0.5; AE = 0.3; BE = 0.4",
+    frame="O = [1, 2]; C = [1.3, 1.6]", links="OA ABE B", lengths="OA = 0.1; AB = 0.5; AE = 0.3; BE = 0.4",
     slides=["link = 3; along = { through = [1, 2.5], angle = 30 }; offset = 0.05; angle = 20"],
     sketch="B = [1.6, 2.9]; E = [1.15, 2.35]",
     drive='link = 1; speed = "-60 rpm"; acceleration = 3; start = 30; positions = 4',
-)
+)  # fmt: skip
 # The slotted link CB turns about C, 0.4 m below O; the stone's line is 0.02 m to the right of its pin A, and the
 # stone's own +x axis makes 15 degrees with the line from C to B.
 SLOTTED = scene(
-    frame="O = [0, 0]; C = [0, -0.4]",
-    links="OA A CB",
-    lengths="OA = 0.1; CB = 0.7",
-    slides=['link = 2; along = "CB"; offset = 0.02; angle = 15'],
-    sketch="B = [0.1, 0.3]",
+    frame="O = [0, 0]; C = [0, -0.4]", links="OA A CB", lengths="OA = 0.1; CB = 0.7",
+    slides=['link = 2; along = "CB"; offset = 0.02; angle = 15'], sketch="B = [0.1, 0.3]",
     drive="link = 1; speed = 5; positions = [0]",
-)
+)  # fmt: skip
 # The crank alone, 0.4 m long, along +x: what holds it is read off by one moment.
 CRANK = scene(
-    'sheets = ["forces"]',
-    frame="O = [0, 0]; D = [0.4, 0.3]",
-    links="OA",
-    lengths="OA = 0.4",
+    'sheets = ["forces"]', frame="O = [0, 0]; D = [0.4, 0.3]", links="OA", lengths="OA = 0.4",
     drive="link = 1; speed = SPEED; acceleration = ACCELERATION; positions = [0]",
-)
+)  # fmt: skip
 # Crank 0.1 m and rod 0.3 m in line with the guide: B is at 0.4 m where the crank is at 0, at 0.2 m half a turn on.
 ENGINE = scene(
-    'sheets = ["forces"]',
-    frame="O = [0, 0]",
-    links="OA AB B",
-    lengths="OA = 0.1; AB = 0.3",
-    slides=["link = 3; along = { through = [0, 0], angle = 0 }"],
-    sketch="B = [0.4, 0.001]",
-    drive="link = 1; speed = SPEED; positions = ANGLES",
-    forces=['on = 3; point = "B"'],
-)
+    'sheets = ["forces"]', frame="O = [0, 0]", links="OA AB B", lengths="OA = 0.1; AB = 0.3",
+    slides=["link = 3; along = { through = [0, 0], angle = 0 }"], sketch="B = [0.4, 0.001]",
+    drive="link = 1; speed = SPEED; positions = ANGLES", forces=['on = 3; point = "B"'],
+)  # fmt: skip
 
 
 def mechanism(text: str) -> Mechanism:

@@ -16,27 +16,19 @@ from tests.plans.force_cases import compared
 from tests.plans.scenes import scene
 
 PARALLELOGRAM = scene(
-    'title = "Parallelogram"; sheets = ["forces"]',
-    frame="O = [0, 0]; C = [0.3, 0]",
-    links="OA AB CB",
-    lengths="OA = 0.1; AB = 0.3; CB = 0.1",
-    sketch="B = [0.35, 0.087]",
+    'title = "Parallelogram"; sheets = ["forces"]', frame="O = [0, 0]; C = [0.3, 0]", links="OA AB CB",
+    lengths="OA = 0.1; AB = 0.3; CB = 0.1", sketch="B = [0.35, 0.087]",
     drive="link = 1; speed = 10; start = 60; positions = 12",
-    masses='2 = { mass = 3, inertia = 0.01, centre = "middle" }',
-    loads="gravity = 9.81",
-)
+    masses='2 = { mass = 3, inertia = 0.01, centre = "middle" }', loads="gravity = 9.81",
+)  # fmt: skip
 
 # The pins A and C are 0.5 m apart where the crank stands at 90 degrees: rod and rocker, 0.2 and 0.3, lie in one line.
 DEAD = scene(
-    'title = "Dead centre"; sheets = ["forces"]',
-    frame="O = [0, 0]; C = [0.4, 0]",
-    links="OA AB CB",
-    lengths="OA = 0.3; AB = 0.2; CB = 0.3",
-    sketch="B = [0.34, 0.29]",
-    drive="link = 1; speed = 1; positions = [60, 90]",
-    points="S = { on = 2, at = [0.1, 0] }",
+    'title = "Dead centre"; sheets = ["forces"]', frame="O = [0, 0]; C = [0.4, 0]", links="OA AB CB",
+    lengths="OA = 0.3; AB = 0.2; CB = 0.3", sketch="B = [0.34, 0.29]",
+    drive="link = 1; speed = 1; positions = [60, 90]", points="S = { on = 2, at = [0.1, 0] }",
     forces=['on = 2; point = "S"; value = [0, -10]'],
-)
+)  # fmt: skip
 
 
 def of(text: str) -> Statics:
@@ -104,26 +96,18 @@ def test_what_both_roads_give_up_is_counted_and_what_one_gives_up_alone_is_a_dis
 # Machines on which little acts
 
 SLOTTED = scene(
-    'title = "Unloaded slotted link"; sheets = ["forces"]',
-    frame="O = [0, 0]; B = [0.4, -0.19]",
-    links="OA A BC",
-    lengths="OA = 0.1; BC = 0.28",
-    slides=['link = 2; along = "BC"; offset = 0.2'],
-    sketch="C = [0.2, 0.0]",
-    drive="link = 1; speed = 10; positions = 12",
+    'title = "Unloaded slotted link"; sheets = ["forces"]', frame="O = [0, 0]; B = [0.4, -0.19]",
+    links="OA A BC", lengths="OA = 0.1; BC = 0.28", slides=['link = 2; along = "BC"; offset = 0.2'],
+    sketch="C = [0.2, 0.0]", drive="link = 1; speed = 10; positions = 12",
     forces=['on = 2; point = "A"; value = [30, 40]'],
-)
+)  # fmt: skip
 
 YOKE = scene(
-    'title = "A couple alone"; sheets = ["forces"]',
-    frame="O = [0, 0]",
-    links="OA A BC",
+    'title = "A couple alone"; sheets = ["forces"]', frame="O = [0, 0]", links="OA A BC",
     lengths="OA = 0.06; BC = 0.16",
     slides=['link = 2; along = "BC"', "link = 3; along = { through = [0, -0.08], angle = 0 }; angle = 90"],
-    sketch="B = [0.06, -0.08]",
-    drive="link = 1; speed = 10; positions = 12",
-    moments=["on = 3; value = 5"],
-)
+    sketch="B = [0.06, -0.08]", drive="link = 1; speed = 10; positions = 12", moments=["on = 3; value = 5"],
+)  # fmt: skip
 
 
 def test_a_slide_that_bears_a_moment_alone_has_no_arm_and_one_that_bears_nothing_none() -> None:

@@ -17,18 +17,13 @@ from tests.plans.scenes import scene
 
 # A slider-crank with its masses and a brake on the crank; driven by its crank, or backwards by its slider.
 SLIDER_CRANK = scene(
-    'sheets = ["forces"]',
-    frame="O = [0.1, 0.2]",
-    links='{crank} = "OA"; 2 = "AB"; {slider} = "B"',
-    lengths="OA = 0.2; AB = 0.5",
-    slides=["link = {slider}; along = {{ through = [0.1, 0.25], angle = 0 }}"],
+    'sheets = ["forces"]', frame="O = [0.1, 0.2]", links='{crank} = "OA"; 2 = "AB"; {slider} = "B"',
+    lengths="OA = 0.2; AB = 0.5", slides=["link = {slider}; along = {{ through = [0.1, 0.25], angle = 0 }}"],
     sketch="A = [0.2, 0.37]; B = [0.65, 0.25]",
     masses='{crank} = {{ mass = 3, inertia = 0.05, centre = "middle" }}; '
     '2 = {{ mass = 4, inertia = 0.2, centre = "middle" }}; {slider} = {{ mass = 6 }}',
-    loads="gravity = 9.81",
-    moments=['on = {crank}; name = "M_T"; value = 40'],
-    drive="{drive}",
-)
+    loads="gravity = 9.81", moments=['on = {crank}; name = "M_T"; value = 40'], drive="{drive}",
+)  # fmt: skip
 STROKE = (
     "link = 1\npositions = {steps}\n[drive.stroke]\nfrom = {begin!r}\nto = {end!r}\nspeed = {v!r}\nacceleration = {a!r}"
 )
@@ -100,18 +95,12 @@ def test_what_is_told_over_a_turn_is_refused_over_a_stroke() -> None:
 
 # A boom OF that a cylinder EF turns; with EF = 500 mm the triangle OEF has a right angle at O, and F is above it.
 BOOM = scene(
-    'sheets = ["forces"]',
-    frame="O = [0, 0]; E = [0.3, 0]",
-    links="OF FG E",
-    lengths="OF = 0.4; FG = 0.3",
-    slides=['link = 3; along = "FG"'],
-    sketch="F = [0, 0.4]; G = [0.15, 0.2]",
+    'sheets = ["forces"]', frame="O = [0, 0]; E = [0.3, 0]", links="OF FG E", lengths="OF = 0.4; FG = 0.3",
+    slides=['link = 3; along = "FG"'], sketch="F = [0, 0.4]; G = [0.15, 0.2]",
     masses='1 = {{ mass = 20, inertia = 0.5, centre = "middle" }}; '
     '2 = {{ mass = 4, inertia = 0.1, centre = "middle" }}',
-    loads="gravity = 9.81",
-    forces=['on = 1; point = "F"; direction = -20; value = 900'],
-    drive="link = 1; {drive}",
-)
+    loads="gravity = 9.81", forces=['on = 1; point = "F"; direction = -20; value = 900'], drive="link = 1; {drive}",
+)  # fmt: skip
 CYLINDER = scene(
     "positions = 2", drive_stroke='between = "EF"; from = 0.45; to = 0.55; speed = 0.06; acceleration = 0.2'
 )

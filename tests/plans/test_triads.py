@@ -245,18 +245,16 @@ def loaded() -> str:
     spots = "; ".join(f"{name} = {{ on = 3, at = [{at.real!r}, {at.imag!r}] }}" for name, at in own.items())
     forces = [(3, "G", 40, -70), (2, "M1", 5, -8), (4, "M2", -3, -6), (5, "M3", 4, -7)]
     return scene(
-        'title = "Loaded triad"; sheets = ["forces"]',
-        frame="O = [-0.1, 0]; A2 = [0.5, 0]; A3 = [0.55, 0.5]",
+        'title = "Loaded triad"; sheets = ["forces"]', frame="O = [-0.1, 0]; A2 = [0.5, 0]; A3 = [0.55, 0.5]",
         links="OA1 A1B1 B1B2 A2B2 A3B3",
         lengths="; ".join(
             ["OA1 = 0.1", f"B1B2 = {abs(B2 - B1)!r}", *(f"A{k}B{k} = {length!r}" for k, length in size.items())]
         ),
-        points=f"{spots}; {middles}",
-        sketch="B1 = [0.08, 0.22]; B2 = [0.42, 0.18]; B3 = [0.30, 0.40]",
+        points=f"{spots}; {middles}", sketch="B1 = [0.08, 0.22]; B2 = [0.42, 0.18]; B3 = [0.30, 0.40]",
         drive="link = 1; speed = 1; positions = [0]",
         forces=[f'on = {link}; point = "{point}"; value = [{x}, {y}]' for link, point, x, y in forces],
         moments=["on = 3; value = 2"],
-    )
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("road", ROADS)
@@ -312,13 +310,11 @@ def test_both_roads_tell_where_the_leads_cannot_be_met(kinds: str) -> None:
 
 
 PLATE = scene(
-    'title = "Plate"',
-    frame="O = [0, 0]; A2 = [0.5, 0]; A3 = [0.55, 0.5]",
-    links="OA1 A1B1 B1B2B3 A2B2 A3B3",
+    'title = "Plate"', frame="O = [0, 0]; A2 = [0.5, 0]; A3 = [0.55, 0.5]", links="OA1 A1B1 B1B2B3 A2B2 A3B3",
     lengths="OA1 = 0.03; A1B1 = 0.25; B1B2 = 0.34; B1B3 = 0.28; B2B3 = 0.25; A2B2 = 0.2; A3B3 = 0.27",
     sketch="B1 = [0.08, 0.22]; B2 = [0.42, 0.18]; B3 = [0.30, 0.40]",
     drive="link = 1; speed = 1; start = 0; positions = 12",
-)
+)  # fmt: skip
 BETWEEN = "B1 = [0.171, 0.142]\nB2 = [0.490, 0.176]\nB3 = [0.3326, 0.3516]"
 AS_SHOWN = "B1 = [0.08, 0.22]\nB2 = [0.42, 0.18]\nB3 = [0.30, 0.40]"
 PARALLEL = [

@@ -1,9 +1,9 @@
-"""What a task asks for of its tables: cells, each with its true value and what a hand may be out in it (таблица)."""
+"""Tables of a task: cells, each with its true value and what a hand may be out in it; where a sheet has them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
@@ -11,14 +11,15 @@ from drawings.checks.differences import plain
 from drawings.checks.expected import Expected
 from drawings.form.laid import BESIDE
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
-from drawings.grading.altered import Alteration, alterations
-from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
+from drawings.grading.altered import idle_due
+from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, ruling, tables_seen
 from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.written_number import SURE, number
 from drawings.lettering.words import last_place, word
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, stated, texts
 from drawings.reading.alphabet import folded
+from drawings.reading.sheet import SeenSheet
 from drawings.redrawn import Original, Originals
 from drawings.sheets.kind import table_of
 from geometry.board import Reading
@@ -55,7 +56,7 @@ class CellAsked(NamedTuple):
     read: tuple[str, ...] = ()  # the vectors that it is read off, as their letters are seen
     reading: Reading | None = None  # or the rate
     sheet: str = ""  # the sheet of the task that it stands on
-    altered: tuple[tuple[str, float], ...] = ()  # what it would be by mistakes of the whole task
+    idle: float | None = None  # what it is if the idle stroke is loaded
 
     def allowed(self, by: Allowances, rough: float) -> float:
         """Give what it may be out, of a sheet that is written so roughly, mm."""
@@ -127,7 +128,7 @@ class _Cell(NamedTuple):
     plain: str
     expected: Expected
     sheet: Original
-    altered: tuple[tuple[str, Expected], ...] = ()
+    idle: Expected | None = None
 
 
 class _TablePart(NamedTuple):
@@ -156,10 +157,12 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Tab
         return
     states = ((group.states.key, group) for group in stated(leaf.groups) if group.states is not None)
     by_text = {id(text): expected[key] for key, group in states if key in expected for text in texts((group,))}
-    others = alterations(originals, sheet)
+    idle = idle_due(originals, sheet.kind)
     for table in tables_seen(ruling(leaf), {folded(text.plain) for text, _ in corners}):
         cells = {
-            key: _Cell(" ".join(text.plain for text in cell.texts), due, sheet, _altered(due, others))
+            key: _Cell(
+                " ".join(text.plain for text in cell.texts), due, sheet, idle.get((due.kind, due.figure, due.name))
+            )
             for key, cell in table.cells.items()
             if cell.texts and (due := by_text.get(id(cell.texts[0]))) is not None
         }
@@ -208,7 +211,7 @@ class _Own:
             read=read,
             reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
             sheet=self.cells[key].sheet.name,
-            altered=tuple((kind, due) for kind, row in self.cells[key].altered if (due := _due(row)) is not None),
+            idle=_due(self.cells[key].idle),
         )  # fmt: skip
 
     def _printed(self, key: Key, value: float) -> float:
@@ -246,14 +249,10 @@ class _Own:
                 yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
 
 
-def _due(row: Expected) -> float | None:
-    if not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
+def _due(row: Expected | None) -> float | None:
+    if row is None or not isinstance(row.value, int | float | complex) or not math.isfinite(row.allowed):
         return None
     return abs(row.value) if isinstance(row.value, complex) else float(row.value)
-
-
-def _altered(row: Expected, others: Sequence[Alteration]) -> tuple[tuple[str, Expected], ...]:
-    return tuple((other.kind, found) for other in others if (found := other.of(row)) is not None)
 
 
 def _bare(plain: str) -> str:
@@ -267,3 +266,62 @@ def _marked(text: Text) -> str:
     'a^n_BA'
     """
     return _bare("".join(MARKS[run.level] + run.text for run in text.runs))
+
+
+class TableDrawn(NamedTuple):
+    """A table that is found on a sheet: its cells, in so many parts, and which of them differ in two."""
+
+    asked: TableAsked
+    cells: Mapping[Key, SeenCell]
+    parts: int = 1
+    doubled: Set[Key] = frozenset()
+
+    @property
+    def filled(self) -> bool:
+        """Whether it is written in."""
+        return any(self.cells[key].texts for key in self.asked.cells if key in self.cells)
+
+
+Drawn: TypeAlias = Sequence[TableDrawn]
+
+
+def tables_drawn(sheet: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
+    """Find the tables that are asked for on a sheet; all parts of one are put together."""
+    corners = {table.corner for table in asked}
+    found: dict[int, list[SeenTable]] = {}
+    for table in tables_seen(ruling(sheet.leaf), corners) if asked else ():
+        fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], sheet))
+        if _fit(table, asked[fits], sheet)[0] > 0:
+            found.setdefault(fits, []).append(table)
+    return [_whole(asked[k], parts) for k, parts in sorted(found.items())]
+
+
+def _whole(asked: TableAsked, parts: Sequence[SeenTable]) -> TableDrawn:
+    cells, doubled = dict[Key, SeenCell](), set[Key]()
+    for key, cell in (pair for part in parts for pair in part.cells.items()):
+        first = cells.get(key, cell)
+        doubled |= {key} if key in asked.cells and len({first.plain, cell.plain, ""}) > 2 else set()
+        cells[key] = first if first.texts else cell
+    return TableDrawn(asked, cells, len(parts), doubled)
+
+
+def answered(found: Drawn, others: Collection[str]) -> bool:
+    """Tell whether the tables of a sheet can be graded: written in, or such that nothing else stands on their sheets.
+
+    `others` are the sheets that more is asked for on: where all of it is lost it is not marked down.
+    """
+    return any(table.filled or not set(table.asked.sheets) & set(others) for table in found)
+
+
+def alone(found: Drawn, sheet: SeenSheet) -> set[str]:
+    """Give the sheets of tables that are written in on the only sheet of its kind, of which all is due then."""
+    written = (table.asked for table in found if table.filled and sheet.measured.metadata.get("of") == 1)
+    return {name for asked in written for name in asked.sheets}
+
+
+def _fit(table: SeenTable, asked: TableAsked, sheet: SeenSheet) -> tuple[int, bool, int]:
+    """Give how many cells of a table are asked for, whether its sheet is titled so, how many cells are as they must."""
+    keys = [key for key in table.cells if key in asked.cells]
+    written = ((number(table.cells[key].texts, asked.cells[key].unit), asked.cells[key]) for key in keys)
+    said = sum(one is not None and abs(one.value - cell.true) <= cell.printed for one, cell in written)
+    return len(keys), sheet.leaf.title in asked.titles, said

@@ -13,7 +13,7 @@ import numpy as np
 
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
-from drawings.grading.cells.asked_table import CellAsked, TableAsked
+from drawings.grading.cells.asked_table import CellAsked, Drawn, TableAsked, TableDrawn
 from drawings.grading.cells.seen_table import Key, SeenCell
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import DrawnPlan, drawn_places
@@ -22,7 +22,9 @@ from drawings.grading.verdict import Verdict
 from drawings.grading.written_number import WrittenNumber, is_read, number
 from drawings.lettering.words import letter
 from drawings.paper.strokes import Text
+from drawings.paper.walk import texts
 from drawings.reading.alphabet import folded
+from drawings.reading.sheet import SeenSheet
 from geometry.board import Reading
 from geometry.replay import redraw
 from plans.model.motion import Complexes
@@ -108,12 +110,15 @@ Fault = tuple[str, str, int, Callable[[Key], float | None]]  # its kind, of what
 class CellJudge:
     """Judges the cells of one table: what is allowed, what the student's own plans show beside it."""
 
-    asked: TableAsked
-    seen: Mapping[Key, SeenCell]
+    drawn: TableDrawn
     by: Allowances
     rough: float  # mm, how finely the sheet is written
     shown: BesideTables
-    doubled: Set[Key] = frozenset()
+
+    @property
+    def asked(self) -> TableAsked:
+        """What is asked for."""
+        return self.drawn.asked
 
     def verdicts(self) -> Iterator[Verdict]:
         """Judge each cell; a fault of a whole column, or a unit mistaken throughout, is told where it is first met."""
@@ -129,22 +134,24 @@ class CellJudge:
 
     @property
     def _keys(self) -> list[Key]:
-        asked = [key for key in self.seen if key in self.asked.cells]
-        once = {id(self.seen[key]): key for key in reversed(asked)}  # one cell may be of plan and analysis together
-        return sorted(once.values(), key=lambda key: (-self.seen[key].box.high, self.seen[key].box.left))
+        asked = [key for key in self.drawn.cells if key in self.asked.cells]
+        once = {
+            id(self.drawn.cells[key]): key for key in reversed(asked)
+        }  # one cell may be of plan and analysis together
+        return sorted(once.values(), key=lambda key: (-self.drawn.cells[key].box.high, self.drawn.cells[key].box.left))
 
     @cached_property
     def _numbers(self) -> dict[Key, WrittenNumber]:
         """The numbers that are written and understood."""
-        read = (key for key in self._keys if self.seen[key].texts and is_read(self.seen[key].texts))
-        found = ((key, number(self.seen[key].texts, self.asked.cells[key].unit)) for key in read)
+        read = (key for key in self._keys if self.drawn.cells[key].texts and is_read(self.drawn.cells[key].texts))
+        found = ((key, number(self.drawn.cells[key].texts, self.asked.cells[key].unit)) for key in read)
         return {key: one for key, one in found if one is not None}
 
     def _verdict(self, key: Key) -> Verdict:
-        cell, drawn = self.asked.cells[key], self.seen[key]
+        cell, drawn = self.asked.cells[key], self.drawn.cells[key]
         if not cell.told:
             return self._said(key, verdict.DEAD)
-        if key in self.doubled:
+        if key in self.drawn.doubled:
             return self._said(key, verdict.DOUBLED)
         if not drawn.texts or not is_read(drawn.texts):
             return self._said(key, verdict.ILLEGIBLE if drawn.inked or drawn.texts else verdict.MISSING)
@@ -161,9 +168,9 @@ class CellJudge:
                 return self._said(key, verdict.FOLLOWS if off > allowed else verdict.RIGHT, off)
         told = cell.quantity, cell.unit
         same = (other for other in self.asked.cells.values() if (other.quantity, other.unit) == told)
-        rows = (other.altered for other in same if abs(other.true - cell.true) <= ALIKE * abs(cell.true))  # both roads
-        altered = [value for row in rows for kind, value in row if kind in self.shown.mistakes]
-        if any(_apart(written.value, value, cell.unit) <= self._allowed(key) for value in altered):
+        idle = (one.idle for one in same if abs(one.true - cell.true) <= ALIKE * abs(cell.true))  # of both roads
+        known = (value for value in idle if value is not None and verdict.IDLE in self.shown.mistakes)
+        if any(_apart(written.value, value, cell.unit) <= self._allowed(key) for value in known):
             return self._said(key, verdict.FOLLOWS, off)
         return self._said(key, verdict.WRONG, off)
 
@@ -248,7 +255,7 @@ class CellJudge:
         return next((cell.true for cell in same), None)
 
     def _said(self, key: Key, kind: str, off: float | None = None) -> Verdict:
-        cell, (left, right, *above) = self.asked.cells[key], self.seen[key].box.corners
+        cell, (left, right, *above) = self.asked.cells[key], self.drawn.cells[key].box.corners
         allowed = None if off is None else cell.allowed(self.by, self.rough)
         said = Verdict(self.asked.name, cell.position, cell.name, kind, off, allowed, cell.unit)
         return said._replace(at=(left, right), frames=((left, right, *above),))
@@ -265,3 +272,32 @@ def _factors(unit: str) -> Iterator[tuple[str, float, str]]:
         (verdict.DEGREES, A_RADIAN, ANGLES), (verdict.TURNS, A_MINUTE, SPEEDS), (verdict.TWICE, 2.0, (unit,))
     ):  # fmt: skip
         yield from ((kind, factor, "") for factor in (times, 1 / times) if unit in units)
+
+
+def table_verdicts(
+    found: Drawn, asked: Sequence[TableAsked], shown: BesideTables, by: Allowances, sheet: SeenSheet
+) -> Iterator[Verdict]:
+    """Judge the tables of a sheet; what is due of them and not there is missing, or told where that is not sure."""
+    for drawn in found:
+        yield from CellJudge(drawn, by, sheet.measured.quantum, shown).verdicts()
+        yield from _missing(drawn.asked, drawn.cells, shown.sheets, sheet)
+    there = {drawn.asked.sought for drawn in found}
+    for table in asked:
+        if table.sought not in there and set(table.sheets) & shown.sheets:
+            # The word in its corner is still there: its lines are not read, and it is not missing.
+            words = sum(folded(text.plain) == table.corner for text in texts(sheet.leaf.groups))
+            read = sum(drawn.parts for drawn in found if drawn.asked.corner == table.corner)
+            stands, data = words > read, sheet.measured.metadata
+            lost = [] if stands else list(_missing(table, {}, shown.sheets, sheet))
+            if lost or stands or "form" not in data or data.get("of") == 1:  # else it is on another page of the form
+                yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]
+
+
+def _missing(asked: TableAsked, cells: Mapping[Key, SeenCell], sheets: Set[str], sheet: SeenSheet) -> Iterator[Verdict]:
+    """Name the cells that must stand on a sheet, and do not: where it is ours, or the only one of a form."""
+    data = sheet.measured.metadata
+    whole = data.get("of") == 1 if "form" in data else data or sheet.measured.marks
+    expected = {asked.cells[key].sheet for key in cells if key in asked.cells} | sheets if whole else set()
+    for key, cell in asked.cells.items():
+        if key not in cells and cell.told and cell.sheet in expected:
+            yield Verdict(asked.name, cell.position, cell.name, verdict.MISSING, unit=cell.unit)

@@ -141,6 +141,11 @@ class SeenCell(NamedTuple):
     inked: bool
     box: CellFrame
 
+    @property
+    def plain(self) -> str:
+        """What is written in it."""
+        return " ".join(text.plain for text in self.texts)
+
 
 class SeenTable(NamedTuple):
     """A table, or a part of one: the text in its corner, the headings of its columns, its rows, its cells."""
@@ -174,7 +179,7 @@ def _table(sheet: Ruling, corner: Text, box: CellFrame) -> SeenTable | None:
         row = [_cell(sheet, inside, CellFrame(left, low, right, high)) for left, right in pairwise(edges)]
         if not row[0].texts:
             continue
-        label = folded(" ".join(text.plain for text in row[0].texts))
+        label = folded(row[0].plain)
         labels.setdefault(label, row[0].texts[0])
         for (head, position), cell in zip(columns, row[1:], strict=True):
             for part in _split(head):

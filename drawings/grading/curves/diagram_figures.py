@@ -31,13 +31,8 @@ WHOLE = ("H", SWING)  # the stroke of what slides, of what swings
 
 
 def figures_of_loads(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
-    """Give the load diagrams of a sheet of forces (row of the table of records)."""
-    yield from load_diagrams(sheet, study.of(Statics))
-
-
-def load_diagrams(sheet: SceneSheet, statics: Statics) -> Iterator[FigureAsked]:
     """Give the load diagrams of a sheet: the stroke and its overruns, and the ordinates at the corners."""
-    for load in statics.machine.loads:
+    for load in study.of(Statics).machine.loads:
         plan = f"{LOAD}-{load.name}"
         marks = {name: mark for (name, _), mark in sheet.marks(plan).items()}
         whole = next((marks[name] for name in WHOLE if name in marks), None)

@@ -17,8 +17,9 @@ import numpy.typing as npt
 
 from drawings.checks.expected import Expected
 from drawings.checks.readers import written_scales
-from drawings.grading.altered import Alteration, alterations
-from drawings.grading.asked import CURVES, named
+from drawings.grading import verdict
+from drawings.grading.altered import Dues, idle_due
+from drawings.grading.asked import CURVES
 from drawings.paper.strokes import Key, Kind, Leaf, Line
 from drawings.paper.walk import flat, group_named
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
@@ -27,7 +28,7 @@ from drawings.redrawn import Original, Originals
 from geometry.hand_error import EVEN
 from plans.model.dynamics import TURN
 from plans.model.motion import Complexes, Floats
-from plans.techniques import technique_of
+from plans.techniques import named, technique_of
 from plans.words.words import Message
 
 # Of what a student has drawn of the figures before it to what this figure is if it is drawn on from there.
@@ -270,11 +271,11 @@ def figures_asked(originals: Originals) -> tuple[FigureAsked, ...]:
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
     if row := CURVES.get(technique_of(sheet.kind)):
-        read, others = originals.read_back(sheet), alterations(originals, sheet)
+        read, idle = originals.read_back(sheet), idle_due(originals, sheet.kind)
         shown = SceneSheet(sheet.name, read.leaf, read.measured, originals.expected(sheet))
         figures = dict[str, FigureAsked]()
         for figure in named(row)(originals.study, shown):
-            mistakes = (*(_altered(figure, other) for other in others), *figure.mistakes)
+            mistakes = (*([_idle(figure, idle)] if idle else ()), *figure.mistakes)
             error, title = _by_hand(figure, figures), sheet.leaf.title
             figures[figure.key] = replace(figure, mistakes=mistakes, error=error, title=title)
         yield from figures.values()
@@ -296,11 +297,10 @@ def _by_hand(figure: FigureAsked, before: Mapping[str, FigureAsked]) -> Floats:
     return np.asarray(np.maximum(figure.error, np.hypot(size, PRICKED * np.sqrt(1 + STEP**2 * steps))))
 
 
-def _altered(figure: FigureAsked, other: Alteration) -> Mistake:
-    """Give a figure as it is by a mistake of the whole task; where nothing is known of it, nothing."""
+def _idle(figure: FigureAsked, dues: Dues) -> Mistake:
+    """Give a figure as it is if the idle stroke is loaded; where nothing is known of it, nothing."""
+    rows = {place: dues.get((Kind.VECTOR, figure.plan, name)) for name, place in figure.numbers.items()}
     values = np.full(len(figure.true), complex(np.nan, np.nan))
-    for name, place in figure.numbers.items():
-        row = other.due.get((Kind.VECTOR, figure.plan, name))
-        if row is not None:
-            values[place] = row.vector
-    return Mistake(other.kind, values)
+    for place, row in rows.items():
+        values[place] = values[place] if row is None else row.vector
+    return Mistake(verdict.IDLE, values)

@@ -104,13 +104,12 @@ def _blank(lines: Sequence[Line]) -> Blank | None:
         return None
     across, upright = lines[:2]
     origin, right = complex(upright.start.real, across.start.imag), max(across.start.real, across.end.real)
-    ticks = sorted(line.start.real for line in lines[2:] if _is_tick(line, origin) and line.start.real < right)
-    return Blank(origin, right, max(upright.start.imag, upright.end.imag), ticks)
-
-
-def _is_tick(line: Line, origin: complex) -> bool:
-    upright = abs((line.end - line.start).real) <= PLACED and abs(line.end - line.start) < SHORT
-    return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
+    short = (
+        line for line in lines[2:] if abs((line.end - line.start).real) <= PLACED and abs(line.end - line.start) < SHORT
+    )
+    ticks = (line.start.real for line in short if abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED)
+    among = sorted(along for along in ticks if origin.real < along < right)
+    return Blank(origin, right, max(upright.start.imag, upright.end.imag), among)
 
 
 def _ink(sheet: SeenSheet) -> list[Group]:
@@ -215,16 +214,9 @@ def _line(asked: FigureAsked, sheet: SeenSheet, blank: Blank | None) -> DrawnFig
     for k in asked.curved:
         values[k] = foot(true, complex(asked.true[k]))
     spots = {k: pole + complex(values[k].real / across, values[k].imag / up) for k in asked.curved}
-    return DrawnFigure(
-        asked,
-        values,
-        {k: Arrow(spot, spot) for k, spot in spots.items()},
-        written,
-        free=True,
-        mu=across if not asked.on_paper else 0.0,
-        lines=true,
-        outlined=not written and blank is not None and blank.is_outlined(sheet),
-    )
+    arrows, mu = {k: Arrow(spot, spot) for k, spot in spots.items()}, 0.0 if asked.on_paper else across
+    outlined = not written and blank is not None and blank.is_outlined(sheet)
+    return DrawnFigure(asked, values, arrows, written, free=True, mu=mu, lines=true, outlined=outlined)
 
 
 def _measures(asked: FigureAsked, scales: Mapping[str, float], lines: Sequence[Complexes]) -> tuple[float, float]:
