@@ -68,9 +68,7 @@ QUARTERS = np.pi / 2 * np.array([0.0, 1.0, -1.0, 2.0])
 COARSE = 24  # crank angles among many that are solved from rough poses; the others are from their neighbours
 ROUGH = 3  # of these every third for a dyad, where the others follow from their neighbours
 DYAD = 2  # links
-PROBES = (
-    720  # crank angles, of those without an assembly beside them, that are tried from rough poses; of triads COARSE
-)
+PROBES = 720  # crank angles without an assembly beside them that are tried from rough poses; of triads COARSE
 BOTH = np.array([1.0, -1.0])  # signs of a determinant
 # Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
 # rounding must not choose between them.
