@@ -242,7 +242,8 @@ class HeldBody(NamedTuple):
         """Give the length next to its own that a rod must span, as the body turns on the two others; NaN: its own."""
         fan = AROUND
         for _ in range(ROUNDS):
-            spans = np.abs(self.locus(known, pose, out, fan) - known.places[out])
+            with np.errstate(invalid="ignore", divide="ignore"):
+                spans = np.abs(self.locus(known, pose, out, fan) - known.places[out])
             off = np.where(np.isfinite(spans), np.abs(spans - self.leads[out].size), np.inf)
             best = int(np.argmin(off))
             if best in (0, len(fan) - 1):

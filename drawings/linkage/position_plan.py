@@ -145,13 +145,8 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     ink.draw(grounded)
     ink.draw([*paths, *positions, *extremes, *lines, *notches, *special], SHARE)
     under: list[tuple[str, Iterable[Stroke]]] = [("paths", paths), (OTHERS, positions), ("extremes", extremes)]
-    under += [
-        ("guides", lines),
-        ("notches", notches),
-        (TIES, ties(pairs)),
-        (TICKS, path_ticks(pairs)),
-        ("special-lines", special),
-    ]
+    under += [("guides", lines), ("notches", notches), (TIES, ties(pairs)), (TICKS, path_ticks(pairs))]
+    under += [("special-lines", special)]
     groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
     groups += [
         Group(tuple(grounded), "grounds"),

@@ -75,6 +75,7 @@ def structure(study: LinkageStudy) -> Iterator[str]:
             continue
         sign = f"{side:+.0f}".replace("-", "−")
         yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=sign)
+    yield from [f"- {line}" for line in [_astray(study)] if line]
     whole = formula(mechanism, study.groups).replace("->", "→")
     yield say("report.formula", formula=whole, klass=mechanism_class(study.groups))
 
@@ -152,7 +153,13 @@ def headline(study: Study) -> str:
     linkage = study.of(LinkageStudy)
     first = first_numbers(linkage, study.of(MotionComparison).construction)
     other = () if linkage.mechanism.output is not None else (word(linkage.language, "report.output_other"),)
-    return "\n".join(filter(None, ("; ".join((shown(linkage), *other)), first)))
+    return "\n".join(filter(None, ("; ".join((shown(linkage), *other)), first, _astray(linkage))))
+
+
+def _astray(study: LinkageStudy) -> str:
+    """Say of points which the sketch shows far from their places how far it does."""
+    points = ", ".join(f"{name} {number(MM * off, study.language)}" for name, off in study.astray.items())
+    return word(study.language, "report.astray", points=points) if points else ""
 
 
 def concluded(study: Study) -> Iterator[str]:

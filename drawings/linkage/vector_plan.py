@@ -211,12 +211,9 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
     title = heading(spot.box, drafting.word(shown.plan.board.subject, position=shown.column), under, hand)
     sides = (Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.sides)
     lines = Group((*directions(shown.rays, place, hand), *(s for s in sides if abs(s.end - s.start) >= LEAST)))
-    styles = {
-        arrow: _style(shown, arrow, hand)
-        for arrow in shown.arrows
-        if place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
-    }
-    arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
+    named = dict.fromkeys(shown.arrows)
+    long = (arrow for arrow in named if place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST)
+    arrows = [vector(subject, arrow.name, arrow.ends, place, _style(shown, arrow, hand)) for arrow in long]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
     strokes = (title, *([lines] if lines.strokes else []), *arrows, dot)
     return LetteredFigure(shown.name, strokes, partial(_letter, shown, place, spot.box, drafting), False)

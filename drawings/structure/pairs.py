@@ -52,28 +52,22 @@ class StructurePairs(Joints):
     @cached_property
     def sleeves(self) -> Mapping[str, Polyline]:
         """The sleeves of cylindrical pairs, turned aslant to where the fewest bars are."""
-        found = {name: joint for name, joint in self.kinds.items() if joint.kind == CYLINDRICAL}
-        return {
-            name: symbols.block(self.place.on(joint.at), self._slant(name), self.hand, SLEEVE)
-            for name, joint in found.items()
-        }
+        found = [(name, self.place.on(joint.at)) for name, joint in self.kinds.items() if joint.kind == CYLINDRICAL]
+        return {name: symbols.block(spot, self._slant(name), self.hand, SLEEVE) for name, spot in found}
 
     def _slant(self, name: str) -> complex:
         """Give the direction in which the axis of a cylindrical pair is seen: aslant, away from the bars at it."""
         at = self.kinds[name].at
         bars = [bar for outline in self.outlines for bar in outline.bars if at in bar]
         ways = [(bar[0] + bar[1] - 2 * at) / abs(bar[0] + bar[1] - 2 * at) for bar in bars]
-        return max(
-            (SLANT, 1j * SLANT),
-            key=lambda way: -max((abs((way * other.conjugate()).real) for other in ways), default=0.0),
-        )
+        along = {
+            way: max((abs((way * bar.conjugate()).real) for bar in ways), default=0.0) for way in (SLANT, 1j * SLANT)
+        }
+        return min(along, key=lambda way: along[way])
 
     def _pieces(self, outline: LinkOutline) -> Iterator[Stroke]:
-        cups = [
-            Circle(self.place.on(joint.at), CUP * self.hand.symbol)
-            for joint in self.kinds.values()
-            if joint.kind == SPHERICAL and outline.link == joint.links[-1]
-        ]
+        balls = (one for one in self.kinds.values() if one.kind == SPHERICAL and outline.link == one.links[-1])
+        cups = [Circle(self.place.on(joint.at), CUP * self.hand.symbol) for joint in balls]
         yield from trim(super()._pieces(outline), cups)
 
     def symbol(self, name: str, at: complex, centre: bool = False) -> tuple[Stroke, ...]:

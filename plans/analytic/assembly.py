@@ -5,7 +5,7 @@ can be assembled, told apart by the sign of its determinant, the one nearer to t
 """
 
 from collections.abc import Sequence
-from itertools import product
+from itertools import permutations, product
 from typing import NamedTuple
 
 import numpy as np
@@ -68,9 +68,7 @@ QUARTERS = np.pi / 2 * np.array([0.0, 1.0, -1.0, 2.0])
 COARSE = 24  # crank angles among many that are solved from rough poses; the others are from their neighbours
 ROUGH = 3  # of these every third for a dyad, where the others follow from their neighbours
 DYAD = 2  # links
-PROBES = (
-    720  # crank angles, of those without an assembly beside them, that are tried from rough poses; of triads COARSE
-)
+PROBES = 720  # crank angles without an assembly beside them that are tried from rough poses; of triads COARSE
 BOTH = np.array([1.0, -1.0])  # signs of a determinant
 # Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
 # rounding must not choose between them.
@@ -135,6 +133,8 @@ def home(shape: Closure, first: float | None, looks: Floats) -> ClosedPosition |
 
     None if the links can be joined at none of the angles `looks`, rad.
     """
+    if never(shape.mechanism):
+        return None
     for phi in ([] if first is None else [np.array([first])]) + [looks]:
         poses = assemblies(shape, phi)
         misfits = np.where(far(poses) < INFINITE, shape.whole_misfits(poses), np.nan)
@@ -142,6 +142,26 @@ def home(shape: Closure, first: float | None, looks: Floats) -> ClosedPosition |
             best = int(np.argmax(misfits <= np.nanmin(misfits) * (1.0 + ALIKE)))
             return ClosedPosition(float(phi[best]), poses[best])
     return None
+
+
+def never(mechanism: Mechanism) -> bool:
+    """Tell whether two points are kept farther apart than the links between them reach, whatever the drive does."""
+    links, every = mechanism.links, sorted({point for link in mechanism.links.values() for point in link.points})
+    least = np.zeros((len(every), len(every)))
+    most = np.where(np.eye(len(every)), 0.0, np.inf)
+    for link in links.values():
+        for (first, own), (second, other) in permutations(link.points.items(), 2):
+            pair = every.index(first), every.index(second)
+            least[pair] = most[pair] = abs(own - other)
+    for slide in mechanism.slides:
+        ends = (links[slide.slider], slide.on_slider), (links[slide.owner], slide.on_owner)
+        left = [{p: ((at - way.through) / way.direction).imag for p, at in link.points.items()} for link, way in ends]
+        for first, second in product(*left):
+            pair = every.index(first), every.index(second)
+            least[pair] = max(least[pair], abs(left[0][first] - left[1][second]))
+    for by in range(len(every)):
+        most = np.minimum(most, most[:, by, None] + most[by])
+    return bool((most < least * (1.0 - ALIKE)).any())
 
 
 def assemblies(shape: Closure, phi: Floats, signs: Floats | None = None) -> Floats:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from plans.analytic.grouping import circles
 from plans.analytic.points import TURN, Constraints, Indices, TurningDrive, X, Y
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError
 from plans.model.motion import Floats
@@ -154,7 +155,7 @@ def triangular(constraints: Constraints) -> tuple[Block, ...]:
     rests: dict[int, set[int]] = {place: set() for place in range(1, len(constraints.numbers))}
     for (_, links), keeper in zip(_equations(constraints), keepers, strict=True):
         rests[keeper] |= set(links) - {0, keeper}
-    return tuple(_block(constraints, links, keepers) for links in _components(rests))
+    return tuple(_block(constraints, links, keepers) for links in circles(rests))
 
 
 def _equations(constraints: Constraints) -> list[tuple[int, tuple[int, ...]]]:
@@ -189,32 +190,6 @@ def _keepers(constraints: Constraints) -> list[int]:
             raise StructureError(message("structure.truss"))
     keepers = {row: place for place, rows in kept.items() for row in rows}
     return [keepers[row] for row in range(len(links))]
-
-
-def _components(rests: dict[int, set[int]]) -> list[list[int]]:
-    """Give the strong components of what rests on what, each after all that it rests on."""
-    order: dict[int, int] = {}
-    low: dict[int, int] = {}
-    stack: list[int] = []
-    found: list[list[int]] = []
-
-    def visit(place: int) -> None:
-        order[place] = low[place] = len(order)
-        stack.append(place)
-        for other in sorted(rests[place]):
-            if other not in order:
-                visit(other)
-            if other in stack:
-                low[place] = min(low[place], low[other])
-        if low[place] == order[place]:
-            cut = stack.index(place)
-            found.append(sorted(stack[cut:]))
-            del stack[cut:]
-
-    for place in rests:
-        if place not in order:
-            visit(place)
-    return found
 
 
 def _block(constraints: Constraints, links: list[int], keepers: list[int]) -> Block:

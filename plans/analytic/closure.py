@@ -22,6 +22,7 @@ SQRT_EPS = EPS**0.5
 BLUNT = EPS**0.375
 NEWTON_ROUNDS = 12  # from one true digit four rounds make sixteen; the rest is for slow beginnings
 DAMPED_ROUNDS = 60
+NEAR = 0.1  # of the mechanism's size: where misses no faster fall than to this, no assembly is near
 HALVINGS = 8
 ROUNDINGS = 64.0  # of the farthest coordinate: what a dozen products and sums leave of a joint that is closed
 
@@ -124,7 +125,7 @@ def settle(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats
     poses = poses.copy()
     miss = constraints.residual(constraints.place(poses), phi)
     busy = np.arange(len(poses))
-    for _ in range(DAMPED_ROUNDS):
+    for left in reversed(range(DAMPED_ROUNDS)):
         size = np.linalg.norm(miss[busy], axis=1)
         busy, size = busy[size > SQRT_EPS], size[size > SQRT_EPS]
         if not busy.size:
@@ -135,7 +136,8 @@ def settle(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats
         damping = (size**2)[:, None, None] * np.eye(jacobian.shape[1])
         step = solutions(across @ jacobian + damping, -(across @ miss[busy][..., None])[..., 0])
         poses[busy], miss[busy] = _descend(constraints, poses[busy], phi[busy], step, size)
-        busy = busy[np.linalg.norm(miss[busy], axis=1) < size * (1.0 - SQRT_EPS)]  # the rest are as near as they come
+        share = np.linalg.norm(miss[busy], axis=1) / size  # where it is 1, they are as near as they come
+        busy = busy[(share < 1.0 - SQRT_EPS) & (size * share**left < NEAR)]
     return close(constraints, poses, phi)
 
 

@@ -7,15 +7,16 @@ depend on each other in a circle are found together: they are a structural group
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import combinations
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 from plans.model.mechanism import FRAME
 from plans.model.structure import SLIDING, TURNING, Joint, Structure, no_division
 
 Unknown: TypeAlias = tuple[str, str]  # of a link by its number, or of a hinge by its letter: x, y, turn
 Equation: TypeAlias = frozenset[Unknown]
+One = TypeVar("One", int, tuple[str, str])  # of what needs others
 
 
 def groups(structure: Structure, primaries: Sequence[int]) -> tuple[frozenset[int], ...]:
@@ -29,7 +30,7 @@ def groups(structure: Structure, primaries: Sequence[int]) -> tuple[frozenset[in
         raise no_division(link for link in structure.links if link not in known)
     needs = {one: equations[row] - {one} for one, row in matched.items()}
     whole = {one: needs[one] | _together(one, unknowns) for one in unknowns}  # a body is placed as a whole
-    found = (frozenset(int(name) for name, _ in part if name.isdigit()) for part in _circles(whole))
+    found = (frozenset(int(name) for name, _ in part if name.isdigit()) for part in circles(whole))
     return tuple(links for links in found if links)
 
 
@@ -70,14 +71,14 @@ def _matched(equations: Sequence[Equation]) -> dict[Unknown, int]:
     return found
 
 
-def _circles(needs: Mapping[Unknown, frozenset[Unknown] | set[Unknown]]) -> list[list[Unknown]]:
+def circles(needs: Mapping[One, Set[One]]) -> list[list[One]]:
     """Give what is needed in a circle, what others need first (компоненты сильной связности по Тарьяну)."""
-    number: dict[Unknown, int] = {}
-    low: dict[Unknown, int] = {}
-    stack: list[Unknown] = []
-    found: list[list[Unknown]] = []
+    number: dict[One, int] = {}
+    low: dict[One, int] = {}
+    stack: list[One] = []
+    found: list[list[One]] = []
 
-    def visit(one: Unknown) -> None:
+    def visit(one: One) -> None:
         number[one] = low[one] = len(number)
         stack.append(one)
         for other in sorted(needs[one]):
@@ -87,7 +88,7 @@ def _circles(needs: Mapping[Unknown, frozenset[Unknown] | set[Unknown]]) -> list
                 low[one] = min(low[one], low[other])
         if low[one] == number[one]:
             cut = stack.index(one)
-            found.append(stack[cut:])
+            found.append(sorted(stack[cut:]))
             del stack[cut:]
 
     for one in sorted(needs):

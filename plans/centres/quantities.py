@@ -13,7 +13,7 @@ from geometry.meet import EPS, cross
 from geometry.precision import errors
 from plans.analytic.kinematics import Analysis
 from plans.centres.centrodes import Flags, own
-from plans.centres.kennedy import CENTRES, Kennedy, Pair, hinge_of, letter, pairs
+from plans.centres.kennedy import CENTRES, Pair, hinge_of, letter, pairs
 from plans.centres.study import CentresStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.marks import UNITS, position_of, title
@@ -164,21 +164,12 @@ def compare_centres(study: CentresStudy) -> CentresComparison:
     return CentresComparison(ours, theirs, found, motion, moving, motion=motion)
 
 
-def _bound(mark: Mark) -> float:
-    return float(np.ravel(errors(mark)[mark].place)[0])
-
-
 class _Compared:
     def __init__(self, study: CentresStudy, motion: MotionComparison, moving: MotionComparison) -> None:
         self.study, self.motion, self.mechanism, self.moving = study, motion, study.linkage.mechanism, moving.analysis
         self.count = len(motion.analysis.phi)
         self.read = {k: study.rates(k) for k in study.whole}
-        self.bounds = {k: self._bounds(study.at(k)) for k in self.read}
         self.kappa = ANALYSIS * EPS * motion.kappa**2
-
-    def _bounds(self, found: Kennedy) -> dict[Mark, float]:
-        bounds = errors(*(centre.mark for centre in found.found.values()))
-        return {mark: float(np.ravel(error.place)[0]) for mark, error in bounds.items()}
 
     def places(self) -> Iterator[Quantity]:
         """Compare the centres that are not at infinity; those with centrodes in the axes of both links too."""
@@ -197,7 +188,7 @@ class _Compared:
         ours, bound = np.full(self.count, np.nan + 0j), np.full(self.count, np.nan)
         for k, mark in marks.items():
             ours[k] = at(mark.point, 0)
-            bound[k] = self.bounds[k][mark] if mark in self.bounds[k] else _bound(mark)
+            bound[k] = np.ravel(errors(mark)[mark].place)[0]
         found = theirs.sure & ~np.isnan(ours)
         both = np.where(found, ours, np.nan), np.where(found, theirs.place, np.nan)
         placed = Quantity.of((CENTRES, name, "m"), both, np.where(found, bound + theirs.allowed, np.nan))

@@ -275,14 +275,8 @@ class MotionNumbers(NamedTuple):
 def _extremes(extremes: Extremes) -> dict[str, Any]:
     """Give the extremes; angles of a link begin within half a turn of its +x axis, whichever road found them."""
     turns = 0.0 if extremes.sliding else 2 * np.pi * np.round(extremes.reach[0] / (2 * np.pi))
-    return {
-        "phi": list(extremes.phi),
-        "reach": [float(angle - turns) for angle in extremes.reach],
-        "stroke": extremes.stroke,
-        "overlap": extremes.overlap,
-        "ratio": extremes.ratio,
-        "faster": extremes.faster,
-    }
+    places = {"phi": list(extremes.phi), "reach": [float(angle - turns) for angle in extremes.reach]}
+    return places | {key: getattr(extremes, key) for key in ("stroke", "overlap", "ratio", "faster")}
 
 
 def numbers(study: "Study", by: str) -> MotionNumbers:

@@ -59,10 +59,6 @@ class AnalysedSpecial(NamedTuple):
         """Its place: on the lines of both leads."""
         return crossing(self.motion, self.triad, self.pair)
 
-    def contact(self, lead: TriadLead) -> Complexes:
-        """Give the place of a lead's hinge on its line of force."""
-        return self.motion.points[lead.pin].r
-
     def of_link(self, link: int, place: Complexes, order: int) -> Complexes:
         """Give the place, velocity or acceleration of a link's point that lies at a place."""
         if link == FRAME:
@@ -84,15 +80,16 @@ class AnalysedSpecial(NamedTuple):
             over = self.name + (lead.hinge if lead.kind == ROD else str(lead.link))
             yield SpecialRow(VELOCITIES, start, s, f"v_{over}", self.moved(1) - known)
             start, known = self._start(lead, ACCELERATIONS)
-            end, normal = self.letters.normal(self.name, lead.pin), -(spin**2) * (self.place - self.contact(lead))
+            end, normal = self.letters.normal(self.name, lead.pin), -(spin**2) * (self.place - self._point(lead.pin, 0))
             yield SpecialRow(ACCELERATIONS, start, end, f"a^n_{self.name}{lead.pin}", normal)
             part = "t" if lead.kind == ROD else "r"
             yield SpecialRow(ACCELERATIONS, end, s, f"a^{part}_{over}", self.moved(2) - known - normal)
         pin, end = self.out.pin, self.letters.normal(self.out.pin, self.name)
         tip = self.letters.small(pin) if self.out.kind != SLOT else self.letters.under(pin, basis)
         over = f"{tip.upper().replace('_', '') if self.out.kind == SLOT else pin}{self.name}"
-        rest = [self.of_link(basis, self.contact(self.out), k) - self.moved(k) for k in (1, 2)]
-        normal = -(spin**2) * (self.contact(self.out) - self.place)
+        contact = self._point(pin, 0)
+        rest = [self.of_link(basis, contact, k) - self.moved(k) for k in (1, 2)]
+        normal = -(spin**2) * (contact - self.place)
         yield SpecialRow(VELOCITIES, s, tip, f"v_{over}", rest[0])
         yield SpecialRow(ACCELERATIONS, s, end, f"a^n_{over}", normal)
         yield SpecialRow(ACCELERATIONS, end, tip, f"a^t_{over}", rest[1] - normal)
@@ -109,15 +106,13 @@ class AnalysedSpecial(NamedTuple):
             normal = -(self.motion.links[lead.link].omega ** 2) * arm
             return letters.normal(pin, "" if still else lead.hinge), value + normal
         host = lead.host if lead.kind == GUIDE else self.triad.basis
-        below = self.of_link(host, self.contact(lead), k)
+        below, rate = (self.of_link(host, self._point(pin, 0), n) for n in (k, 1))
+        slip = self._point(pin, 1) - rate
         if lead.kind == SLOT:
-            image, value = letters.small(pin), self._point(pin, k)
-            if pin in self.mechanism.links[FRAME].points:
-                image = POLES[order.plan]
-            slip = self.of_link(host, self.contact(lead), 1) - self._point(pin, 1)
+            slip, value = -slip, self._point(pin, k)
+            image = POLES[order.plan] if pin in self.mechanism.links[FRAME].points else letters.small(pin)
         else:
             image, value = letters.under(pin, host), below
-            slip = self._point(pin, 1) - self.of_link(host, self.contact(lead), 1)
             if self.mechanism.turning_with[host] == FRAME:
                 return POLES[order.plan] if host == FRAME else image, value
         if k == VELOCITIES.number:

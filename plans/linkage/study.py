@@ -169,6 +169,20 @@ class LinkageStudy:
         except SketchError as error:
             raise SketchError(self._at("sketch", error), error.points) from None
 
+    @cached_property
+    def astray(self) -> dict[str, float]:
+        """Points that the sketch shows farther from their places than any of their links is long, and how far, m."""
+        if self.assembly.phi is None:
+            return {}
+        phi, found = np.array([self.assembly.phi]), {}
+        plan = self.sweep.positions(CrankPositions(phi, np.exp(1j * phi)))
+        for name, shown in self.mechanism.sketch.items():
+            bodies = [link.points for link in self.mechanism.links.values() if name in link.points]
+            off = abs(complex(np.ravel(plan.point(name).point)[0]) - shown)
+            if off > max(abs(at - body[name]) for body in bodies for at in body.values()) > 0:
+                found[name] = off
+        return found
+
     @property
     def first(self) -> bool:
         """Whether the sketch shows the first position: not one still to be found, by an extreme or by a length."""

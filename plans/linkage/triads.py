@@ -47,25 +47,16 @@ class Triads(GroupKind[Triad]):
         plan = look(np.array([home]))
         drive, within = plan.mechanism.drive, home - 2 * np.pi * np.round(home / (2 * np.pi))
         ends = (-SEAM * np.pi - within, SEAM * np.pi - within) if drive.pushed else (-np.pi, np.pi)
-        keys, poses, out = follow(
-            _body(plan, triad),
-            side,
-            lambda keys: _known(look(home + keys / drive.unit), triad),
-            (drive.unit * ends[0], drive.unit * ends[1]),
-            NODES,
-        )
+        ways, body = (drive.unit * ends[0], drive.unit * ends[1]), _body(plan, triad)
+        keys, poses, out = follow(body, side, lambda keys: _known(look(home + keys / drive.unit), triad), ways, NODES)
         along = pushed(plan.mechanism).way(FRAME).direction if drive.pushed else 0j
         free = complex(np.ravel(plan.board[PRIMARIES[drive.kind].free].point)[0])
         return AssemblyBranch(free, along, keys, poses, out)
 
     def jammed(self, plan: Plan, triad: Triad) -> Message | None:
         """Say it with the measure: the sine of the angle between S12B3 and the third lead's line (заклинивание)."""
-        links, sketch, body, known = (
-            plan.mechanism.links,
-            plan.mechanism.sketch,
-            _body(plan, triad),
-            _known(plan, triad),
-        )
+        links, sketch = plan.mechanism.links, plan.mechanism.sketch
+        body, known = _body(plan, triad), _known(plan, triad)
         shown = [(local, sketch[name]) for name, local in links[triad.basis].points.items() if name in sketch]
         if len(shown) < 2 or not np.isfinite(sum(known.places) + sum(known.ways)).all():
             return None

@@ -13,9 +13,10 @@ import numpy as np
 from geometry.errors import DraftError
 from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import Mechanism
 from plans.model.motion import LINK_ORDERS, POINT_ORDERS, Motion
 from plans.scene.scene import parse_scene
-from tests.trials.judge import MP, Lost, answers, case, guess, roundings, solved
+from tests.trials.judge import MP, Case, Lost, answers, case, guess, roundings, solved
 from tests.trials.rests import off
 from tests.trials.trial import text_of
 
@@ -64,16 +65,20 @@ def _at(
     own, kappa = case(study.mechanism, _direction(study, position), phi), float(comparison.kappa[position])
     for road in (comparison.construction, comparison.analysis):
         try:
-            found = solved(own, guess(own, road, study.mechanism, position))
+            apart = errors(own, road, study.mechanism, position)
         except Lost:
             yield road.by, "nothing", "", np.inf, kappa
             continue
-        true = answers(own, [MP.mpc(z) for z in own.data], found)
-        one = roundings(own, found)
-        apart = {key: float(abs(MP.mpc(_read(road, key, position)) - true[key])) / one[key] for key in true}
         for key in KEYS:
             name = max((n for k, n in apart if k == key), key=lambda n: apart[key, n])
             yield road.by, key, name, apart[key, name], kappa
+
+
+def errors(own: Case, road: Motion, mechanism: Mechanism, position: int) -> dict[tuple[str, str], float]:
+    """Tell how far a road's answers at one position are off, in roundings of the data."""
+    found = solved(own, guess(own, road, mechanism, position))
+    true, one = answers(own, [MP.mpc(z) for z in own.data], found), roundings(own, found)
+    return {key: float(abs(MP.mpc(_read(road, key, position)) - true[key])) / one[key] for key in true}
 
 
 def _extremes(study: LinkageStudy, comparison: MotionComparison) -> Iterator[tuple[str, str, str, float, float]]:
