@@ -23,7 +23,6 @@ from plans.model.motion import NOTHING
 from plans.study import Study
 from plans.words.words import word
 
-
 TELLING = frozenset({"forces", "dynamics"})  # techniques that tell masses and loads themselves
 
 
