@@ -98,7 +98,7 @@ class DynamicsNotes(NamedTuple):
         cycle, before = self.account.cycle, self.account.before
         if cycle is None or self.task.delta is not None or self.account.run is not None:
             return False
-        massive = cycle.inertia[0] + self.task.present > 0  # else nothing is said of its energy
+        massive = cycle.own + self.task.present > 0  # else nothing is said of its energy
         return massive and (before is None or not all(map(math.isfinite, before.extremes)))
 
     def reasons(self) -> Iterator[str]:

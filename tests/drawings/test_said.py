@@ -173,6 +173,12 @@ ROWS = {
     "no rim of the diameter that is asked for": Row(
         text(asked='fluctuation = "1/40"\nflywheel.diameter = "0.2 m"'), ["No rim of D = 200"]
     ),
+    "a piston alone is no inertia at its dead centre": Row(
+        re.sub(r"(?m)^[12] = \{ mass.*\n", "", text(drive='start = "extreme"\npositions = 24')).replace(
+            "h = [0, 0", "h = [0, 0.02"
+        ),
+        ["the linkage has 0 at"],
+    ),
     "a shaft beside the linkage": Row(
         text(asked='fluctuation = "1/25"\nshafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]'),
         ["Shaft (gear): 0.4 kg·m²"],
