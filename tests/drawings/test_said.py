@@ -91,6 +91,9 @@ ROWS = {
     "an order too slight to be drawn": Row(
         bank([(0, -100, 0), (120, 0, 0), (240, 100, 0)]) + ENGLISH, ["Below 1/1000 of the largest, not drawn: order 6"]
     ),
+    "a letter begins no sentence with a capital": Row(
+        bank([(0, -100, 0), (120, 0, 0), (240, 100, 0)], compensator(6)) + ENGLISH, ["\n- $mr_{VI}$"], ["$Mr"]
+    ),
     # Rotors
     "the quality of one plane: 4 kg*m of 20 kg at 100 rad/s": Row(
         rotor(UNLIKE, GRADED), ["e·ω = 20000 mm/s"], ["the worse plane, doubled"]
