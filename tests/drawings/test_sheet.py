@@ -65,6 +65,10 @@ def test_a_position_that_is_a_gap_is_not_drawn_as_the_shown_one() -> None:
         sheets(study, compare(study))
 
 
+def test_the_plans_of_the_position_in_full_lines_stand_beside_it() -> None:
+    assert drawn(four_bar() + "[sheet]\nposition = 11\n")[1].metadata["plans"][0] == 11
+
+
 def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() -> None:
     with pytest.raises(UnknownLetter, match="机"):
         drawn(four_bar() + '[sheet]\ngroup = "机构"\n')
