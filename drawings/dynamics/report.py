@@ -262,7 +262,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
             *_run(study, notes),
             *see(leaves, language, "tachogram", "run"),
         ],
-        left_out=[word(language, "report.dynamics_left_out")],
+        left_out=[word(language, f"report.{'motor' if account.run is not None else 'dynamics'}_left_out")],
     )
 
 

@@ -191,6 +191,11 @@ ROWS = {
     ),
     "a heavy shaft has enough energy": Row(text(asked=f"{NO_FLYWHEEL}\nshafts = [{{ inertia = 40 }}]"), [], [STOPS]),
     "rounding is nothing: weights do no work over a turn": Row(
+    "with a motor the driving moment is constant for the flywheel alone": Row(
+        text(asked='fluctuation = "1/25"\nmotor = { starting = "200 N*m", synchronous = 20 }'),
+        ["the run with that of the motor"],
+        ["the drive's own slip"],
+    ),
         text("[loads]\ngravity = 9.81\n", "positions = 12"), ["| 0 |"], ["0.0000000000", "·10⁻¹⁶ J", "·10⁻¹⁷ J"]
     ),
     "rotation and working stroke where no forces are drawn": Row(
