@@ -138,7 +138,7 @@ class DynamicsNotes(NamedTuple):
     def other(self) -> Iterator[str]:
         """Say what flywheel twice and half the fluctuation would ask for, and what the strips leave out."""
         wheel, cycle = self.account.flywheel, self.account.cycle
-        if wheel is None or cycle is None or not self.task.delta or wheel.needed <= 0:
+        if wheel is None or cycle is None or not self.task.delta or not self.aided:
             return
         deltas = [times * self.task.delta for times in OTHERS]
         more, less = (self.flywheel_at(delta).inertia for delta in deltas)
@@ -160,14 +160,19 @@ class DynamicsNotes(NamedTuple):
 
     def bare(self) -> Iterator[str]:
         """Say how the machine would run without the flywheel."""
-        before, wheel = self.account.before, self.account.flywheel
-        if self.account.speeds is not None and wheel is not None and wheel.needed > 0:
+        before = self.account.before
+        if self.account.speeds is not None and self.aided:
             stops = before is None or not all(map(math.isfinite, before.extremes))
             if stops or before is None:
                 yield self.drafting.phrase("without flywheel", own=self.drafting.word("would stop"))
             else:
                 motion = joined("", ("δ = ", self.drafting.slot(self._slot("δ without flywheel", before.delta))))
                 yield self.drafting.phrase("without flywheel", own=motion)
+
+    @property
+    def aided(self) -> bool:
+        """Whether the machine has a flywheel, as it needs one."""
+        return self.account.flywheel is not None and self.account.flywheel.needed > 0
 
     def sizes(self) -> Iterator[str]:
         """Say the sizes of the rim; of one that is too thick, what would do."""
@@ -323,11 +328,12 @@ def _concluded(study: Study) -> Iterator[str]:
     if task.delta and speeds is not None:
         key = "report.even_enough" if speeds.delta <= task.delta * (1 + EVEN) else "report.uneven"
         text = notes.drafting.number(speeds.delta, DIGITS)
-        yield word(language, key, delta=text, asked=notes.fluctuation(task.delta))
+        machine = word(language, f"report.{'with' if notes.aided else 'without'}_flywheel")
+        yield word(language, key, machine=machine, delta=text, asked=notes.fluctuation(task.delta))
 
 
 def _motion(notes: DynamicsNotes) -> list[str]:
-    return listed(chapter(notes.drafting.language, "motion"), notes.achieved())
+    return listed(chapter(notes.drafting.language, "motion" if notes.aided else "motion_unaided"), notes.achieved())
 
 
 def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:

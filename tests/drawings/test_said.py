@@ -170,7 +170,9 @@ ROWS = {
     ),
     # Motion of a machine
     "heavy enough without a flywheel": Row(
-        text(asked='fluctuation = "1/5"\nshafts = [{ inertia = 40 }]'), ["heavy enough without a flywheel"]
+        text(asked='fluctuation = "1/5"\nshafts = [{ inertia = 40 }]'),
+        ["heavy enough without a flywheel", "## Motion without a flywheel", "- Without a flywheel δ"],
+        ["ith the flywheel"],
     ),
     "without its flywheel the machine would stop": Row(text(), [STOPS], ["wrong direction"]),
     "no rim of the diameter that is asked for": Row(
@@ -189,13 +191,13 @@ ROWS = {
     "no flywheel where no fluctuation is asked for, but that the machine would stop": Row(
         text(asked=NO_FLYWHEEL), ["M_dr", STOPS], ["Flywheel"]
     ),
-    "a heavy shaft has enough energy": Row(text(asked=f"{NO_FLYWHEEL}\nshafts = [{{ inertia = 40 }}]"), [], [STOPS]),
-    "rounding is nothing: weights do no work over a turn": Row(
     "with a motor the driving moment is constant for the flywheel alone": Row(
         text(asked='fluctuation = "1/25"\nmotor = { starting = "200 N*m", synchronous = 20 }'),
         ["the run with that of the motor"],
         ["the drive's own slip"],
     ),
+    "a heavy shaft has enough energy": Row(text(asked=f"{NO_FLYWHEEL}\nshafts = [{{ inertia = 40 }}]"), [], [STOPS]),
+    "rounding is nothing: weights do no work over a turn": Row(
         text("[loads]\ngravity = 9.81\n", "positions = 12"), ["| 0 |"], ["0.0000000000", "·10⁻¹⁶ J", "·10⁻¹⁷ J"]
     ),
     "rotation and working stroke where no forces are drawn": Row(
