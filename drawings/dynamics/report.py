@@ -80,7 +80,8 @@ class DynamicsNotes(NamedTuple):
         else:
             key = "work given" if cycle.engine else "work of turn"
             moment = self._slot("M_dr", abs(cycle.driving))
-            yield self.drafting.phrase(key, work=self._slot("A_us(2π)", abs(cycle.net)), moment=moment)
+            work, count = self._slot("A_us(2π)", abs(cycle.net)), len(cycle.means)
+            yield self.drafting.phrase(key, count=count, work=work, moment=moment)
 
     def directed(self) -> Iterator[str]:
         """Say of loads that drive a machine which is no engine that one of them may have the wrong direction."""

@@ -190,7 +190,7 @@ ROWS = {
     ),
     "with a motor the driving moment is constant for the flywheel alone": Row(
         text(asked='fluctuation = "1/25"\nmotor = { starting = "200 N*m", synchronous = 20 }'),
-        ["the run with that of the motor"],
+        ["the run with that of the motor", "= ($\\omega_{\\text{max}}$", "turn, by 26 strips, the loads"],
         ["the drive's own slip"],
     ),
     "a heavy shaft has enough energy": Row(text(asked=f"{NO_FLYWHEEL}\nshafts = [{{ inertia = 40 }}]"), [], [STOPS]),
