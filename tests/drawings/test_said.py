@@ -154,6 +154,7 @@ ROWS = {
         [r"$F_{\text{us}}$ at G of link 7, wherever it goes as on the working stroke"],
         ["its point reverses"],
     ),
+    "wear is a mean over positions": Row(gallery("slotter", "forces"), ["(по 12 положениям)"]),
     # Cyclograms
     "the positions of a tool": Row(
         scene_text("shaper", "overrun = 0.1\nbreaks = [0.6, 0.75]\n" + CAM),
