@@ -293,7 +293,7 @@ def _flanks(found: Kinetostatics, statics: Statics) -> Iterator[str]:
     against = np.flatnonzero(turning < -found.nothing_over[1]).tolist()
     moment = f"${Formula(drafting_of_forces(statics)).letter('M_bal')}$"
     said = "report.coast_flank" if against else "report.drive_flank"
-    yield f"{word(statics.study.language, said, moment=moment, positions=runs(against))}\n"
+    yield f"{word(statics.study.language, said, count=len(against), moment=moment, positions=runs(against))}\n"
 
 
 def _sized(column: Any, nothing: Any) -> Any:

@@ -21,6 +21,7 @@ from tests.drawings.bank_scenes import bank, compensator
 from tests.gallery import GALLERY
 from tests.plans.cyclograms import scene_text
 from tests.plans.dynamics_scenes import PLANING, text
+from tests.plans.force_cases import text_of
 from tests.plans.scenes import changed
 from tests.plans.test_cam_marks import SIZES, TURNING, one
 from tests.plans.test_cyclogram import CAM
@@ -154,6 +155,7 @@ ROWS = {
         [r"$F_{\text{us}}$ at G of link 7, wherever it goes as on the working stroke"],
         ["its point reverses"],
     ),
+    "one position of the other flank": Row(text_of("shaper", ("= 1500", "= -1500")), ["never pull: in position 0 "]),
     "wear is a mean over positions": Row(gallery("slotter", "forces"), ["(по 12 положениям)"]),
     # Cyclograms
     "the positions of a tool": Row(
