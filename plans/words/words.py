@@ -158,7 +158,7 @@ class _PhrasePart:
         value = self.value
         if not wish or isinstance(value, Message):
             return said(value, self.language)
-        if wish == "choice":  # words of a file, which are English, beside what another language calls them
+        if wish == "choice" and isinstance(value, tuple):  # words of a file, English, beside those of another language
             known = ((name, *spoken(self.language, name)[: self.language != ENGLISH]) for name in value)
             value = tuple(f"{name} ({said[0]})" if said else name for name, *said in known)
         if isinstance(value, tuple):
