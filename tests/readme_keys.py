@@ -70,9 +70,9 @@ def tabled(part: str) -> str:
 def russian() -> Iterator[str]:
     """Give a row a word that a key allows: what else it may be in Russian, however it is cased."""
     yield from ("| word | in Russian |", "|---|---|")
-    keys = (line for kind in [*parts().values()][:-1] for line in rows(kind))
     known = json.dumps(schema(), ensure_ascii=False)  # what else is printed is read nowhere
-    for name in dict.fromkeys(word for line in keys for word in re.findall(r'"([^"]+)"', line.split(" | ")[1])):
+    shown = " ".join(line.split(" | ")[1] for kind in [*parts().values()][:-1] for line in rows(kind))
+    for name in dict.fromkeys(re.findall(r'"([^"]+)"', shown)):
         if said := [one for one in spoken("ru", name) if f'"{one}"' in known]:
             yield f'| `"{name}"` | {", ".join(said)} |'
 

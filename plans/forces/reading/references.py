@@ -253,9 +253,8 @@ def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
                 jumps.append((abs(first[0] - last[0]), table.shares[end]))
         if jumps:
             jump, share = max(jumps, key=itemgetter(0))
-            name, unit = ("pressure", "MPa") if table.pressure else ("force", "N")
-            told = (jump / 1_000_000 if table.pressure else jump).normalize()
-            details = {"travel": f"{share:f}", "jump": f"{told:f}", "name": name, "unit": unit}
+            name, unit, size = ("pressure", "MPa", jump / 10**6) if table.pressure else ("force", "N", jump)
+            details = {"travel": f"{share:f}", "jump": f"{size.normalize():f}", "name": name, "unit": unit}
             yield scene.fault(("loads", "forces", index, "diagram", "back"), "open_diagram", **details)
 
 

@@ -207,7 +207,7 @@ class PlansTable(Table):
         "open figures; beside force sheets the positions of these first.",
     )
     position: int | None = key(
-        f.POSITION, None, meaning="The position in full lines; default: the first of plans or forces, or the fastest."
+        f.POSITION, None, meaning="In full lines; default: first of plans, of forces, or fastest."
     )
 
 
