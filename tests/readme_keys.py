@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
@@ -11,17 +12,20 @@ from typing import Any
 from plans.scene.faults import Path as KeyPath
 from plans.scene.refusal import table_name
 from plans.scene.scene import Scene
+from plans.scene.schema import schema
 from plans.scene.tables import REQUIRED, Key, Table
 from plans.techniques import techniques
+from plans.words.words import spoken
 
 PAGE = Path(__file__).parent.parent / "drawings/gallery/keys.md"
+CHOICES = "Russian words of a choice"
 HEAD = ("| key | value | default | meaning |", "|---|---|---|---|")
 BLOCK = re.compile(r"(?<=<!-- )keys of (?P<part>[\w ]+) -->\n(?P<table>.*?)(?=<!-- end of keys -->)", re.DOTALL)
 
 
 def parts() -> Mapping[str, type[Table]]:
     """Give what is tabled together: what every scene has, and the form of each technique."""
-    return {"a scene": Scene, **{name: row.form() for name, row in techniques().items()}}
+    return {"a scene": Scene, **{name: row.form() for name, row in techniques().items()}, CHOICES: Table}
 
 
 def rows(kind: type[Table], path: KeyPath = ()) -> Iterator[str]:
@@ -60,7 +64,17 @@ def _default(value: Any) -> str:
 
 def tabled(part: str) -> str:
     """Give the table of one part as the page has it."""
-    return "\n".join((*HEAD, *rows(parts()[part]))) + "\n"
+    return "\n".join(russian() if part == CHOICES else (*HEAD, *rows(parts()[part]))) + "\n"
+
+
+def russian() -> Iterator[str]:
+    """Give a row a word that a key allows: what else it may be in Russian, however it is cased."""
+    yield from ("| word | in Russian |", "|---|---|")
+    known = json.dumps(schema(), ensure_ascii=False)  # what else is printed is read nowhere
+    shown = " ".join(line.split(" | ")[1] for kind in [*parts().values()][:-1] for line in rows(kind))
+    for name in dict.fromkeys(re.findall(r'"([^"]+)"', shown)):
+        if said := [one for one in spoken("ru", name) if f'"{one}"' in known]:
+            yield f'| `"{name}"` | {", ".join(said)} |'
 
 
 def renewed(text: str) -> str:

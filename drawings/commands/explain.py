@@ -234,7 +234,13 @@ def _value(mark: Mark, of: Explanation, digits: int) -> Message:
         radius = _written(at(mark.value.radius, 0).real, digits)
         return message("explain.arc", centre=_pair(at(mark.value.centre, 0), digits), radius=radius, unit=unit)
     place = _pair(0j if mark in of.zeros else at(mark.value, 0), digits)
-    return message("explain.point", value=place, unit=unit) if unit else place
+    return message("explain.point", value=place, unit=unit) if unit and not _directs(mark, of) else place
+
+
+def _directs(mark: Mark, of: Explanation) -> bool:
+    """Tell whether a vector of length 1 only gives lines their direction, and so has no unit."""
+    uses = {step.step.op for step in of.steps if mark in step.step.inputs}
+    return abs(abs(at(mark.point, 0)) - 1) < UNIT and bool(uses) and uses <= {"parallel", "square", "transfer"}
 
 
 def _moment(mark: Mark, digits: int) -> Message:

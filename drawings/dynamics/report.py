@@ -78,7 +78,8 @@ class DynamicsNotes(NamedTuple):
         else:
             key = "work given" if cycle.engine else "work of turn"
             moment = self._slot("M_dr", abs(cycle.driving))
-            yield self.drafting.phrase(key, work=self._slot("A_us(2π)", abs(cycle.net)), moment=moment)
+            work, count = self._slot("A_us(2π)", abs(cycle.net)), len(cycle.means)
+            yield self.drafting.phrase(key, count=count, work=work, moment=moment)
 
     def directed(self) -> Iterator[str]:
         """Say of loads that drive a machine which is no engine that one of them may have the wrong direction."""
@@ -96,7 +97,7 @@ class DynamicsNotes(NamedTuple):
         cycle, before = self.account.cycle, self.account.before
         if cycle is None or self.task.delta is not None or self.account.run is not None:
             return False
-        massive = cycle.inertia[0] + self.task.present > 0  # else nothing is said of its energy
+        massive = cycle.own + self.task.present > 0  # else nothing is said of its energy
         return massive and (before is None or not all(map(math.isfinite, before.extremes)))
 
     def reasons(self) -> Iterator[str]:
@@ -136,7 +137,7 @@ class DynamicsNotes(NamedTuple):
     def other(self) -> Iterator[str]:
         """Say what flywheel twice and half the fluctuation would ask for, and what the strips leave out."""
         wheel, cycle = self.account.flywheel, self.account.cycle
-        if wheel is None or cycle is None or not self.task.delta or wheel.needed <= 0:
+        if wheel is None or cycle is None or not self.task.delta or not self.aided:
             return
         deltas = [times * self.task.delta for times in OTHERS]
         more, less = (self.flywheel_at(delta).inertia for delta in deltas)
@@ -158,14 +159,19 @@ class DynamicsNotes(NamedTuple):
 
     def bare(self) -> Iterator[str]:
         """Say how the machine would run without the flywheel."""
-        before, wheel = self.account.before, self.account.flywheel
-        if self.account.speeds is not None and wheel is not None and wheel.needed > 0:
+        before = self.account.before
+        if self.account.speeds is not None and self.aided:
             stops = before is None or not all(map(math.isfinite, before.extremes))
             if stops or before is None:
                 yield self.drafting.phrase("without flywheel", own=self.drafting.word("would stop"))
             else:
                 motion = joined("", ("δ = ", self.drafting.slot(self._slot("δ without flywheel", before.delta))))
                 yield self.drafting.phrase("without flywheel", own=motion)
+
+    @property
+    def aided(self) -> bool:
+        """Whether the machine has a flywheel, as it needs one."""
+        return self.account.flywheel is not None and self.account.flywheel.needed > 0
 
     def sizes(self) -> Iterator[str]:
         """Say the sizes of the rim; of one that is too thick, what would do."""
@@ -256,11 +262,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
             *see(leaves, language, "moments", "works", "surplus", "speeds"),
             *_wheel(study, notes),
             *see(leaves, language, "inertia", "loop", "flywheel_sketch"),
-            *listed(chapter(language, "motion"), notes.achieved()),
+            *listed(chapter(language, "motion" if notes.aided else "motion_unaided"), notes.achieved()),
             *_run(study, notes),
             *see(leaves, language, "tachogram", "run"),
         ],
-        left_out=[word(language, "report.dynamics_left_out")],
+        left_out=[word(language, f"report.{'motor' if account.run is not None else 'dynamics'}_left_out")],
     )
 
 
@@ -321,7 +327,8 @@ def _concluded(study: Study) -> Iterator[str]:
     if task.delta and speeds is not None:
         key = "report.even_enough" if speeds.delta <= task.delta * (1 + EVEN) else "report.uneven"
         text = notes.drafting.number(speeds.delta, DIGITS)
-        yield word(language, key, delta=text, asked=notes.fluctuation(task.delta))
+        machine = word(language, f"report.{'with' if notes.aided else 'without'}_flywheel")
+        yield word(language, key, machine=machine, delta=text, asked=notes.fluctuation(task.delta))
 
 
 def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:

@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from drawings.linkage.report import ROUNDED
 from drawings.page.page import Drafting
 from drawings.report.formula import DIGITS
 from drawings.report.report import column, header, row, tabled, tiny, united
@@ -25,7 +26,7 @@ LARGEST = 1.0  # fluctuation: a machine that comes to rest once in a turn has 2
 def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
     """Tell moment, inertia and its slope at the positions of the scene."""
     heads = ("φ, °", "M_red, N*m", "J_red, kg*m2", "dJ/dφ, kg*m2")
-    columns = [np.degrees(found.phi), found.moment, found.inertia, found.slope]
+    columns = [np.round(np.degrees(found.phi), ROUNDED) % 360, found.moment, found.inertia, found.slope]
     yield from tabled(united(heads, drafting), columns, drafting.language, ABSENT)
 
 

@@ -175,7 +175,7 @@ def _friction(statics: Statics, comparison: ForceComparison, position: int, lang
     if found.wear:
         slots = {key: Slot(f"wear {key}", 100 * share, 3) for key, share in found.wear.items() if share > NOTHING}
         worn = (joined(NBSP, (key, numbered(language, slot), "%")) for key, slot in slots.items())
-        yield joined("", (f"{word(language, 'wear')}: ", joined(", ", worn)))
+        yield joined("", (f"{word(language, 'wear', count=np.isfinite(found.lost).sum())}: ", joined(", ", worn)))
     if found.jams:
         pairs = ", ".join(dict.fromkeys(jam.pair for jam in found.jams))
         yield word(language, "jams", pairs=pairs, positions=runs(sorted({jam.position for jam in found.jams})))

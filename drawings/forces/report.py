@@ -291,7 +291,7 @@ def _flanks(found: Kinetostatics, statics: Statics) -> Iterator[str]:
     against = np.flatnonzero(turning < -found.nothing_over[1]).tolist()
     moment = f"${Formula(drafting_of_forces(statics)).letter('M_bal')}$"
     said = "report.coast_flank" if against else "report.drive_flank"
-    yield f"{word(statics.study.language, said, moment=moment, positions=runs(against))}\n"
+    yield f"{word(statics.study.language, said, count=len(against), moment=moment, positions=runs(against))}\n"
 
 
 def _sized(column: Any, nothing: Any) -> Any:
@@ -320,7 +320,8 @@ def friction_lines(comparison: ForceComparison, found: Friction, language: str) 
     yield from tabled([*found.powers, *heads], [*powers, found.efficiency], language, "—")
     if found.cycle is not None:
         yield f"\n{say('report.cycle', efficiency=write(found.cycle))}"
-    yield say("report.wear", shares=", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items()))
+    shares = ", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items())
+    yield say("report.wear", count=np.isfinite(found.lost).sum(), shares=shares)
     for jam in found.jams:
         parts = {"pair": jam.pair, "position": jam.position, "advice": jam.advice}
         yield say("report.jam", **parts, ratio=write(jam.ratio))

@@ -83,7 +83,7 @@ def position_asked(study: LinkageStudy) -> int | None:
 def plans(
     study: LinkageStudy, comparison: MotionComparison, shown: int, beside: Collection[int] = ()
 ) -> tuple[int, ...]:
-    """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration.
+    """Give the positions whose plans are drawn: the scene's own, or the shown one, then one of a large acceleration.
 
     Where the forces of several positions stand beside, their inertia forces want the plans of these.
     """
@@ -101,7 +101,7 @@ def plans(
     if not free.any():
         return (shown,)
     other = _best(telling, free & ~_working(study), free)
-    return tuple(sorted((shown, other)))
+    return shown, other
 
 
 def planless(study: LinkageStudy, comparison: MotionComparison, beside: Sequence[int]) -> tuple[int, ...]:

@@ -64,7 +64,7 @@ def inside(stroke: Stroke, figure: str) -> list[Item]:
 def _lettering(group: Group, tables: object) -> str:
     if isinstance(tables, Mapping) and group.name.rpartition("-")[0] in tables:
         return "cell"
-    if group.name.startswith("equations-"):
+    if group.name.startswith(EQUATIONS):
         return "equation"
     return {"title-block": "title_cell", "notes": "note", "frame": "title_cell"}.get(group.name, "letter")
 
@@ -142,6 +142,7 @@ def brought(stroke: Stroke, by: Affine) -> Stroke:
             return stroke._replace(at=by(stroke.at), size=stroke.size * size, rotation=rotation)
 
 
+EQUATIONS = "equations-"  # begins the name of a group of workings, which has no heading
 STILL = ("frame", "corners", "title-block", "notes")  # what every sheet has, by the names of its groups
 
 
@@ -206,6 +207,8 @@ class SheetFigures:
             return message(f"exhibit.{name}")
         if name.rpartition("-")[0] in self.leaf.metadata.get("rows", {}):
             return message("exhibit.table", name=name)
+        if name.startswith(EQUATIONS):
+            return message("exhibit.equations")
         heading = self._heading(name)
         return message("exhibit.headed", title=heading) if heading else message("exhibit.other", name=name)
 

@@ -262,11 +262,16 @@ def _conclusion(study: Study, language: str) -> Iterator[str]:
     yield chapter(language, "conclusion")
     for report in map(report_of, study.techniques):
         lines = report.conclusion(study) if report.conclusion is not None else report.headline(study).splitlines()
-        yield from (line if line.startswith("- ") else entry(line[:1].upper() + line[1:]) for line in lines)
+        yield from (line if line.startswith("- ") else entry(_begun(line)) for line in lines)
     findings = together(study.comparisons)
     if findings:
         yield word(language, "report.agreed", count=len(findings), share=share(findings))
     yield from (f"- {line.worded(language)}" for line in remarks(study))
+
+
+def _begun(line: str) -> str:
+    """Begin a sentence with a capital; a letter of a quantity stays what it is."""
+    return re.sub(r"^[^\W\d_]+\b(?![\^{]| [=≈])", lambda word: word[0][:1].upper() + word[0][1:], line)
 
 
 def _idle(study: Study) -> Iterator[str]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
+from decimal import Decimal
 from functools import cached_property, partial
 from itertools import repeat
 from typing import TypeAlias
@@ -20,7 +21,8 @@ from plans.cam.hub import wall
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
-from plans.model.cam import Cam, Hub
+from plans.cam.reading.keyways import keyway
+from plans.model.cam import MM, Cam, Hub
 from plans.model.cam_motion import CamError, CamFound, Contour, large_roller, pivot_passed, thin_wall
 from plans.model.cyclogram import Window
 from plans.model.motion import Floats
@@ -79,7 +81,7 @@ class CamDrawing:
             if farthest >= found.sizes.centre:
                 raise pivot_passed(self.cam, farthest, found.sizes.centre)
         if (hub := self.cam.hub) is not None and (left := wall(found)) < hub.wall:
-            raise thin_wall(self.cam, left, hub.wall, self._larger(hub, found.sizes.base, left))
+            raise thin_wall(found, left, self._larger(hub, found.sizes.base, left), _fitting(found, hub))
 
     def _larger(self, hub: Hub, base: float, left: float) -> float:
         """Give how much larger a least radius leaves the wall, m: a roller by rule grows with it."""
@@ -147,3 +149,15 @@ def _place(scene: Scene, number: int, key: Path) -> str:
     path = "cam", number, *key
     line, column = scene.place(path)
     return f"{scene.file}:{line}:{column}: {dotted(path)}"
+
+
+def _fitting(found: CamFound, hub: Hub) -> int:
+    """Give the largest bore in whole mm that leaves its wall, with its keyway by the standard or this one; or 0."""
+    for bore in range(int(MM * hub.bore), 0, -1):
+        own, usual = hub._replace(bore=bore / MM), keyway(Decimal(bore))
+        if hub.standard:
+            width, depth = float(usual.width) / MM, float(usual.depth) / MM
+            own = own._replace(width=width, depth=depth, wall=depth)
+        if wall(replace(found, cam=replace(found.cam, hub=own))) >= own.wall:
+            return bore
+    return 0

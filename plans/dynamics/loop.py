@@ -201,7 +201,7 @@ def loop(cycle: Cycle, task: Task) -> Loop:
     greatest = _tangent(board, _touch(board, points, cycle, touches[1], GREATEST), axis, (GREATEST, "k"), high)
     origin = board.meet("O", least.line, greatest.line, why=because("machine_origin"))
     cuts = complex(least.cut.point).imag, complex(greatest.cut.point).imag
-    found = Flywheel(CONSTRUCTION, (low, high), touches, cuts, float(cycle.inertia[0]), task.present)
+    found = Flywheel(CONSTRUCTION, (low, high), touches, cuts, cycle.own, task.present)
     return Loop(board, points, axis, (least, greatest), origin, found)
 
 

@@ -189,7 +189,7 @@ class DynamicsStudy:
     @property
     def bare(self) -> float:
         """The inertia kg*m2 of the machine at position 0 without a flywheel."""
-        return float(self.cycle.inertia[0]) + self.task.present
+        return self.cycle.own + self.task.present
 
     @cached_property
     def curve(self) -> SpeedCurve | None:

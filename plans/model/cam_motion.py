@@ -95,13 +95,16 @@ def large_roller(cam: Cam, roller: float, base: float, most: float) -> CamError:
     return CamError(message("refused.cam_roller", name=cam.name, **sizes), "sizes", "roller")
 
 
-def thin_wall(cam: Cam, wall: float, least: float, more: float) -> CamError:
-    """Say that bore and keyway leave too little of the cam to its profile, m, and how much larger it must be."""
+def thin_wall(found: CamFound, wall: float, more: float, fits: int) -> CamError:
+    """Say that bore and keyway leave too little, m, how much larger R_0 must be, and what bore, mm, fits."""
+    cam = found.cam
     assert cam.hub is not None
     hub, kind = cam.hub, "refused.cam_wall" if wall > 0 else "refused.cam_bore"
     keyway = message("refused.cam_keyway", width=_mm(hub.width), depth=_mm(hub.depth)) if hub.width else ""
-    left = {"wall": _mm(abs(wall), 4), "least": _mm(least, 4), "more": _mm(_up(more), 4)}
-    return CamError(message(kind, name=cam.name, bore=_mm(hub.bore), keyway=keyway, **left), "hub", "bore")
+    left = {"wall": _mm(abs(wall), 4), "least": _mm(hub.wall, 4), "more": _mm(_up(more), 4)}
+    cure = message("refused.cam_bore_fits" if fits else "refused.cam_bore_smaller", most=fits)
+    sizes = {"bore": _mm(hub.bore), "keyway": keyway, "base": _mm(found.sizes.base, 4), "cure": cure}
+    return CamError(message(kind, name=cam.name, **sizes, **left), "hub", "bore")
 
 
 def no_radius(cam: Cam) -> CamError:

@@ -222,6 +222,11 @@ class Cycle:
         return settled(self.driving * self.turned + self.work, self.gross)
 
     @property
+    def own(self) -> float:
+        """The linkage's reduced inertia at position 0, kg*m2; where it does not move but for rounding, nothing."""
+        return float(settled(self.inertia[:1], float(np.abs(self.inertia).max()))[0])
+
+    @property
     def varying(self) -> Floats:
         """The part of the reduced inertia that changes, kg*m2: that above its value at position 0."""
         return settled(self.inertia - self.inertia[0], float(np.abs(self.inertia).max()))

@@ -67,7 +67,7 @@ def choice(
         return found
     near = [meant] if likely and (meant := likely(value)) else forms.likely(value, choices)
     advice = message("advice.meant", names=tuple(f'"{name}"' for name in near)) if near else message("advice.choose")
-    raise wrong(kind, choices=", ".join(choices), suggestion=advice)
+    raise wrong(kind, choices=choices, suggestion=advice)
 
 
 def whole(value: object, least: int) -> int:

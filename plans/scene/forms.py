@@ -10,7 +10,7 @@ from typing import Any
 from plans.scene.faults import Path, nearest
 from plans.scene.units import COMMA, FACTOR, LARGEST, MEGA, RATE_LIMIT, SYMBOLS, WRITTEN, UnitKind, folded
 from plans.techniques import TECHNIQUES, Technique, techniques
-from plans.words.words import languages, term
+from plans.words.words import languages, spoken
 
 Form = dict[str, Any]
 
@@ -128,8 +128,7 @@ def natural(own: tuple[str, ...], group: str = "kind") -> Mapping[str, str]:
 
 def _said(own: tuple[str, ...], group: str) -> Iterator[tuple[str, str]]:
     for name in own:
-        terms = (term(language, part, name) for language in languages() for part in (group, "natural"))
-        yield from ((said.strip(), name) for text in terms for said in text.split(","))
+        yield from ((said, name) for language in languages() for said in spoken(language, name, group))
 
 
 def _plain(name: object) -> str:

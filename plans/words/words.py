@@ -96,6 +96,19 @@ def term(language: str, group: str, name: str) -> str:
     return phrase.format() if isinstance(phrase, str) else name
 
 
+PRINTED = ("natural", "form_value", "during", "rod_on")  # groups of words that sheets and reports print for a choice
+
+
+def spoken(language: str, name: str, group: str = "kind") -> tuple[str, ...]:
+    """Give what a language calls a word of a fixed choice: in short, and as it is printed.
+
+    >>> spoken("ru", "roller")
+    ('ролик', 'роликовый')
+    """
+    said = (one.strip() for part in (group, *PRINTED) for one in term(language, part, name).split(","))
+    return tuple(dict.fromkeys(one for one in said if one != name))
+
+
 def written(name: str, language: str) -> str:
     """Write the letters of a vector as a language does.
 
@@ -145,6 +158,9 @@ class _PhrasePart:
         value = self.value
         if not wish or isinstance(value, Message):
             return said(value, self.language)
+        if wish == "choice" and isinstance(value, tuple):  # words of a file, English, beside those of another language
+            known = ((name, *spoken(self.language, name)[: self.language != ENGLISH]) for name in value)
+            value = tuple(f"{name} ({said[0]})" if said else name for name, *said in known)
         if isinstance(value, tuple):
             return _joined([said(name, self.language) for name in value], *words(self.language)[f"join.{wish}"])
         if wish == "number":

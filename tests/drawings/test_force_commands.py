@@ -129,7 +129,7 @@ def test_a_pair_that_jams_is_named_and_ends_with_4(run: Run, tmp_path: Path) -> 
 def test_all_steps_behind_a_force_go_back_to_the_fixed_points(run: Run, worked: Path) -> None:
     code, out, _ = run("explain", worked, "R_34", "--all")
     assert code == 0
-    assert "O: given = (0, 0) m. fixed point" in out
+    assert "O: given = (0, 0) m. fixed point" in out and "u0: given = (1, 0). direction" in out
     assert "R_34 [forces]: join" in out
 
 

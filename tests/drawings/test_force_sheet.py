@@ -18,6 +18,7 @@ from drawings.linkage.positions import force_positions, planless
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Fill, Leaf, Line, SheetError
 from drawings.paper.walk import flat, texts
+from drawings.reading.items import SheetFigures
 from drawings.symbols.couples import not_to_scale
 from drawings.symbols.figure import Arm
 from plans.forces.quantities import ForceComparison, compare_forces
@@ -107,6 +108,7 @@ def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_sc
         assert found is not None, name
         millimetres = abs(sides[name].end - sides[name].start)
         assert millimetres * sides[name].scale == pytest.approx(float(found[1]), abs=0.01 * sides[name].scale + 0.05)
+    assert str(SheetFigures(leaf).called("equations-4-5")) == "the workings"  # no title of a figure
     outer = ("R^n_34", "R^t_34", "Φ_4", "G_4", "Φ_5", "G_5", "F_us", "R_05")
     assert abs(sum(sides[name].value for name in outer)) < 0.1  # N, of 1700
 

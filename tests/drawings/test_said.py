@@ -21,6 +21,7 @@ from tests.drawings.bank_scenes import bank, compensator
 from tests.gallery import GALLERY
 from tests.plans.cyclograms import scene_text
 from tests.plans.dynamics_scenes import PLANING, text
+from tests.plans.force_cases import text_of
 from tests.plans.scenes import changed
 from tests.plans.test_cam_marks import SIZES, TURNING, one
 from tests.plans.test_cyclogram import CAM
@@ -94,6 +95,9 @@ ROWS = {
     "an order too slight to be drawn": Row(
         bank([(0, -100, 0), (120, 0, 0), (240, 100, 0)]) + ENGLISH, ["Below 1/1000 of the largest, not drawn: order 6"]
     ),
+    "a letter begins no sentence with a capital": Row(
+        bank([(0, -100, 0), (120, 0, 0), (240, 100, 0)], compensator(6)) + ENGLISH, ["\n- $mr_{VI}$"], ["$Mr"]
+    ),
     # Rotors
     "the quality of one plane: 4 kg*m of 20 kg at 100 rad/s": Row(
         rotor(UNLIKE, GRADED), ["e·ω = 20000 mm/s"], ["the worse plane, doubled"]
@@ -154,6 +158,8 @@ ROWS = {
         [r"$F_{\text{us}}$ at G of link 7, wherever it goes as on the working stroke"],
         ["its point reverses"],
     ),
+    "one position of the other flank": Row(text_of("shaper", ("= 1500", "= -1500")), ["never pull: in position 0 "]),
+    "wear is a mean over positions": Row(gallery("slotter", "forces"), ["(по 12 положениям)"]),
     # Cyclograms
     "the positions of a tool": Row(
         scene_text("shaper", "overrun = 0.1\nbreaks = [0.6, 0.75]\n" + CAM),
@@ -170,11 +176,16 @@ ROWS = {
     ),
     # Motion of a machine
     "heavy enough without a flywheel": Row(
-        text(asked='fluctuation = "1/5"\nshafts = [{ inertia = 40 }]'), ["heavy enough without a flywheel"]
+        text(asked='fluctuation = "1/5"\nshafts = [{ inertia = 40 }]'),
+        ["heavy enough without a flywheel", "## Motion without a flywheel", "- Without a flywheel δ"],
+        ["ith the flywheel"],
     ),
     "without its flywheel the machine would stop": Row(text(), [STOPS], ["wrong direction"]),
     "no rim of the diameter that is asked for": Row(
         text(asked='fluctuation = "1/40"\nflywheel.diameter = "0.2 m"'), ["No rim of D = 200"]
+    ),
+    "a piston alone is no inertia at its dead centre": Row(
+        re.sub(r"(?m)^[12] = \{ mass.*\n", "", text(drive="start = 180\npositions = 24")), ["the linkage has 0 at"]
     ),
     "a shaft beside the linkage": Row(
         text(asked='fluctuation = "1/25"\nshafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]'),
@@ -182,6 +193,11 @@ ROWS = {
     ),
     "no flywheel where no fluctuation is asked for, but that the machine would stop": Row(
         text(asked=NO_FLYWHEEL), ["M_dr", STOPS], ["Flywheel"]
+    ),
+    "with a motor the driving moment is constant for the flywheel alone": Row(
+        text(asked='fluctuation = "1/25"\nmotor = { starting = "200 N*m", synchronous = 20 }'),
+        ["the run with that of the motor", "= ($\\omega_{\\text{max}}$", "turn, by 26 strips, the loads"],
+        ["the drive's own slip"],
     ),
     "a heavy shaft has enough energy": Row(text(asked=f"{NO_FLYWHEEL}\nshafts = [{{ inertia = 40 }}]"), [], [STOPS]),
     "rounding is nothing: weights do no work over a turn": Row(
@@ -193,6 +209,7 @@ ROWS = {
             "- Crank: turns clockwise\n",
             "\n- $F_{\\text{us}}$ over the stroke. Working stroke: to the ",
             "the crank turns 180.00° over it",
+            "\n| 1 | 345",
         ],
     ),
     "loads that drive": Row(

@@ -60,6 +60,7 @@ def test_a_position_that_is_a_gap_is_not_drawn_as_the_shown_one() -> None:
     study = LinkageStudy(parse_scene(four_bar(crank=0.3, rod=0.2, rocker=0.25, start=20) + "[sheet]\nposition = 6\n"))
     with pytest.raises(ValueError, match="position = 6"):
         sheets(study, compare(study))
+    assert drawn(four_bar() + "[sheet]\nposition = 11\n")[1].metadata["plans"][0] == 11  # its plans stand beside it
 
 
 def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() -> None:

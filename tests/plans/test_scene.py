@@ -15,10 +15,12 @@ from plans.linkage.reading.fields import LineTable
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.guides import triangle
 from plans.linkage.reading.linkage import mechanism_of
+from plans.model.cam import FORCE, GROOVE, LAWS
 from plans.model.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene.faults import SHOWN, Fault, SceneError
+from plans.scene.forms import called
 from plans.scene.scene import parse_scene
-from plans.words.words import said
+from plans.words.words import said, word
 from tests.parts import examples, some
 from tests.plans.scenes import scene
 
@@ -159,6 +161,15 @@ def test_a_sheet_is_found_by_its_name_in_any_language(name: str) -> None:
 def test_a_name_of_no_sheet_is_told_the_nearest(name: str, nearest: str) -> None:
     (fault,) = faults(FOUR_BAR, ("[mechanism.frame]", f'sheets = ["{name}"]\n[mechanism.frame]'))
     assert nearest in fault.advice
+
+
+def test_a_word_of_a_choice_is_read_as_it_is_printed_and_in_short() -> None:
+    laws = {word("ru", f"sheet.law {law}"): law for law in LAWS} | {"синус": "sine", "Косинус": "cosine"}
+    assert {name: called(name, LAWS) for name in laws} == laws
+    assert [called(name, (FORCE, GROOVE)) for name in ("силовое", "пазовое")] == [FORCE, GROOVE]
+    assert [called(name) for name in ("структурный анализ", "центры")] == ["structure", "centres"]
+    (fault,) = faults(FOUR_BAR, ("[mechanism.frame]", 'sheets = ["x"]\n[mechanism.frame]'))
+    assert "dynamics (динамика), " in fault.worded("ru")
 
 
 def test_mobility_shows_its_count() -> None:

@@ -154,7 +154,7 @@ def flywheel(found: Exact, task: Task, slopes: tuple[float, float] | None = None
 
 def flywheel_of_points(cycle: Cycle, task: Task, slopes: tuple[float, float] | None = None) -> Flywheel:
     """Find it from a drawn loop alone: its corners, and the cubics that join them."""
-    return _flywheel(lambda slope, sign: _touch_drawn(cycle, slope, sign), float(cycle.inertia[0]), task, slopes)
+    return _flywheel(lambda slope, sign: _touch_drawn(cycle, slope, sign), cycle.own, task, slopes)
 
 
 def _flywheel(support: Support, linkage: float, task: Task, slopes: tuple[float, float] | None) -> Flywheel:

@@ -120,7 +120,7 @@ def with_flywheel_of_points(cycle: Cycle, slope: Floats, task: Task, wheel: Flyw
 
 def without_flywheel_of_points(cycle: Cycle, slope: Floats, task: Task) -> Speeds | None:
     """Give the motion of the machine as it is; None where it would stop."""
-    inertia = float(cycle.inertia[0]) + task.present
+    inertia = cycle.own + task.present
     energy = energy_at(task.speed, cycle.surplus, inertia + cycle.varying)
     return None if energy is None else _speeds(cycle, slope, inertia, energy)
 

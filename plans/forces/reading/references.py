@@ -253,8 +253,8 @@ def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
                 jumps.append((abs(first[0] - last[0]), table.shares[end]))
         if jumps:
             jump, share = max(jumps, key=itemgetter(0))
-            name, unit = ("pressure", "Pa") if table.pressure else ("force", "N")
-            details = {"travel": f"{share:f}", "jump": f"{jump:f}", "name": name, "unit": unit}
+            name, unit, size = ("pressure", "MPa", jump / 10**6) if table.pressure else ("force", "N", jump)
+            details = {"travel": f"{share:f}", "jump": f"{size.normalize():f}", "name": name, "unit": unit}
             yield scene.fault(("loads", "forces", index, "diagram", "back"), "open_diagram", **details)
 
 

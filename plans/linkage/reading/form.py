@@ -206,7 +206,7 @@ class PlansTable(Table):
         meaning="Positions whose plans are drawn; default: one of the working stroke and one more, both "
         "open figures; beside force sheets the positions of these first.",
     )
-    position: int | None = key(f.POSITION, None, meaning="The position in full lines; default: the first of plans.")
+    position: int | None = key(f.POSITION, None, meaning="In full lines; default: of plans or forces, or the fastest.")
 
 
 class ChosenTable(Table):
