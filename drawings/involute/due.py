@@ -1,0 +1,131 @@
+"""What must stand on the sheet of an involute pair, by formulas alone (лист эвольвентной передачи)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import chain
+
+import numpy as np
+
+from drawings.checks.expected import NOTES, Expected, cells, measured
+from drawings.involute.notes import InvoluteNotes
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
+from plans.analytic.involute import flank, sliding
+from plans.involute.quantities import SIZES as SIZED
+from plans.involute.study import InvoluteStudy
+from plans.model.involute import InvolutePair, PairSizes
+from plans.model.motion import Complexes
+from plans.model.teeth import placed, racked
+from plans.quantity import Comparison
+from plans.study import Study
+
+MESH, GENERATION, SLIDING, PAIR, SIZES = "mesh", "generation", "sliding", "pair", "sizes"
+MILLIMETRES, DEGREES, NUMBERS = 3, 4, 3  # decimals
+FAR = 1e-9  # of a place: both roads agree far better
+POINTS = 81  # of a flank
+Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
+
+
+def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
+    """Give the rows of what both wheels have in common: as drawn, by formulas."""
+    known = {one.name: one for one in comparison.findings}
+    for name in ("α_w", "a_w", "g_α", "ε_α", "λ_B1", "λ_B2"):
+        one = known[name]
+        times, places, unit = (1e3, MILLIMETRES, "mm") if one.unit == "m" else (1.0, NUMBERS, one.unit)
+        row = with_index(name) if unit == "1" else f"{with_index(name)}, {drafting.word(unit)}"
+        values: list[float | None] = [times * float(road[0]) for road in (one.construction, one.analysis)]
+        yield row, values, DEGREES if unit == "°" else places
+
+
+def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
+    """Give the rows of sizes: for each wheel as drawn, by formulas."""
+    known = {one.name: one for one in comparison.findings if one.unit == "m"}
+    for letter in ("d_w", "d_a", "d_f", "d_l", *(letter for letter, _, _ in SIZED[2:])):
+        values = list[float | None]()
+        for number in (1, 2):
+            one = known.get(f"{letter}{number}")
+            values += [None, None] if one is None else [1e3 * float(one.construction[0]), 1e3 * float(one.analysis[0])]
+        yield f"{with_index(letter.rstrip('_'))}, {drafting.word('mm')}", values, MILLIMETRES
+
+
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's pair."""
+    comparison, drafting = study.comparison("involute"), drafting_of(study.scene)
+    pair, sizes = study.of(InvoluteStudy).pair, comparison.analysis
+    yield from chain(_mesh(pair, sizes), _generation(pair, sizes), _sliding(pair, sizes))
+    for name, rows in ((PAIR, pair_rows(comparison, drafting)), (SIZES, size_rows(comparison, drafting))):
+        for row, values, places in rows:  # by formulas, in the columns of both roads
+            known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
+            yield from cells(name, row, [one for one in known for _ in range(2)])
+    for name, value in InvoluteNotes(pair, sizes, drafting).numbers().items():
+        lost = name in ("k", "p") or name[0] in "kD"
+        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
+
+
+def _side(pair: InvolutePair, sizes: PairSizes, number: int) -> Complexes:
+    wheel, found = pair.wheels[number], sizes.wheels[number]
+    side = flank(wheel, found.tip, found.root, POINTS)
+    return np.concatenate([side.fillet, side.involute[1:]])
+
+
+def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
+    """Give the points on the line of action, the centres, teeth and circles."""
+    along = complex(math.cos(sizes.angle), math.sin(sizes.angle))
+    first, second = (one.operating * math.sin(sizes.angle) for one in sizes.wheels)
+    tips = [math.sqrt(one.tip**2 - wheel.base**2) for one, wheel in zip(sizes.wheels, pair.wheels, strict=True)]
+    spots = {"P": 0.0, "N_1": -first, "N_2": pair.sense * second, "B_2": tips[0] - first}
+    spots["B_1"] = pair.sense * (second - tips[1])
+    for name, far in spots.items():
+        yield Expected(Kind.POINT, MESH, name, far * along, FAR * sizes.distance, may_lack=name == "P")
+    yield Expected(Kind.ANGLE, MESH, "α_w", sizes.angle, FAR)
+    for k, one in enumerate(placed(pair, sizes)):
+        n = one.wheel.number
+        slack = FAR * one.sizes.operating
+        if one.shown:
+            yield Expected(Kind.POINT, MESH, f"O_{n}", one.centre, slack)
+            yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
+        last = max(tips[k], math.sqrt(max(one.sizes.root**2 - one.wheel.base**2, 0.0)) if one.wheel.internal else 0.0)
+        start = sizes.angle - math.tan(sizes.angle)
+        for name, curve in one.circles(start + last / one.wheel.base).items():
+            yield Expected(Kind.CURVE, MESH, name, curve, slack)
+        yield Expected(Kind.CURVE, MESH, f"teeth {n}", one.teeth(_side(pair, sizes, k)), slack)
+
+
+def _generation(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
+    """Give the tooth of wheel 1, the rack in its positions, the circles, the shift."""
+    one = placed(pair, sizes)[0]
+    wheel, slack = one.wheel, FAR * one.wheel.radius
+    yield Expected(Kind.CURVE, GENERATION, "tooth", one.tooth(_side(pair, sizes, 0)), slack)
+    for name, curve in racked(wheel.rack, wheel.shift, wheel.radius).items():
+        yield Expected(Kind.CURVE, GENERATION, name, curve, slack)
+    ways = np.exp(1j * np.linspace(-0.75, 0.75, 65) * math.tau / wheel.teeth)
+    for name, radius in (("d_1", wheel.radius), ("d_b1", wheel.base)):
+        yield Expected(Kind.CURVE, GENERATION, name, 1j * (ways * radius - wheel.radius), slack)
+    shift = wheel.shift * wheel.rack.module
+    row = Expected(Kind.LENGTH, GENERATION, "x_1m", abs(shift), slack)
+    yield from measured(row, 1e3 * shift, digits=4, may_lack=True) if shift else ()
+
+
+def _sliding(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
+    """Give the courses of sliding, what it is at the feet, the active part and the base pitch."""
+    far = sizes.distance * math.sin(sizes.angle)
+    end = math.sqrt(sizes.wheels[0].tip ** 2 - pair.wheels[0].base ** 2)
+    slides = [one.sliding for one in sizes.wheels]
+    low, ratio = min(-2.0, 1.5 * min(slides)), pair.teeth[0] / pair.teeth[1]
+    length = far if pair.sense > 0 else 1.5 * end
+    first = ratio * far / (1 - low + pair.sense * ratio)
+    last = ratio * far * (1 - low) / (1 + pair.sense * ratio * (1 - low))
+    ends = (first, length), (0.0, min(last, length) if last > 0 else length)
+    for k, (name, span) in enumerate(zip(("λ_1", "λ_2"), ends, strict=True)):
+
+        def course(x: np.ndarray, k: int = k) -> np.ndarray:
+            with np.errstate(divide="ignore"):
+                return sliding(pair, x)[k]
+
+        yield Expected(Kind.CURVE, SLIDING, name, course, 1e-3, ends=span)
+        yield Expected(Kind.VECTOR, SLIDING, f"λ_B{k + 1}", 1j * slides[k], 1e-9)
+    for name, size in (("g_α", sizes.active), ("p_b", pair.rack.base_pitch)):
+        yield from measured(Expected(Kind.LENGTH, SLIDING, name, size, FAR), 1e3 * size, digits=4)

@@ -1,0 +1,193 @@
+"""Three pairs of teeth in mesh: base circles and their tangent, flanks unrolled, the active part (картина зацепления)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
+from drawings.paper.walk import stating
+from drawings.symbols.figure import Subject, around, heading, heading_width, point
+from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
+from plans.involute.study import InvoluteStudy
+from plans.model.motion import Complexes
+from plans.model.teeth import PlacedWheel, placed
+
+NAME, SYMBOL, UNIT = "mesh", "l", "m"
+MARGINS = Margins(4.5, 2.0, 2.0)
+LETTERS = 34.0  # it is drawn at least so many letters high
+DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
+ACTIVE, PAST = 1.5, 6.0  # times a main line: what is active; mm that lines go on beyond their ends
+ANGLE, TURN = 30.0, (12.0, math.radians(40), math.radians(100))  # mm: radius of the angle's arc; arrow of a rotation
+COMMON = 34.0  # mm of the common tangent to either side of P
+
+
+class ShownMesh(NamedTuple):
+    """A mesh to be drawn, in true places about P, m."""
+
+    points: Mapping[str, complex]
+    wheels: tuple[PlacedWheel, PlacedWheel]
+    teeth: Mapping[str, Complexes]
+    circles: Mapping[str, Complexes]
+    strings: Mapping[str, tuple[complex, complex]]  # of the flanks unrolled, by the number at the base circle
+    active: tuple[Complexes, Complexes]  # the parts of the flanks in P that touch
+    angle: float
+
+    @property
+    def known(self) -> list[complex]:
+        """All places that the figure must hold."""
+        curves = (complex(spot) for curve in (*self.teeth.values(), *self.circles.values()) for spot in curve[::6])
+        ends = (complex(curve[k]) for curve in self.circles.values() for k in (0, -1))
+        return [*curves, *ends, *self.points.values()]
+
+
+def shown(study: InvoluteStudy) -> ShownMesh:
+    """Give what is drawn of a pair."""
+    action, wheels = study.action, placed(study.pair, study.sizes)
+    marks = {mark.name: complex(mark.point) for mark in (*action.ends, action.pole, *action.active)}
+    marks |= {f"O_{one.wheel.number}": complex(centre.point)
+              for one, centre in zip(wheels, action.centres, strict=True) if one.shown}  # fmt: skip
+    teeth, circles, strings, active = (
+        dict[str, Complexes](),
+        dict[str, Complexes](),
+        dict[str, tuple[complex, complex]](),
+        list[Complexes](),
+    )
+    for one, flanks, foot, long in zip(wheels, study.flanks, action.feet, action.strings, strict=True):
+        n, base = one.wheel.number, one.wheel.base
+        leaves = [complex(point.leaves.point) for point in flanks.points]
+        turned = [cmath.phase((spot - one.centre) / one.up) for spot in leaves]
+        circles |= one.circles(max(turned))
+        teeth[f"teeth {n}"] = one.teeth(study.profile(flanks))
+        pairs = zip(leaves, (complex(point.end.point) for point in flanks.points), strict=True)
+        strings |= {f"{n}.{k}": pair for k, pair in enumerate(pairs, 1)}
+        slopes = np.linspace(foot, long, 25) / base
+        start = complex(flanks.start.point)
+        active.append(np.asarray(one.centre + start * np.exp(1j * slopes) * (1 - 1j * slopes)))
+    return ShownMesh(marks, wheels, teeth, circles, strings, (active[0], active[1]), action.angle)
+
+
+def measure(mesh: ShownMesh, drafting: Drafting) -> Picture:
+    """Measure the room that a mesh needs."""
+    hand = drafting.hand
+    title = heading_width(drafting.word("involute mesh"), hand)
+    return picture(NAME, mesh.known, (SYMBOL, UNIT), around(MARGINS, hand), title, LETTERS * hand.letter)
+
+
+def draw(mesh: ShownMesh, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw a mesh in its spot."""
+    drawing = _DrawnMesh(mesh, room.place(*spot), drafting.hand)
+    head = heading(spot.box, drafting.word("involute mesh"), drafting.scale(spot.scale), drafting.hand)
+    return LetteredFigure(NAME, (head, *drawing.lines()), drawing.letters)
+
+
+def polyline(places: Complexes, place: Place, style: LineStyle) -> Polyline:
+    """Draw true places as a chain."""
+    return Polyline(tuple(map(place.on, places.tolist())), False, style)
+
+
+class _DrawnMesh:
+    """A mesh at its place on paper."""
+
+    def __init__(self, mesh: ShownMesh, place: Place, hand: Hand) -> None:
+        self.mesh, self.place, self.hand = mesh, place, hand
+        self.spots = {name: place.on(spot) for name, spot in mesh.points.items()}
+        self.way = cmath.exp(1j * mesh.angle)
+
+    def lines(self) -> Iterator[Stroke]:
+        """Draw circles, strings, teeth, the line of action, the points."""
+        yield from self._circles()
+        yield from (
+            Line(self.place.on(start), self.place.on(end), self.hand.drafted)
+            for start, end in self.mesh.strings.values()
+        )
+        for name, curve in self.mesh.teeth.items():
+            yield stating(Statement(Kind.CURVE, NAME, name), polyline(curve, self.place, self.hand.result))
+        heavy = LineStyle(ACTIVE * self.hand.main)
+        yield from (polyline(curve, self.place, heavy) for curve in self.mesh.active)
+        yield from self._action()
+        yield from self._rotations()
+        yield from self._points()
+
+    def _circles(self) -> Iterator[Stroke]:
+        styles = {"d_a": self.hand.other, "d_f": self.hand.drafted, "d_b": self.hand.other, "d_w": self.hand.axis}
+        for name, curve in self.mesh.circles.items():
+            line = polyline(curve, self.place, styles.get(name[:3], self.hand.axis))
+            yield stating(Statement(Kind.CURVE, NAME, name), *fit_dashes([line]))
+
+    def _action(self) -> Iterator[Stroke]:
+        """Draw the line of centres, the radii of touch, the line of action with its active part, and its angle."""
+        spots, hand, past = self.spots, self.hand, PAST * self.hand.symbol
+        low, high = self._upright
+        yield from fit_dashes([Line(low - 1j * past, high + 1j * past, hand.axis)])
+        for one in self.mesh.wheels:
+            n = one.wheel.number
+            end = spots[f"N_{n}"]
+            inwards = self.place.on(one.centre) - end
+            start = spots.get(f"O_{n}", end + 4 * past * inwards / abs(inwards))
+            yield Line(start, end, hand.drafted)
+        ends = sorted(
+            (spots[name] for name in ("N_1", "N_2", "B_1", "B_2")), key=lambda spot: (spot * self.way.conjugate()).real
+        )
+        yield Line(ends[0] - past * self.way, ends[-1] + past * self.way, hand.other)
+        yield Line(spots["B_1"], spots["B_2"], LineStyle(ACTIVE * hand.main))
+        pole = spots["P"]
+        long = COMMON * hand.symbol
+        yield Line(pole - long, pole + long, hand.drafted)
+        arrow = TurnArrow(pole, ANGLE * hand.symbol, 0.0, self.mesh.angle)
+        yield stating(Statement(Kind.ANGLE, NAME, "α_w"), *arrow.angle(hand))
+
+    @property
+    def _upright(self) -> tuple[complex, complex]:
+        """Where the line of centres begins and ends: at centres, or where the teeth do."""
+        heights = [spot.imag for name, spot in self.spots.items() if name[0] == "O"]
+        heights += [self.place.on(complex(curve[len(curve) // 2])).imag for curve in self.mesh.circles.values()]
+        across = self.spots["P"].real
+        return complex(across, min(heights)), complex(across, max(heights))
+
+    def _rotations(self) -> Iterator[Stroke]:
+        """Draw how the wheels turn: wheel 1 clockwise."""
+        for one in self.mesh.wheels:
+            if one.shown:
+                turns = self._turn(one)
+                yield stating(Statement(Kind.DIRECTION, NAME, f"ω_{one.wheel.number}"), *turns.draw(self.hand))
+
+    def _turn(self, one: PlacedWheel) -> TurnArrow:
+        sense = -1.0 if one.up == 1j else 1.0
+        return rotation(self.spots[f"O_{one.wheel.number}"], sense, TURN, self.hand)
+
+    def _points(self) -> Iterator[Stroke]:
+        subject = Subject(NAME, SYMBOL, None)
+        for name, spot in self.spots.items():
+            circle = Circle(spot, DOT * self.hand.symbol, INK)
+            yield point(subject, name, self.mesh.points[name], self.place, circle, "pole" if name == "P" else "point")
+
+    def letters(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the points, the angle, the circles at their ends, the numbers of the strings."""
+        hand, away = self.hand, cmath.phase(-1j * self.way)
+        sides = {"P": away - 0.3, "N_1": away + math.pi, "N_2": away, "B_1": away, "B_2": away + math.pi}
+        for name, spot in self.spots.items():
+            yield labels.beside(spot, with_index(name), hand.letter, BESIDE, sides.get(name, math.pi))
+        middle = self.spots["P"] + ANGLE * hand.symbol * cmath.exp(0.5j * self.mesh.angle)
+        yield labels.beside(middle, with_index("α_w"), hand.letter, BESIDE, 0.0)
+        for one in self.mesh.wheels:
+            if one.shown:
+                spot, turned = self._turn(one).middle
+                yield labels.beside(spot, with_index(f"ω_{one.wheel.number}"), hand.letter, BESIDE, turned)
+        for name, curve in self.mesh.circles.items():
+            end, before = self.place.on(complex(curve[0])), self.place.on(complex(curve[1]))
+            yield labels.beside(end, with_index(name), hand.number, BESIDE, cmath.phase(end - before))
+        for name, (start, _) in self.mesh.strings.items():
+            one = self.mesh.wheels[int(name[0]) - 1]
+            at, centre = self.place.on(start), self.place.on(one.centre)
+            yield labels.beside(at, name[2:], hand.number, BESIDE / 2, cmath.phase(centre - at))

@@ -1,0 +1,59 @@
+"""The sheet of an involute pair: mesh, generation, sliding, tables of sizes and of measuring (лист передачи)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from drawings.involute import generation, mesh, sliding
+from drawings.involute.due import PAIR, SIZES, expected, pair_rows, size_rows
+from drawings.involute.notes import InvoluteNotes
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.words import fixed
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.kind import GRAPH, PLAN, SheetKind
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, exhibit, figures_facts
+from plans.involute.study import InvoluteStudy
+from plans.quantity import Comparison
+from plans.study import Study
+
+NAME = "involute"
+
+
+def tables(comparison: Comparison, drafting: Drafting) -> tuple[RuledTable, RuledTable]:
+    """Tell the sizes of the pair, then those of each wheel, as they are drawn and by formulas."""
+    word, text = drafting.word, drafting.hand.text
+    roads = word("by construction"), word("by analysis")
+    both = tuple(word("involute wheel", number=n, road=road) for n in (1, 2) for road in roads)
+    first = [_row(name, cells, places, drafting) for name, cells, places in pair_rows(comparison, drafting)]
+    second = [_row(name, cells, places, drafting) for name, cells, places in size_rows(comparison, drafting)]
+    return (
+        table(first, word("quantity"), roads, text)._replace(name=PAIR),
+        table(second, word("quantity"), both, text)._replace(name=SIZES),
+    )
+
+
+def _row(name: str, cells: Sequence[float | None], places: int, drafting: Drafting) -> TableRow:
+    return TableRow(name, tuple("—" if one is None else fixed(one, drafting.language, places) for one in cells))
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's pair."""
+    found, drafting = study.of(InvoluteStudy), drafting_of(study.scene)
+    shows = (
+        exhibit(mesh, mesh.shown(found), drafting, weight=2.0),
+        exhibit(generation, generation.shown(found), drafting),
+        exhibit(sliding, sliding.shown(found), drafting),
+    )
+    told = tables(study.comparison(NAME), drafting)
+    title, notes = drafting.word("involute sheet title"), InvoluteNotes.of(found, drafting).all
+    return lay_out(
+        study.scene, [Draft(NAME, title, shows, told, notes, figures_facts, mesh.NAME, later=lambda scales: {})]
+    )
+
+
+SCALES: Final = {mesh.NAME: "mesh", generation.NAME: "generation"}
+FORM: Final = {mesh.NAME: PLAN, generation.NAME: PLAN, sliding.NAME: GRAPH}
+SHEETS: Final = {NAME: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(PAIR, SIZES))}
