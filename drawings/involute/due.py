@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,10 +23,12 @@ from plans.model.teeth import placed, racked
 from plans.quantity import Comparison
 from plans.study import Study
 
-MESH, GENERATION, SLIDING, PAIR, SIZES = "mesh", "generation", "sliding", "pair", "sizes"
+MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", "pair", "sizes", "data"
 MILLIMETRES, DEGREES, NUMBERS = 3, 4, 3  # decimals
+DIGITS = 7  # of the data
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
+LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
 
@@ -51,6 +54,26 @@ def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
         yield f"{with_index(letter.rstrip('_'))}, {drafting.word('mm')}", values, MILLIMETRES
 
 
+def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Give the rows of the data of both wheels, as GOST 2.403 has them: module, teeth, shift, circles, measuring."""
+    mm, wheels = drafting.word("mm"), pair.wheels
+    heights = [1e3 * abs(one.tip - one.root) for one in sizes.wheels]
+    rows = {
+        "m": [1e3 * pair.rack.module] * 2,
+        "z": pair.teeth,
+        "x": pair.shifts,
+        "d": [2e3 * wheel.radius for wheel in wheels],
+        "d_b": [2e3 * wheel.base for wheel in wheels],
+        "h": heights,
+        "k": [wheel.spanned for wheel in wheels],
+        "D": [1e3 * wheel.pin for wheel in wheels],
+    }
+    for letter, (first, second) in rows.items():
+        unit = "" if letter in "zxk" else f", {mm}"
+        word = drafting.word(f"involute {letter}")
+        yield f"{word} {with_index(letter)}{unit}", (float(first), float(second))
+
+
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's pair."""
     comparison, drafting = study.comparison("involute"), drafting_of(study.scene)
@@ -60,8 +83,10 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         for row, values, places in rows:  # by formulas, in the columns of both roads
             known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
             yield from cells(name, row, [one for one in known for _ in range(2)])
+    for row, both in data_rows(pair, sizes, drafting):
+        yield from cells(DATA, row, [(one, FAR) for one in both], digits=DIGITS)
     for name, value in InvoluteNotes(pair, sizes, drafting).numbers().items():
-        lost = name in ("k", "p") or name[0] in "kD"
+        lost = name == "k"
         yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
 
 
@@ -87,9 +112,8 @@ def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
         if one.shown:
             yield Expected(Kind.POINT, MESH, f"O_{n}", one.centre, slack)
             yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
-        last = max(tips[k], math.sqrt(max(one.sizes.root**2 - one.wheel.base**2, 0.0)) if one.wheel.internal else 0.0)
-        start = sizes.angle - math.tan(sizes.angle)
-        for name, curve in one.circles(start + last / one.wheel.base).items():
+        last = sizes.angle if one.wheel.internal else sizes.angle - math.tan(sizes.angle) + tips[k] / one.wheel.base
+        for name, curve in one.circles(last).items():
             yield Expected(Kind.CURVE, MESH, name, curve, slack)
         yield Expected(Kind.CURVE, MESH, f"teeth {n}", one.teeth(_side(pair, sizes, k)), slack)
 
@@ -109,16 +133,30 @@ def _generation(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     yield from measured(row, 1e3 * shift, digits=4, may_lack=True) if shift else ()
 
 
+class Reach(NamedTuple):
+    """How far the graph of sliding goes: along the line from N_1, m, and down; between which places each course lies."""
+
+    length: float
+    low: float
+    spans: tuple[tuple[float, float], tuple[float, float]]
+
+
+def reach(pair: InvolutePair, far: float, end: float, slides: Sequence[float]) -> Reach:
+    """Give how far the graph goes of a pair: to N_2, of an internal pair past B_2; down to below the sliding at feet."""
+    low, ratio = min(LEAST, BEYOND * min(slides)), pair.teeth[0] / pair.teeth[1]
+    length = BEYOND * end if pair.internal else far
+    first = ratio * far / (1 - low + pair.sense * ratio)
+    share = 1 + pair.sense * ratio * (1 - low)  # of an internal pair wheel 2 never slides so much
+    last = min(ratio * far * (1 - low) / share, length) if share > 0 else length
+    return Reach(length, low, ((first, length), (0.0, last)))
+
+
 def _sliding(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     """Give the courses of sliding, what it is at the feet, the active part and the base pitch."""
     far = sizes.distance * math.sin(sizes.angle)
     end = math.sqrt(sizes.wheels[0].tip ** 2 - pair.wheels[0].base ** 2)
     slides = [one.sliding for one in sizes.wheels]
-    low, ratio = min(-2.0, 1.5 * min(slides)), pair.teeth[0] / pair.teeth[1]
-    length = far if pair.sense > 0 else 1.5 * end
-    first = ratio * far / (1 - low + pair.sense * ratio)
-    last = ratio * far * (1 - low) / (1 + pair.sense * ratio * (1 - low))
-    ends = (first, length), (0.0, min(last, length) if last > 0 else length)
+    ends = reach(pair, far, end, slides).spans
     for k, (name, span) in enumerate(zip(("λ_1", "λ_2"), ends, strict=True)):
 
         def course(x: np.ndarray, k: int = k) -> np.ndarray:

@@ -82,7 +82,7 @@ def _lines(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator[
         style = hand.axis if name == "d_1" else hand.other
         yield stating(Statement(Kind.CURVE, NAME, name), *fit_dashes([polyline(curve, place, style)]))
     for name, curve in made.racks.items():
-        style = hand.relative if name == "rack 0" else hand.drafted
+        style = hand.relative if name in ("0", "0'") else hand.drafted
         yield stating(Statement(Kind.CURVE, NAME, name), polyline(curve, place, style))
     yield stating(Statement(Kind.CURVE, NAME, "tooth"), polyline(made.tooth, place, hand.result))
     for level in dict.fromkeys((0.0, made.wheel.shift * made.wheel.rack.module)):
@@ -123,6 +123,11 @@ def _shift(made: ShownGeneration, place: Place, drafting: Drafting) -> Dimension
 def _letters(made: ShownGeneration, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     hand = drafting.hand
     yield labels.beside(place.on(0j), with_index("P_0"), hand.letter, BESIDE, -math.pi / 3)
+    levels = {0.0: "involute pitch line", made.wheel.shift * made.wheel.rack.module: "involute mean line"}
+    for level, word in levels.items():
+        spot = place.on(complex(made.reach, level))
+        side = math.pi / 2 if level > 0 or (level == 0 and made.wheel.shift < 0) else -math.pi / 2
+        yield labels.beside(spot, drafting.word(word), hand.number, BESIDE, side)
     for name, curve in made.circles.items():
         end, before = place.on(complex(curve[0])), place.on(complex(curve[1]))
         yield labels.beside(end, with_index(name), hand.number, BESIDE, cmath.phase(end - before))

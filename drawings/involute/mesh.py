@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +14,7 @@ from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spo
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
+from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject, around, heading, heading_width, point
 from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
@@ -65,12 +64,12 @@ def shown(study: InvoluteStudy) -> ShownMesh:
     )
     for one, flanks, foot, long in zip(wheels, study.flanks, action.feet, action.strings, strict=True):
         n, base = one.wheel.number, one.wheel.base
-        leaves = [complex(point.leaves.point) for point in flanks.points]
-        turned = [cmath.phase((spot - one.centre) / one.up) for spot in leaves]
-        circles |= one.circles(max(turned))
-        teeth[f"teeth {n}"] = one.teeth(study.profile(flanks))
-        pairs = zip(leaves, (complex(point.end.point) for point in flanks.points), strict=True)
+        unrolled = () if one.wheel.internal else flanks.points  # a ring's strings begin far from its teeth
+        pairs = [(complex(point.leaves.point), complex(point.end.point)) for point in unrolled]
         strings |= {f"{n}.{k}": pair for k, pair in enumerate(pairs, 1)}
+        last = pairs[-1][0] if pairs else marks[f"N_{n}"]
+        circles |= one.circles(cmath.phase((last - one.centre) / one.up))
+        teeth[f"teeth {n}"] = one.teeth(study.profile(flanks))
         slopes = np.linspace(foot, long, 25) / base
         start = complex(flanks.start.point)
         active.append(np.asarray(one.centre + start * np.exp(1j * slopes) * (1 - 1j * slopes)))

@@ -33,19 +33,16 @@ class InvoluteNotes(NamedTuple):
         """Give the numbers of all notes by the names of their quantities: mm, degrees, modules."""
         pair, rack, sizes = self.pair, self.pair.rack, self.sizes
         moved = (sizes.distance - pair.standard) / rack.module
-        found = {"m": 1e3 * rack.module, "z_1": pair.teeth[0], "z_2": pair.teeth[1], "x_1": pair.shifts[0]}
-        found |= {"x_2": pair.shifts[1], "α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance}
+        found = {"α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance}
         found |= {"ρ*": rack.rounding, "a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
         found |= {"Δy": pair.total - moved, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio, "k": pair.tip_relief}
         found |= {"g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
-        for wheel, one in zip(pair.wheels, sizes.wheels, strict=True):
-            n = wheel.number
-            found |= {f"s_a{n}/m": one.tip_thickness / rack.module, f"k_{n}": wheel.spanned, f"D_{n}": 1e3 * wheel.pin}
+        for n, one in enumerate(sizes.wheels, 1):
+            found[f"s_a{n}/m"] = one.tip_thickness / rack.module
         return found
 
     def given(self) -> Iterator[str]:
         """Say what is given."""
-        yield self._said("involute given", "m", "z_1", "z_2", "x_1", "x_2")
         yield self._said("involute rack", "α", "h*", "c*", "ρ*", "p")
 
     def mesh(self) -> Iterator[str]:
@@ -58,7 +55,7 @@ class InvoluteNotes(NamedTuple):
 
     def measured(self) -> Iterator[str]:
         """Say over how many teeth and pins is measured, and what the numbers at the base circles are."""
-        yield self._said("involute span ring" if self.pair.internal else "involute span", "k_1", "k_2", "D_1", "D_2")
+        yield self.drafting.word("involute span ring" if self.pair.internal else "involute span")
         yield self.drafting.word("involute lines")
 
     def _said(self, key: str, *names: str) -> Phrase:

@@ -1,4 +1,4 @@
-"""The graph of specific sliding along the line of action, with its active part and the base pitch (удельное скольжение)."""
+"""The graph of specific sliding along the line of action, its active part, the base pitch (удельное скольжение)."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.involute.due import reach
 from drawings.kinds.axes import Letter, Part
 from drawings.kinds.graph import Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
@@ -20,7 +21,6 @@ from plans.model.motion import Floats
 
 NAME, LAMBDA = "sliding", "λ"
 FORM = GraphForm(1.5, 1.5, Margins(3.5, 2.5, 1.5), 26.0)
-LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
 ABOVE = 2.2  # the ordinate that the graph goes up to: sliding is less than 1, above it stand the dimensions
 LEVELS = {"g_α": 1.9, "p_b": 1.35}  # the ordinates of the dimensions
 POINTS = 121
@@ -44,25 +44,16 @@ def shown(study: InvoluteStudy) -> ShownSliding:
     pole = abs(complex(action.pole.point) - complex(action.ends[0].point))
     start, end = action.feet[0], action.strings[0]
     places = {"N_1": 0.0, "B_1": start, "P": pole, "B_2": end} | ({"N_2": far} if sense > 0 else {})
-    low = min(LEAST, BEYOND * min(action.sliding))
-    length = far if sense > 0 else BEYOND * end
+    to = reach(study.pair, far, end, action.sliding)
     curves = dict[str, tuple[Floats, Floats]]()
-    for n, span in spans(ratio, far, sense, low, length).items():
+    for n, span in zip(("λ_1", "λ_2"), to.spans, strict=True):
         x = np.linspace(*span, POINTS)
         other = far - x if sense > 0 else far + x
         pair = {"λ_1": (x, other * ratio), "λ_2": (other * ratio, x)}[n]
         curves[n] = x, 1 - pair[1] / pair[0]
     return ShownSliding(
-        places, length, low, curves, {"g_α": action.length, "p_b": study.pair.rack.base_pitch}, action.sliding
+        places, to.length, to.low, curves, {"g_α": action.length, "p_b": study.pair.rack.base_pitch}, action.sliding
     )
-
-
-def spans(ratio: float, far: float, sense: int, low: float, length: float) -> dict[str, tuple[float, float]]:
-    """Give between which distances from N_1 each curve lies above a value, m."""
-    first = ratio * far / (1 - low + sense * ratio)
-    last = ratio * far * (1 - low) / (1 + sense * ratio * (1 - low))
-    last = min(last, length) if last > 0 else length
-    return {"λ_1": (first, length), "λ_2": (0.0, last)}
 
 
 def measure(graph: ShownSliding, drafting: Drafting) -> Picture:

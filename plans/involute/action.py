@@ -106,7 +106,7 @@ class Action:
     def tips(self) -> tuple[float, float]:
         """The tip radii, m: each leaves the clearance to the other's root; an internal wheel clears the fillet too."""
         rack, relief = self.pair.rack, self.pair.tip_relief
-        first, second = self.pair.wheels
+        first = self.pair.wheels[0]
         head = first.radius + rack.module * (rack.head + first.shift)
         if self.pair.internal:
             return head, self.roots[0] + self.distance + rack.module * (rack.clearance + relief)

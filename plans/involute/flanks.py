@@ -12,7 +12,7 @@ from plans.involute.action import Action, half_at_base, rolled
 from plans.model.involute import GearWheel
 from plans.words.words import because
 
-DIVISIONS = 8  # equal arcs of the base circle from which a flank is unrolled
+DIVISIONS = 6  # equal arcs of the base circle from which a flank is unrolled
 
 
 class Unrolled(NamedTuple):
@@ -51,9 +51,8 @@ class Flanks:
 
     @cached_property
     def points(self) -> tuple[Unrolled, ...]:
-        """The points of the flank that touches in P, by equal arcs to its furthest one."""
-        last = max(self.slope(self.tip), self.slope(self.root) if self.wheel.internal else 0.0)
-        name = f"E_{self.wheel.number}"
+        """The points of the flank that touches in P, by equal arcs to the tip."""
+        last, name = self.slope(self.tip), f"E_{self.wheel.number}"
         return tuple(self.at(f"{name},{k}", last * k / DIVISIONS) for k in range(1, DIVISIONS + 1))
 
     def thick(self, name: str, radius: float) -> tuple[Mark, Mark, float]:

@@ -75,6 +75,8 @@ class _ComparedPair(NamedTuple):
     def generated(self) -> Iterator[Quantity]:
         """Compare what the rack leaves: the root circle, and where the involute begins."""
         for flanks, theirs in zip(self.study.flanks, self.theirs.wheels, strict=True):
+            if flanks.wheel.internal:
+                yield self._of("d_f2", "m", (2 * flanks.root, 2 * theirs.root), 2 * self.slack)
             if found := self.study.generated.get(flanks.wheel.number):
                 n, base = flanks.wheel.number, flanks.wheel.base
                 root, begin = abs(complex(found.points[0])), abs(complex(np.atleast_1d(found.involute.point)[0]))

@@ -110,21 +110,26 @@ def _axis(wheel: GearWheel, sizes: WheelSizes) -> float:
     return arc / 2 / sizes.operating
 
 
-RACK = 7  # positions of a rack to a pitch on either side
+RACK = 8  # positions of a rack to a pitch
+TOUCHING = 5  # of them on either side in which it touches a tooth
 
 
 def racked(rack: Rack, shift: float, radius: float) -> dict[str, Complexes]:
-    """Give the rack about a tooth in each of its positions as the wheel sees them, m about P_0 in the middle one."""
-    basic = _rack(rack, shift)
-    steps = {k: k * rack.pitch / RACK for k in range(-RACK, RACK + 1)}
-    return {f"rack {k}": (basic + s + 1j * radius) * cmath.exp(1j * s / radius) - 1j * radius for k, s in steps.items()}
+    """Give both flanks of the rack about a tooth in each position as the wheel sees them, m about P_0 in the middle."""
+    flanks = dict(zip(("", "'"), _rack(rack, shift), strict=True))
+    steps = {k: k * rack.pitch / RACK for k in range(-TOUCHING, TOUCHING + 1)}
+    return {
+        f"{k}{prime}": (flank + s + 1j * radius) * cmath.exp(1j * s / radius) - 1j * radius
+        for k, s in steps.items()
+        for prime, flank in flanks.items()
+    }
 
 
-def _rack(rack: Rack, shift: float) -> Complexes:
-    """Give the rack about one of its spaces, from the middle of one tooth's tip to that of the next, m."""
+def _rack(rack: Rack, shift: float) -> tuple[Complexes, Complexes]:
+    """Give the flanks on both sides of a space of the rack, from the middle of a tooth's tip up to its root, m."""
     m, lean = rack.module, np.linspace(math.pi / 2, rack.angle, ARC)
     corner = complex(rack.land, shift - rack.straight + rack.rounding * math.sin(rack.angle)) * m
-    bottom = complex(math.pi / 4 + rack.head * math.tan(rack.angle), shift + rack.head) * m
-    round_ = corner + rack.rounding * m * np.exp(-1j * lean)
-    left = np.concatenate([[1j * (corner.imag - rack.rounding * m)], round_, [bottom]]) - rack.pitch / 2
-    return np.concatenate([left, -left[::-1].conj()])
+    root = complex(math.pi / 4 + rack.head * math.tan(rack.angle), shift + rack.head) * m
+    rounded = corner + rack.rounding * m * np.exp(-1j * lean)
+    left = np.concatenate([[1j * (corner.imag - rack.rounding * m)], rounded, [root]]) - rack.pitch / 2
+    return left, np.asarray(-left.conj())
