@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.expected import NOTES, Expected, cells, measured
-from drawings.involute.notes import InvoluteNotes
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
@@ -25,9 +24,10 @@ from plans.study import Study
 
 MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", "pair", "sizes", "data"
 MILLIMETRES, DEGREES, NUMBERS = 3, 4, 3  # decimals
-DIGITS = 7  # of the data
+DIGITS = 6  # of the data
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
+EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
 LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
@@ -74,6 +74,17 @@ def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Itera
         yield f"{word} {with_index(letter)}{unit}", (float(first), float(second))
 
 
+def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
+    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules."""
+    rack = pair.rack
+    moved = round((sizes.distance - pair.standard) / rack.module, EXACT) + 0.0
+    found = {"α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance, "ρ*": rack.rounding}
+    found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
+    found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
+    found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
+    return found | {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+
+
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's pair."""
     comparison, drafting = study.comparison("involute"), drafting_of(study.scene)
@@ -85,7 +96,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             yield from cells(name, row, [one for one in known for _ in range(2)])
     for row, both in data_rows(pair, sizes, drafting):
         yield from cells(DATA, row, [(one, FAR) for one in both], digits=DIGITS)
-    for name, value in InvoluteNotes(pair, sizes, drafting).numbers().items():
+    for name, value in noted(pair, sizes).items():
         lost = name == "k"
         yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
 
@@ -128,13 +139,14 @@ def _generation(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     ways = np.exp(1j * np.linspace(-0.75, 0.75, 65) * math.tau / wheel.teeth)
     for name, radius in (("d_1", wheel.radius), ("d_b1", wheel.base)):
         yield Expected(Kind.CURVE, GENERATION, name, 1j * (ways * radius - wheel.radius), slack)
+    yield Expected(Kind.ANGLE, GENERATION, "α", wheel.rack.angle, FAR)
     shift = wheel.shift * wheel.rack.module
     row = Expected(Kind.LENGTH, GENERATION, "x_1m", abs(shift), slack)
     yield from measured(row, 1e3 * shift, digits=4, may_lack=True) if shift else ()
 
 
 class Reach(NamedTuple):
-    """How far the graph of sliding goes: along the line from N_1, m, and down; between which places each course lies."""
+    """How far the graph of sliding goes: along the line from N_1, m, and down; where each course begins and ends."""
 
     length: float
     low: float
@@ -142,7 +154,7 @@ class Reach(NamedTuple):
 
 
 def reach(pair: InvolutePair, far: float, end: float, slides: Sequence[float]) -> Reach:
-    """Give how far the graph goes of a pair: to N_2, of an internal pair past B_2; down to below the sliding at feet."""
+    """Give how far the graph goes: to N_2, of an internal pair past B_2; down to below the sliding at the feet."""
     low, ratio = min(LEAST, BEYOND * min(slides)), pair.teeth[0] / pair.teeth[1]
     length = BEYOND * end if pair.internal else far
     first = ratio * far / (1 - low + pair.sense * ratio)

@@ -1,4 +1,4 @@
-"""A tooth as the rack cuts it: the rack's positions as the wheel sees them, and what they envelop (станочное зацепление)."""
+"""A tooth as the rack cuts it: the rack's positions as the wheel sees them, and their envelope (огибание)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.involute.mesh import BESIDE, DOT, SYMBOL, UNIT, polyline
+from drawings.involute.mesh import ANGLE, BESIDE, DOT, SYMBOL, UNIT, polyline
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.words import Slot, joined, telling, with_index
@@ -18,7 +18,7 @@ from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Kind, Line, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import fit_dashes
+from drawings.symbols.symbols import TurnArrow, fit_dashes
 from plans.involute.study import InvoluteStudy
 from plans.model.involute import GearWheel
 from plans.model.motion import Complexes
@@ -86,8 +86,8 @@ def _lines(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator[
         yield stating(Statement(Kind.CURVE, NAME, name), polyline(curve, place, style))
     yield stating(Statement(Kind.CURVE, NAME, "tooth"), polyline(made.tooth, place, hand.result))
     for level in dict.fromkeys((0.0, made.wheel.shift * made.wheel.rack.module)):
-        ends = (place.on(complex(side * made.reach, level)) for side in (-1, 1))
-        yield from fit_dashes([Line(*ends, hand.axis)])
+        start, end = (place.on(complex(side * made.reach, level)) for side in (-1, 1))
+        yield from fit_dashes([Line(start, end, hand.axis)])
     yield from _action(made, place, drafting)
     size = _shift(made, place, drafting)
     yield from size.draw(hand) if size else ()
@@ -100,9 +100,10 @@ def _action(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator
     rack, r = made.wheel.rack, made.wheel.radius
     along = cmath.exp(1j * rack.angle)
     start, end = -r * math.sin(rack.angle) * along, rack.module * along * 2.5
-    yield Line(
-        place.on(max(start, -rack.module * along * 4, key=lambda spot: spot.real)), place.on(end), drafting.hand.drafted
-    )
+    start = max(start, -4 * rack.module * along, key=lambda spot: spot.real)
+    yield Line(place.on(start), place.on(end), drafting.hand.drafted)
+    arrow = TurnArrow(place.on(0j), ANGLE * drafting.hand.symbol, 0.0, rack.angle)
+    yield stating(Statement(Kind.ANGLE, NAME, "α"), *arrow.angle(drafting.hand))
 
 
 def _shift(made: ShownGeneration, place: Place, drafting: Drafting) -> Dimension | None:
@@ -122,6 +123,8 @@ def _shift(made: ShownGeneration, place: Place, drafting: Drafting) -> Dimension
 
 def _letters(made: ShownGeneration, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     hand = drafting.hand
+    middle = place.on(0j) + ANGLE * hand.symbol * cmath.exp(0.5j * made.wheel.rack.angle)
+    yield labels.beside(middle, "α", hand.letter, BESIDE, 0.0)
     yield labels.beside(place.on(0j), with_index("P_0"), hand.letter, BESIDE, -math.pi / 3)
     levels = {0.0: "involute pitch line", made.wheel.shift * made.wheel.rack.module: "involute mean line"}
     for level, word in levels.items():

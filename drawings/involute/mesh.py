@@ -1,4 +1,4 @@
-"""Three pairs of teeth in mesh: base circles and their tangent, flanks unrolled, the active part (картина зацепления)."""
+"""Three pairs of teeth in mesh: base circles and their tangent, flanks unrolled, the active part (зацепление)."""
 
 from __future__ import annotations
 
@@ -79,8 +79,9 @@ def shown(study: InvoluteStudy) -> ShownMesh:
 def measure(mesh: ShownMesh, drafting: Drafting) -> Picture:
     """Measure the room that a mesh needs."""
     hand = drafting.hand
-    title = heading_width(drafting.word("involute mesh"), hand)
-    return picture(NAME, mesh.known, (SYMBOL, UNIT), around(MARGINS, hand), title, LETTERS * hand.letter)
+    title, second = heading_width(drafting.word("involute mesh"), hand), mesh.wheels[1]
+    above = (TURN[0] + 2 * BESIDE) * hand.symbol + hand.letter if second.shown and not second.wheel.internal else 0.0
+    return picture(NAME, mesh.known, (SYMBOL, UNIT), around(MARGINS, hand, above=above), title, LETTERS * hand.letter)
 
 
 def draw(mesh: ShownMesh, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -185,8 +186,13 @@ class _DrawnMesh:
                 yield labels.beside(spot, with_index(f"ω_{one.wheel.number}"), hand.letter, BESIDE, turned)
         for name, curve in self.mesh.circles.items():
             end, before = self.place.on(complex(curve[0])), self.place.on(complex(curve[1]))
-            yield labels.beside(end, with_index(name), hand.number, BESIDE, cmath.phase(end - before))
+            yield labels.beside(end, self._letter(name), hand.number, BESIDE, cmath.phase(end - before))
         for name, (start, _) in self.mesh.strings.items():
             one = self.mesh.wheels[int(name[0]) - 1]
             at, centre = self.place.on(start), self.place.on(one.centre)
             yield labels.beside(at, name[2:], hand.number, BESIDE / 2, cmath.phase(centre - at))
+
+    def _letter(self, circle: str) -> str:
+        """Letter a circle: one that is both pitch and operating circle by both."""
+        both = circle[:2] == "d_" and circle[2:].isdigit() and f"d_w{circle[2:]}" not in self.mesh.circles
+        return f"{with_index(circle)} = {with_index(f'd_w{circle[2:]}')}" if both else with_index(circle)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from drawings.involute.due import noted
 from drawings.lettering.words import Phrase, Slot
 from drawings.page.page import Drafting
 from plans.involute.study import InvoluteStudy
@@ -29,21 +29,10 @@ class InvoluteNotes(NamedTuple):
         """What is given, how the wheels mesh, what is measured."""
         return *self.given(), *self.mesh(), *self.measured()
 
-    def numbers(self) -> dict[str, float]:
-        """Give the numbers of all notes by the names of their quantities: mm, degrees, modules."""
-        pair, rack, sizes = self.pair, self.pair.rack, self.sizes
-        moved = (sizes.distance - pair.standard) / rack.module
-        found = {"α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance}
-        found |= {"ρ*": rack.rounding, "a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
-        found |= {"Δy": pair.total - moved, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio, "k": pair.tip_relief}
-        found |= {"g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
-        for n, one in enumerate(sizes.wheels, 1):
-            found[f"s_a{n}/m"] = one.tip_thickness / rack.module
-        return found
-
     def given(self) -> Iterator[str]:
         """Say what is given."""
         yield self._said("involute rack", "α", "h*", "c*", "ρ*", "p")
+        yield from (self.drafting.word(f"involute aim {aim}") for aim in self.pair.aims)
 
     def mesh(self) -> Iterator[str]:
         """Say how far the axes are apart, and how many pairs of teeth are in mesh."""
@@ -59,7 +48,7 @@ class InvoluteNotes(NamedTuple):
         yield self.drafting.word("involute lines")
 
     def _said(self, key: str, *names: str) -> Phrase:
-        known = self.numbers()
+        known = noted(self.pair, self.sizes)
         return self.drafting.phrase(key, **{_part(name): Slot(name, known[name], 5) for name in names})
 
 

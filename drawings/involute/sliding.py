@@ -109,7 +109,7 @@ def _letters(graph: ShownSliding, drawn: Graph) -> Iterator[Letter]:
         yield Letter(axes.on(x), with_index(name), size, -math.pi / 2, 2.0)
     for name, value in zip(("B_1", "B_2"), graph.feet, strict=True):
         yield Letter(axes.on(graph.places[name], value), with_index(foot(name)), size, -math.pi / 2)
-    for name, (x, y) in graph.curves.items():
+    for name, (along, y) in graph.curves.items():
         k = int(np.argmin(np.abs(y - 0.55)))
-        yield Letter(axes.on(float(x[k]), float(y[k])), with_index(name), size, math.pi / 2)
+        yield Letter(axes.on(float(along[k]), float(y[k])), with_index(name), size, math.pi / 2)
     yield from drawn.ends((graph.length, "l"), (ABOVE, LAMBDA))

@@ -32,8 +32,9 @@ def told(value: float) -> str:
 
 def shifts_within(plain: InvolutePair) -> Iterator[Limit]:
     """See that the rack has a tip, and a ring more teeth than its pinion, whatever the shifts are."""
-    if plain.rack.land < 0:
-        yield Limit("rack_pointed", {"land": told(plain.rack.land)}, ("clearance", "head", "angle"))
+    if plain.rack.rounding <= 0:
+        deep = math.pi / 4 / math.tan(plain.rack.angle)
+        yield Limit("rack_pointed", {"deep": told(deep)}, ("head", "clearance", "angle"))
     first, second = plain.teeth
     if plain.internal and second <= first:
         yield Limit("ring_teeth", {"least": first + 1, "teeth": second}, ("teeth",))

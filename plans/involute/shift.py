@@ -36,6 +36,7 @@ def least_shift(wheel: GearWheel) -> float:
 def aimed(plain: InvolutePair, aim: str, centre: float | None) -> InvolutePair:
     """Give a pair with the shifts that bring what is aimed at, at a centre distance m or as near as without shift."""
     total = 0.0 if centre is None else total_at(plain, centre)
+    plain = replace(plain, aims=(aim, *(("centre",) if centre else ())))
     if aim == EQUAL_SLIDING:
         return _equal(plain, total)
     least, other = (least_shift(wheel) for wheel in plain.wheels)

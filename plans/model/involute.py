@@ -41,8 +41,10 @@ class Rack(NamedTuple):
 
     @property
     def rounding(self) -> float:
-        """The radius of its tip's corner, in modules: no larger than the clearance has room for."""
-        return min(TIP_ROUNDING, self.clearance / (1 - math.sin(self.angle)))
+        """The radius of its tip's corner, in modules: no larger than the clearance and the tip have room for."""
+        sine, slope = math.sin(self.angle), math.tan(self.angle)
+        wide = (math.pi / 4 - (self.head + self.clearance) * slope) / (math.cos(self.angle) - (1 - sine) * slope)
+        return min(TIP_ROUNDING, self.clearance / (1 - sine), wide)
 
     @property
     def straight(self) -> float:
@@ -51,8 +53,8 @@ class Rack(NamedTuple):
 
     @property
     def land(self) -> float:
-        """How far from the middle of its tip a corner's centre lies, in modules: none is less than zero."""
-        return math.pi / 4 - self.straight * math.tan(self.angle) - self.rounding * math.cos(self.angle)
+        """How far from the middle of its tip a corner's centre lies, in modules."""
+        return max(math.pi / 4 - self.straight * math.tan(self.angle) - self.rounding * math.cos(self.angle), 0.0)
 
 
 class GearWheel(NamedTuple):
@@ -118,12 +120,13 @@ class GearWheel(NamedTuple):
 
 @dataclass(frozen=True)
 class InvolutePair:
-    """What is given of a pair: its rack, both wheels."""
+    """What is given of a pair: its rack, both wheels; what its shifts were chosen for, where they were."""
 
     rack: Rack
     teeth: tuple[int, int]
     shifts: tuple[float, float]
     internal: bool = False
+    aims: tuple[str, ...] = ()
 
     @property
     def wheels(self) -> tuple[GearWheel, GearWheel]:

@@ -132,4 +132,4 @@ def _rack(rack: Rack, shift: float) -> tuple[Complexes, Complexes]:
     root = complex(math.pi / 4 + rack.head * math.tan(rack.angle), shift + rack.head) * m
     rounded = corner + rack.rounding * m * np.exp(-1j * lean)
     left = np.concatenate([[1j * (corner.imag - rack.rounding * m)], rounded, [root]]) - rack.pitch / 2
-    return left, np.asarray(-left.conj())
+    return np.asarray(left, dtype=np.complex128), np.asarray(-left.conj(), dtype=np.complex128)
