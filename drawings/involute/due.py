@@ -23,7 +23,9 @@ from plans.quantity import Comparison
 from plans.study import Study
 
 MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", "pair", "sizes", "data"
-MILLIMETRES, DEGREES, NUMBERS = 3, 4, 3  # decimals
+MILLIMETRES = 3  # decimals
+# By the unit of a quantity: times which it is told, with how many decimals, in which unit.
+UNITS = {"m": (1e3, MILLIMETRES, "mm"), "rad": (math.degrees(1.0), 4, "°"), "1": (1.0, 3, "")}
 DIGITS = 6  # of the data
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
@@ -37,10 +39,9 @@ def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
     known = {one.name: one for one in comparison.findings}
     for name in ("α_w", "a_w", "g_α", "ε_α", "λ_B1", "λ_B2"):
         one = known[name]
-        times, places, unit = (1e3, MILLIMETRES, "mm") if one.unit == "m" else (1.0, NUMBERS, one.unit)
-        row = with_index(name) if unit == "1" else f"{with_index(name)}, {drafting.word(unit)}"
-        values: list[float | None] = [times * float(road[0]) for road in (one.construction, one.analysis)]
-        yield row, values, DEGREES if unit == "°" else places
+        times, places, unit = UNITS[one.unit]
+        row = f"{with_index(name)}, {drafting.word(unit)}" if unit else with_index(name)
+        yield row, [times * float(road[0]) for road in (one.construction, one.analysis)], places
 
 
 def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:

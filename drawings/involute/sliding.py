@@ -105,6 +105,7 @@ def foot(place: str) -> str:
 
 def _letters(graph: ShownSliding, drawn: Graph) -> Iterator[Letter]:
     size, axes = drawn.hand.letter, drawn.axes
+    yield from drawn.ends((graph.length, "l"), (ABOVE, LAMBDA))
     for name, x in graph.places.items():
         yield Letter(axes.on(x), with_index(name), size, -math.pi / 2, 2.0)
     for name, value in zip(("B_1", "B_2"), graph.feet, strict=True):
@@ -112,4 +113,3 @@ def _letters(graph: ShownSliding, drawn: Graph) -> Iterator[Letter]:
     for name, (along, y) in graph.curves.items():
         k = int(np.argmin(np.abs(y - 0.55)))
         yield Letter(axes.on(float(along[k]), float(y[k])), with_index(name), size, math.pi / 2)
-    yield from drawn.ends((graph.length, "l"), (ABOVE, LAMBDA))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from plans.techniques import Technique
 
 if TYPE_CHECKING:
+    from plans.explanation import Explanation, NoMark
     from plans.quantity import Comparison
     from plans.scene.faults import Fault
     from plans.scene.scene import Meaning, Scene, Survey, TechniqueForm
@@ -48,6 +49,11 @@ class InvoluteTechnique(Technique):
         from plans.involute.study import InvoluteStudy
 
         return compare_pair(study.of(InvoluteStudy))
+
+    def marks(self, study: Study, position: int, name: str) -> Explanation | NoMark:
+        from plans.involute.quantities import marks
+
+        return marks(study, position, name)
 
 
 TECHNIQUE = InvoluteTechnique()

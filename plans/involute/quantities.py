@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from geometry.board import Mark, Span
 from plans.analytic.involute import flank, solve
+from plans.explanation import Explanation, NoMark, explained_by
 from plans.involute.action import MESH, slack
 from plans.involute.flanks import Flanks
 from plans.involute.generation import GENERATION
@@ -17,6 +18,9 @@ from plans.involute.limits import lowest
 from plans.involute.study import POINTS, InvoluteStudy
 from plans.model.involute import PairSizes, WheelSizes
 from plans.quantity import Comparison, Quantity, Shown
+
+if TYPE_CHECKING:
+    from plans.study import Study
 
 WEAR = 8.0  # roundings more of what is measured by several lines
 
@@ -46,8 +50,7 @@ class _ComparedPair(NamedTuple):
         """Compare what both wheels have in common."""
         ours, theirs, action = self.ours, self.theirs, self.study.action
         turned = self.slack / (theirs.distance * math.sin(theirs.angle))
-        angles = math.degrees(ours.angle), math.degrees(theirs.angle)
-        yield self._of("α_w", "°", angles, math.degrees(turned), action.way)
+        yield self._of("α_w", "rad", (ours.angle, theirs.angle), turned, action.way)
         yield self._of("a_w", "m", (ours.distance, theirs.distance), self.slack, Span(*action.centres))
         yield self._of("g_α", "m", (ours.active, theirs.active), self.slack, Span(*action.active))
         yield self._of("ε_α", "1", (ours.ratio, theirs.ratio), self.slack / self.study.pair.rack.base_pitch)
@@ -103,3 +106,9 @@ SIZES = (
     ("s_a", "tip_thickness", 1), ("s_c", "chord", 1), ("h_c", "height", 1), ("W_", "span", 1), ("M_", "over", 1),
 )  # fmt: skip
 assert {name for _, name, _ in SIZES} <= set(WheelSizes._fields)
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark: places and lengths are metres."""
+    found = explained_by(study.comparison(MESH).findings, position, name)
+    return found._replace(units={MESH: "m"}) if isinstance(found, Explanation) else found
