@@ -28,7 +28,7 @@ NAME = "generation"
 MARGINS = Margins(4.5, 2.0, 2.0)
 LETTERS = 20.0  # it is drawn at least so many letters wide
 LARGEST = 1.5  # of the shift on paper, in arrows: less is not dimensioned
-AWAY = 0.62  # pitches from P_0 to where the shift is dimensioned
+WITHIN = 0.36  # of a tooth's thickness: the radius of the angle at most
 
 
 class ShownGeneration(NamedTuple):
@@ -102,8 +102,13 @@ def _action(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator
     start, end = -r * math.sin(rack.angle) * along, rack.module * along * 2.5
     start = max(start, -4 * rack.module * along, key=lambda spot: spot.real)
     yield Line(place.on(start), place.on(end), drafting.hand.drafted)
-    arrow = TurnArrow(place.on(0j), ANGLE * drafting.hand.symbol, 0.0, rack.angle)
-    yield stating(Statement(Kind.ANGLE, NAME, "α"), *arrow.angle(drafting.hand))
+    yield stating(Statement(Kind.ANGLE, NAME, "α"), *_angle(made, place, drafting).angle(drafting.hand))
+
+
+def _angle(made: ShownGeneration, place: Place, drafting: Drafting) -> TurnArrow:
+    """Give the angle of the rack at P_0, within the tooth."""
+    radius = min(ANGLE * drafting.hand.symbol, place.length(WITHIN * made.wheel.width))
+    return TurnArrow(place.on(0j), radius, 0.0, made.wheel.rack.angle)
 
 
 def _shift(made: ShownGeneration, place: Place, drafting: Drafting) -> Dimension | None:
@@ -123,8 +128,8 @@ def _shift(made: ShownGeneration, place: Place, drafting: Drafting) -> Dimension
 
 def _letters(made: ShownGeneration, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     hand = drafting.hand
-    middle = place.on(0j) + ANGLE * hand.symbol * cmath.exp(0.5j * made.wheel.rack.angle)
-    yield labels.beside(middle, "α", hand.letter, BESIDE, 0.0)
+    spot, away = _angle(made, place, drafting).middle
+    yield labels.beside(spot, "α", hand.letter, BESIDE, away)
     yield labels.beside(place.on(0j), with_index("P_0"), hand.letter, BESIDE, -math.pi / 3)
     levels = {0.0: "involute pitch line", made.wheel.shift * made.wheel.rack.module: "involute mean line"}
     for level, word in levels.items():

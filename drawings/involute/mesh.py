@@ -64,7 +64,7 @@ def shown(study: InvoluteStudy) -> ShownMesh:
     )
     for one, flanks, foot, long in zip(wheels, study.flanks, action.feet, action.strings, strict=True):
         n, base = one.wheel.number, one.wheel.base
-        unrolled = () if one.wheel.internal else flanks.points  # a ring's strings begin far from its teeth
+        unrolled = flanks.points if one.unrolled else ()
         pairs = [(complex(point.leaves.point), complex(point.end.point)) for point in unrolled]
         strings |= {f"{n}.{k}": pair for k, pair in enumerate(pairs, 1)}
         last = pairs[-1][0] if pairs else marks[f"N_{n}"]

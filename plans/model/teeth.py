@@ -38,9 +38,10 @@ class PlacedWheel(NamedTuple):
         """Whether its centre is near enough to be shown."""
         return self.sizes.operating <= FAR * self.wheel.rack.module
 
-    def on(self, radius: float, angle: float) -> complex:
-        """Give a place by its distance from the centre and its angle from the way to P."""
-        return self.centre + radius * self.up * cmath.exp(1j * angle)
+    @property
+    def unrolled(self) -> bool:
+        """Whether the strings of its flank are shown: those of a ring or of a large wheel begin far from its teeth."""
+        return self.shown and not self.wheel.internal
 
     def circles(self, last: float) -> dict[str, Complexes]:
         """Give its circles as far as they are shown; the base circle to where its involute is unrolled from."""
