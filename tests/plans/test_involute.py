@@ -75,7 +75,7 @@ def test_constant_chord() -> None:
 def pairs(count: int, seed: int) -> Iterator[InvolutePair]:
     """Give random pairs that keep all limits, every third one internal."""
     chance = Random(seed)
-    while count:
+    for _ in range(20 * count):
         rack = Rack(chance.choice((0.002, 0.005, 0.01)), math.radians(chance.choice((20.0, 20.0, 25.0))))
         first, internal = chance.randint(10, 32), count % 3 == 0
         second = first + chance.randint(14, 60) if internal else chance.randint(first, 90)
@@ -85,6 +85,9 @@ def pairs(count: int, seed: int) -> Iterator[InvolutePair]:
         if not any(limit.broken for limit in limits(pair)):
             count -= 1
             yield pair
+        if not count:
+            return
+    raise AssertionError("limits let too few pairs pass")
 
 
 PAIRS = [*pairs(60, 31)]
@@ -149,6 +152,27 @@ def test_the_pinion_touches_the_ring_everywhere_and_cuts_nowhere(pair: InvoluteP
 
     reach = np.full(len(flank), 4 * math.pi / second.teeth)
     assert np.abs(deepest(depth, -reach, reach)).max() < 1e-12 * second.radius
+
+
+def spare(pair: InvolutePair) -> float:
+    """Give the least angle that is left in a ring's spaces beside the pinion's tips as they swing through, rad."""
+    sizes, (first, second) = solve(pair), pair.wheels
+    tip, ring = sizes.wheels
+    turned = np.linspace(-2.0, 2.0, 40001)  # of the pinion, in whose space of the ring the tooth stands at 0
+    corner = tip.tip * np.exp(1j * (turned - tip.tip_thickness / 2 / tip.tip)) * 1j + 1j * sizes.distance
+    seen = corner * np.exp(-1j * turned * first.teeth / second.teeth) / 1j
+    slope = np.sqrt(np.maximum((np.abs(seen) / second.base) ** 2 - 1, 0.0))
+    space = second.width / (2 * second.radius) + inv(pair.rack.angle) - slope + np.arctan(slope)
+    return float(np.min((space - np.abs(np.angle(seen)))[np.abs(seen) > ring.tip]))
+
+
+@pytest.mark.parametrize("shift", [0.3, 0.5, 0.7])
+@pytest.mark.parametrize("teeth", [(20, 24), (20, 26), (20, 28), (20, 30), (30, 36), (30, 40)])
+def test_tips_of_a_ring_are_told_to_meet_where_they_do(teeth: tuple[int, int], shift: float) -> None:
+    pair = InvolutePair(RACK, teeth, (shift, shift), True)
+    told = [limit.details["gap"] for limit in limits(pair) if limit.kind == "tips_meet"]
+    gaps = [float(str(gap).replace("\N{MINUS SIGN}", "-")) for gap in told] or [0.0]
+    assert gaps[0] == pytest.approx(min(math.degrees(spare(pair)), 0.0), abs=1e-3)  # by a grid of turns
 
 
 def speeds(pair: InvolutePair, spot: complex) -> tuple[float, float]:
