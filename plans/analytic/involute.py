@@ -42,10 +42,10 @@ def angle_of(value: float) -> float:
 
 def solve(pair: InvolutePair) -> PairSizes:
     """Find all sizes of a pair."""
-    return _Solved(pair).sizes
+    return _Formulas(pair).sizes
 
 
-class _Solved:
+class _Formulas:
     """A pair by formulas."""
 
     def __init__(self, pair: InvolutePair) -> None:
@@ -190,7 +190,7 @@ def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> tupl
 
 def sliding(pair: InvolutePair, places: Floats) -> tuple[Floats, Floats]:
     """Give the specific sliding of both wheels at distances from N1 along the line of action, m."""
-    far = _Solved(pair).far
+    far = _Formulas(pair).far
     others = far - places if pair.sense > 0 else far + places
     ratio = pair.teeth[0] / pair.teeth[1]
     return np.asarray(1 - ratio * others / places), np.asarray(1 - places / (ratio * others))

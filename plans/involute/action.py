@@ -56,7 +56,7 @@ def touching(pair: InvolutePair) -> float:
     return math.atan(rolled(closing(pair)))
 
 
-class Action:
+class LineOfAction:
     """The line of action of a pair, on a board: P is the origin, the line of centres upright, wheel 1 below."""
 
     def __init__(self, pair: InvolutePair) -> None:

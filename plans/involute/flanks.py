@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from geometry.board import Mark
-from plans.involute.action import Action, half_at_base, rolled
+from plans.involute.action import LineOfAction, half_at_base, rolled
 from plans.model.involute import GearWheel
 from plans.words.words import because
 
@@ -25,7 +25,7 @@ class Unrolled(NamedTuple):
 class Flanks:
     """Both flanks of the tooth of a wheel that touches in P, of an internal wheel those of the space there."""
 
-    def __init__(self, action: Action, wheel: GearWheel) -> None:
+    def __init__(self, action: LineOfAction, wheel: GearWheel) -> None:
         self.action, self.wheel, self.board = action, wheel, action.board
         k = wheel.number - 1
         self.centre, self.tip, self.root = action.centres[k], action.tips[k], action.roots[k]

@@ -88,16 +88,16 @@ class _ComparedPair(NamedTuple):
                 yield Quantity.of((GENERATION, f"d_l{n}", "m"), (2 * begin, 2 * end), 2 * self.slack)
 
     def left(self) -> Iterator[Quantity]:
-        """Compare whole profiles, and see that tooth and space fill the operating pitch."""
+        """See that tooth and space fill the operating pitch, and how far whole profiles are from the formulas."""
         first, second = self.ours.wheels
         pitch = math.tau * first.operating / self.study.pair.teeth[0]
         gap = pitch - first.operating_thickness - second.operating_thickness
-        yield Quantity.vanishing("p_w", "m", abs(gap), 2 * self.slack, pitch)
+        yield Quantity.of((MESH, "j_w", "m"), (gap, 0.0), 2 * self.slack, pitch)
         for flanks, theirs in zip(self.study.flanks, self.theirs.wheels, strict=True):
             known = flank(flanks.wheel, theirs.tip, theirs.root, POINTS)
             points = np.concatenate([known.fillet, known.involute[1:]])
             off = float(np.abs(self.study.profile(flanks) - points).max())
-            yield Quantity.vanishing(f"profile {flanks.wheel.number}", "m", off, self.slack, theirs.tip)
+            yield Quantity.of((GENERATION, f"Δ_{flanks.wheel.number}", "m"), (off, 0.0), self.slack, theirs.tip)
 
 
 # The letter of a size, its name, and how often it is told: of circles the diameters.

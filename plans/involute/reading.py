@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from decimal import Decimal
 from typing import Any, NamedTuple
 
-from plans.involute.limits import Limit, limits, shifts_within
+from plans.involute.limits import PairLimit, limits, shifts_within
 from plans.involute.shift import AIMS, NO_UNDERCUT, NoShift, aimed
 from plans.model.involute import MODULES, SECOND, InvolutePair, Rack
 from plans.scene import fields as f
@@ -115,7 +115,7 @@ class InvoluteSurvey(NamedTuple):
 
     pair: InvolutePair | None
     faults: list[Fault]
-    near: tuple[Limit, ...] = ()
+    near: tuple[PairLimit, ...] = ()
 
 
 def survey_of(meaning: Meaning) -> InvoluteSurvey:
@@ -129,7 +129,7 @@ def survey_of(meaning: Meaning) -> InvoluteSurvey:
     try:
         pair = _shifted(plain, form)
     except NoShift as none:
-        return InvoluteSurvey(None, [_fault(scene, Limit(none.kind, none.details, none.at))])
+        return InvoluteSurvey(None, [_fault(scene, PairLimit(none.kind, none.details, none.at))])
     found = [*limits(pair)]
     broken = [limit for limit in found if limit.broken]
     near = tuple(limit for limit in found if not limit.broken)
@@ -144,7 +144,7 @@ def _shifted(plain: InvolutePair, form: InvoluteTable) -> InvolutePair:
     return InvolutePair(plain.rack, plain.teeth, (float(first), float(second)), plain.internal)
 
 
-def _fault(scene: Scene, limit: Limit) -> Fault:
+def _fault(scene: Scene, limit: PairLimit) -> Fault:
     """Tell a breach at the key that would mend it, or at the table where the scene has none."""
     return scene.fault(_path(scene, limit.at), limit.kind, **limit.details)
 

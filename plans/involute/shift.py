@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from typing import Final
 
-from plans.involute.action import Action, closing, opened
+from plans.involute.action import LineOfAction, closing, opened
 from plans.model.involute import GearWheel, InvolutePair
 
 NO_UNDERCUT, EQUAL_SLIDING = "no undercut", "equal sliding"
@@ -66,7 +66,7 @@ def _equal(plain: InvolutePair, total: float) -> InvolutePair:
         return replace(plain, shifts=(first, total - plain.sense * first))
 
     def lead(first: float) -> float:
-        action = Action(pair(first))
+        action = LineOfAction(pair(first))
         if min(action.feet) <= 0:
             return math.nan
         one, other = action.sliding

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from functools import cached_property
 
 from geometry.board import Board, Mark
-from plans.involute.action import MESH, Action
+from plans.involute.action import MESH, LineOfAction
 from plans.involute.flanks import Flanks
 from plans.involute.generation import GENERATION, Generated, generated, ring
 from plans.model.involute import InvolutePair, PairSizes, WheelSizes
@@ -35,10 +35,10 @@ class InvoluteStudy:
             _ = self.generated
 
     @cached_property
-    def action(self) -> Action:
+    def action(self) -> LineOfAction:
         """The line of action."""
         self.made.add(MESH)
-        return Action(self.pair)
+        return LineOfAction(self.pair)
 
     @cached_property
     def flanks(self) -> tuple[Flanks, Flanks]:
