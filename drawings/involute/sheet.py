@@ -37,7 +37,7 @@ def tables(study: Study, drafting: Drafting) -> tuple[RuledTable, ...]:
     return (
         table(data, word("involute data"), wheels, text)._replace(name=DATA),
         table(first, word("quantity"), roads, text)._replace(name=PAIR),
-        table(second, word("quantity"), both, text)._replace(name=SIZES),
+        table(second, word("involute sizes"), both, text)._replace(name=SIZES),
     )
 
 
