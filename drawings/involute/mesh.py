@@ -18,6 +18,7 @@ from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline,
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject, around, heading, heading_width, point
 from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
+from plans.involute.flanks import Flanks
 from plans.involute.study import InvoluteStudy
 from plans.model.motion import Complexes
 from plans.model.teeth import PlacedWheel, placed
@@ -26,7 +27,8 @@ NAME, SYMBOL, UNIT = "mesh", "l", "m"
 MARGINS = Margins(4.5, 2.0, 2.0)
 LETTERS = 34.0  # it is drawn at least so many letters high
 DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
-ACTIVE, PAST = 1.5, 6.0  # times a main line: what is active; mm that lines go on beyond their ends
+STRIP, PAST = 1.6, 6.0  # mm: width of the strip along an active flank; how far lines go on beyond their ends
+TICKS = 24  # across a strip
 ANGLE, TURN = 30.0, (12.0, math.radians(40), math.radians(100))  # mm: radius of the angle's arc; arrow of a rotation
 COMMON = 34.0  # mm of the common tangent to either side of P
 
@@ -39,7 +41,7 @@ class ShownMesh(NamedTuple):
     teeth: Mapping[str, Complexes]
     circles: Mapping[str, Complexes]
     strings: Mapping[str, tuple[complex, complex]]  # of the flanks unrolled, by the number at the base circle
-    active: tuple[Complexes, Complexes]  # the parts of the flanks in P that touch
+    active: tuple[tuple[Complexes, Complexes], ...]  # the parts of the flanks in P that touch, with the ways inwards
     angle: float
 
     @property
@@ -56,24 +58,28 @@ def shown(study: InvoluteStudy) -> ShownMesh:
     marks = {mark.name: complex(mark.point) for mark in (*action.ends, action.pole, *action.active)}
     marks |= {f"O_{one.wheel.number}": complex(centre.point)
               for one, centre in zip(wheels, action.centres, strict=True) if one.shown}  # fmt: skip
-    teeth, circles, strings, active = (
-        dict[str, Complexes](),
-        dict[str, Complexes](),
-        dict[str, tuple[complex, complex]](),
-        list[Complexes](),
-    )
-    for one, flanks, foot, long in zip(wheels, study.flanks, action.feet, action.strings, strict=True):
-        n, base = one.wheel.number, one.wheel.base
+    marks[action.pole.name] = 0j  # the origin: what the meeting leaves is rounding
+    teeth, circles, strings = dict[str, Complexes](), dict[str, Complexes](), dict[str, tuple[complex, complex]]()
+    for one, flanks in zip(wheels, study.flanks, strict=True):
+        n = one.wheel.number
         unrolled = flanks.points if one.unrolled else ()
         pairs = [(complex(point.leaves.point), complex(point.end.point)) for point in unrolled]
         strings |= {f"{n}.{k}": pair for k, pair in enumerate(pairs, 1)}
         last = pairs[-1][0] if pairs else marks[f"N_{n}"]
         circles |= one.circles(cmath.phase((last - one.centre) / one.up))
         teeth[f"teeth {n}"] = one.teeth(study.profile(flanks))
-        slopes = np.linspace(foot, long, 25) / base
-        start = complex(flanks.start.point)
-        active.append(np.asarray(one.centre + start * np.exp(1j * slopes) * (1 - 1j * slopes)))
-    return ShownMesh(marks, wheels, teeth, circles, strings, (active[0], active[1]), action.angle)
+    active = tuple(
+        touching(flanks, *ends) for flanks, *ends in zip(study.flanks, action.feet, action.strings, strict=True)
+    )
+    return ShownMesh(marks, wheels, teeth, circles, strings, active, action.angle)
+
+
+def touching(flanks: Flanks, foot: float, long: float) -> tuple[Complexes, Complexes]:
+    """Give the part of the flank in P that touches, by how long the string is at its ends; and the ways inwards."""
+    start, centre = complex(flanks.start.point), complex(flanks.centre.point)
+    slopes = np.linspace(foot, long, TICKS + 1) / abs(start)
+    arms = start * np.exp(1j * slopes)
+    return np.asarray(centre + arms * (1 - 1j * slopes)), np.asarray(1j * flanks.wheel.inward * arms / abs(start))
 
 
 def measure(mesh: ShownMesh, drafting: Drafting) -> Picture:
@@ -113,8 +119,7 @@ class _DrawnMesh:
         )
         for name, curve in self.mesh.teeth.items():
             yield stating(Statement(Kind.CURVE, NAME, name), polyline(curve, self.place, self.hand.result))
-        heavy = LineStyle(ACTIVE * self.hand.main)
-        yield from (polyline(curve, self.place, heavy) for curve in self.mesh.active)
+        yield from self._strips()
         yield from self._action()
         yield from self._rotations()
         yield from self._points()
@@ -124,6 +129,14 @@ class _DrawnMesh:
         for name, curve in self.mesh.circles.items():
             line = polyline(curve, self.place, styles.get(name[:3], self.hand.axis))
             yield stating(Statement(Kind.CURVE, NAME, name), *fit_dashes([line]))
+
+    def _strips(self) -> Iterator[Stroke]:
+        """Hatch a strip along the active parts of the flanks that touch in P."""
+        for curve, ways in self.mesh.active:
+            spots = [self.place.on(spot) for spot in curve.tolist()]
+            inner = [spot + STRIP * self.hand.symbol * way for spot, way in zip(spots, ways.tolist(), strict=True)]
+            yield Polyline(tuple(inner), False, self.hand.drafted)
+            yield from (Line(spot, end, self.hand.drafted) for spot, end in zip(spots, inner, strict=True))
 
     def _action(self) -> Iterator[Stroke]:
         """Draw the line of centres, the radii of touch, the line of action with its active part, and its angle."""
@@ -140,7 +153,7 @@ class _DrawnMesh:
             (spots[name] for name in ("N_1", "N_2", "B_1", "B_2")), key=lambda spot: (spot * self.way.conjugate()).real
         )
         yield Line(ends[0] - past * self.way, ends[-1] + past * self.way, hand.other)
-        yield Line(spots["B_1"], spots["B_2"], LineStyle(ACTIVE * hand.main))
+        yield Line(spots["B_1"], spots["B_2"], hand.result)
         pole = spots["P"]
         long = COMMON * hand.symbol
         yield Line(pole - long, pole + long, hand.drafted)
