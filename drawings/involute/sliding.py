@@ -20,7 +20,7 @@ from plans.involute.study import InvoluteStudy
 from plans.model.motion import Floats
 
 NAME, LAMBDA = "sliding", "λ"
-FORM = GraphForm(1.5, 1.5, Margins(3.5, 2.5, 1.5), 26.0)
+FORM = GraphForm(1.4, 2.0, Margins(3.5, 2.5, 1.5), 26.0)
 ABOVE = 2.2  # the ordinate that the graph goes up to: sliding is less than 1, above it stand the dimensions
 LEVELS = {"g_α": 1.9, "p_b": 1.35}  # the ordinates of the dimensions
 POINTS = 121
