@@ -29,6 +29,7 @@ LETTERS = 34.0  # it is drawn at least so many letters high
 DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
 STRIP, PAST = 1.6, 6.0  # mm: width of the strip along an active flank; how far lines go on beyond their ends
 TICKS = 24  # across a strip
+SQUARE = 3.0  # mm: side of the mark of a right angle
 ANGLE, TURN = 30.0, (12.0, math.radians(40), math.radians(100))  # mm: radius of the angle's arc; arrow of a rotation
 COMMON = 34.0  # mm of the common tangent to either side of P
 
@@ -143,12 +144,7 @@ class _DrawnMesh:
         spots, hand, past = self.spots, self.hand, PAST * self.hand.symbol
         low, high = self._upright
         yield from fit_dashes([Line(low - 1j * past, high + 1j * past, hand.axis)])
-        for one in self.mesh.wheels:
-            n = one.wheel.number
-            end = spots[f"N_{n}"]
-            inwards = self.place.on(one.centre) - end
-            start = spots.get(f"O_{n}", end + 4 * past * inwards / abs(inwards))
-            yield Line(start, end, hand.drafted)
+        yield from self._radii()
         ends = sorted(
             (spots[name] for name in ("N_1", "N_2", "B_1", "B_2")), key=lambda spot: (spot * self.way.conjugate()).real
         )
@@ -159,6 +155,17 @@ class _DrawnMesh:
         yield Line(pole - long, pole + long, hand.drafted)
         arrow = TurnArrow(pole, ANGLE * hand.symbol, 0.0, self.mesh.angle)
         yield stating(Statement(Kind.ANGLE, NAME, "α_w"), *arrow.angle(hand))
+
+    def _radii(self) -> Iterator[Stroke]:
+        """Draw the radii to where the line of action touches the base circles, square to it."""
+        hand, pole = self.hand, self.spots["P"]
+        for one in self.mesh.wheels:
+            end = self.spots[f"N_{one.wheel.number}"]
+            inwards, towards = self.place.on(one.centre) - end, pole - end
+            side, along = (SQUARE * hand.symbol * way / abs(way) for way in (inwards, towards))
+            start = self.spots.get(f"O_{one.wheel.number}", end + 4 * PAST / SQUARE * side)
+            yield Line(start, end, hand.drafted)
+            yield Polyline((end + side, end + side + along, end + along), False, hand.drafted)
 
     @property
     def _upright(self) -> tuple[complex, complex]:
@@ -207,5 +214,5 @@ class _DrawnMesh:
 
     def _letter(self, circle: str) -> str:
         """Letter a circle: one that is both pitch and operating circle by both."""
-        both = circle[:2] == "d_" and circle[2:].isdigit() and f"d_w{circle[2:]}" not in self.mesh.circles
-        return f"{with_index(circle)} = {with_index(f'd_w{circle[2:]}')}" if both else with_index(circle)
+        both = circle[1:].isdigit() and f"d_w{circle[1:]}" not in self.mesh.circles
+        return f"{with_index(circle)} = {with_index(f'd_w{circle[1:]}')}" if both else with_index(circle)
