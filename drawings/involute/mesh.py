@@ -214,5 +214,6 @@ class _DrawnMesh:
 
     def _letter(self, circle: str) -> str:
         """Letter a circle: one that is both pitch and operating circle by both."""
-        both = circle[1:].isdigit() and f"d_w{circle[1:]}" not in self.mesh.circles
-        return f"{with_index(circle)} = {with_index(f'd_w{circle[1:]}')}" if both else with_index(circle)
+        other = f"d_w{circle[1:]}"
+        alone = not circle[1:].isdigit() or other in self.mesh.circles
+        return with_index(circle) if alone else f"{with_index(circle)} = {with_index(other)}"
