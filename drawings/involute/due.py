@@ -83,6 +83,7 @@ def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
     found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
     found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
     found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
+    found["u"] = -pair.sense * pair.teeth[1] / pair.teeth[0]
     return found | {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
 
 
