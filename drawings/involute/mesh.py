@@ -29,6 +29,7 @@ LETTERS = 34.0  # it is drawn at least so many letters high
 DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
 STRIP, PAST = 1.6, 6.0  # mm: width of the strip along an active flank; how far lines go on beyond their ends
 TICKS = 24  # across a strip
+STUB = 1.2  # modules: what is shown of a radius whose centre is far
 SQUARE = 3.0  # mm: side of the mark of a right angle
 ANGLE, TURN = 30.0, (12.0, math.radians(40), math.radians(100))  # mm: radius of the angle's arc; arrow of a rotation
 COMMON = 34.0  # mm of the common tangent to either side of P
@@ -50,7 +51,13 @@ class ShownMesh(NamedTuple):
         """All places that the figure must hold."""
         curves = (complex(spot) for curve in (*self.teeth.values(), *self.circles.values()) for spot in curve[::6])
         ends = (complex(curve[k]) for curve in self.circles.values() for k in (0, -1))
-        return [*curves, *ends, *self.points.values()]
+        return [*curves, *ends, *self.points.values(), *map(self.inner, self.wheels)]
+
+    def inner(self, one: PlacedWheel) -> complex:
+        """Give where the radius to the line of action begins: at the centre, or near its end if that is far."""
+        end = self.points[f"N_{one.wheel.number}"]
+        inwards = one.centre - end
+        return one.centre if one.shown else end + inwards / abs(inwards) * STUB * one.wheel.rack.module
 
 
 def shown(study: InvoluteStudy) -> ShownMesh:
@@ -163,8 +170,7 @@ class _DrawnMesh:
             end = self.spots[f"N_{one.wheel.number}"]
             inwards, towards = self.place.on(one.centre) - end, pole - end
             side, along = (SQUARE * hand.symbol * way / abs(way) for way in (inwards, towards))
-            start = self.spots.get(f"O_{one.wheel.number}", end + 4 * PAST / SQUARE * side)
-            yield Line(start, end, hand.drafted)
+            yield Line(self.place.on(self.mesh.inner(one)), end, hand.drafted)
             yield Polyline((end + side, end + side + along, end + along), False, hand.drafted)
 
     @property
