@@ -24,6 +24,7 @@ CONSTRUCTIONS = (
     *("plans.forces.force_template", "plans.forces.polygon", "plans.forces.lever"),
     *("plans.cam.profile", "plans.cam.centre", "plans.dynamics.loop", "plans.balance.sums", "plans.bank.polygons"),
     *("plans.structure.groups", "plans.structure.constraints"),
+    *("plans.involute.action", "plans.involute.flanks", "plans.involute.generation"),
 )
 # Where a technique is drawn.
 DRAWN = tuple(f"drawings.{name}" for name in TECHNIQUES)
@@ -80,6 +81,7 @@ SHARED = (
     "plans.model.cyclogram",
     "plans.model.diagrams",
     "plans.model.structure",
+    "plans.model.involute",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen

@@ -10,6 +10,7 @@ import pytest
 
 from geometry.errors import DraftError, LimitError
 from plans.linkage.reading.linkage import mechanism_of
+from plans.scene.faults import SceneError
 from plans.scene.scene import read_scene
 from tests.catalogue.scenes import COMMANDS, FAULTS, SOUND, Row, changed
 from tests.rows import over
@@ -20,6 +21,8 @@ def outcome(path: Path) -> tuple[int, str]:
         scene = read_scene(path)
         if "linkage" in scene.techniques:
             mechanism_of(scene)
+        if faults := scene.meaning.faults:
+            raise SceneError(faults)
     except LimitError as error:
         return 8, str(error)
     except DraftError as error:

@@ -161,4 +161,20 @@ def filed() -> Iterator[Odd]:
             yield Odd(path.stem, path.read_text(encoding="utf-8"), STRUCTURES.get(path.stem, ()))
 
 
-EVERY = (*banks(), *balances(), *machines(), *cams(), *linkages(), *filed())
+PAIRS = {  # of involute wheels: what is given, and of the paper
+    "far wheel": ('teeth = [21, 90]\naim = "no undercut"\ncentre = 281', 'format = "A3"\nstandard = "ISO"'),
+    "plain pair": ("teeth = [20, 31]", 'language = "ru"'),
+    "shift inwards": ("teeth = [40, 61]\nshift = [-0.4, 0.1]", 'format = "A2"'),
+    "ring of odd teeth": ("teeth = [17, 45]\nshift = [0.5, 0.9]\ninternal = true", 'format = "A3"\nlanguage = "ru"'),
+    "steep rack": ('teeth = [13, 20]\nangle = 25\naim = "equal sliding"', 'format = "A3"\nlanguage = "ru"'),
+}
+
+
+def pairs() -> Iterator[Odd]:
+    said = {"far wheel": "The centre distance is given", "plain pair": "Δy = 0", "steep rack": "α = 25°"}
+    for name, (given, paper) in PAIRS.items():
+        text = f'sheets = ["involute"]\n[involute]\nmodule = 5\n{given}\n[sheet]\n{paper}\n'
+        yield Odd(name, text, (said[name],) if name in said else ())
+
+
+EVERY = (*pairs(), *banks(), *balances(), *machines(), *cams(), *linkages(), *filed())

@@ -1,0 +1,184 @@
+"""What must stand on the sheet of an involute pair, by formulas alone (лист эвольвентной передачи)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.checks.expected import NOTES, Expected, cells, measured
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
+from plans.analytic.involute import flank, sliding
+from plans.involute.quantities import SIZES as SIZED
+from plans.involute.study import InvoluteStudy
+from plans.model.involute import InvolutePair, PairSizes
+from plans.model.motion import Complexes
+from plans.model.teeth import placed, racked
+from plans.quantity import Comparison
+from plans.study import Study
+
+MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", "pair", "sizes", "data"
+MILLIMETRES = 3  # decimals
+# By the unit of a quantity: times which it is told, with how many decimals, in which unit.
+UNITS = {"m": (1e3, MILLIMETRES, "mm"), "rad": (math.degrees(1.0), 4, "°"), "1": (1.0, 3, "")}
+DIGITS = 6  # of the data
+FAR = 1e-9  # of a place: both roads agree far better
+POINTS = 81  # of a flank
+EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
+LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
+Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
+
+
+def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
+    """Give the rows of what both wheels have in common: as drawn, by formulas."""
+    known = {one.name: one for one in comparison.findings}
+    for name in ("α_w", "a_w", "g_α", "ε_α", "λ_B1", "λ_B2"):
+        one = known[name]
+        times, places, unit = UNITS[one.unit]
+        row = f"{with_index(name)}, {drafting.word(unit)}" if unit else with_index(name)
+        yield row, [times * float(road[0]) for road in (one.construction, one.analysis)], places
+
+
+def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
+    """Give the rows of sizes: for each wheel as drawn, by formulas."""
+    known = {one.name: one for one in comparison.findings if one.unit == "m"}
+    for letter in ("d_w", "d_a", "d_f", "d_l", *(letter for letter, _, _ in SIZED[2:])):
+        values = list[float | None]()
+        for number in (1, 2):
+            one = known.get(f"{letter}{number}")
+            values += [None, None] if one is None else [1e3 * float(one.construction[0]), 1e3 * float(one.analysis[0])]
+        yield f"{with_index(letter.rstrip('_'))}, {drafting.word('mm')}", values, MILLIMETRES
+
+
+def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Give the rows of the data of both wheels, as GOST 2.403 has them: module, teeth, shift, circles, measuring."""
+    mm, wheels = drafting.word("mm"), pair.wheels
+    heights = [1e3 * abs(one.tip - one.root) for one in sizes.wheels]
+    rows = {
+        "m": [1e3 * pair.rack.module] * 2,
+        "z": pair.teeth,
+        "x": pair.shifts,
+        "d": [2e3 * wheel.radius for wheel in wheels],
+        "d_b": [2e3 * wheel.base for wheel in wheels],
+        "h": heights,
+        "k": [wheel.spanned for wheel in wheels],
+        "D": [1e3 * wheel.pin for wheel in wheels],
+    }
+    for letter, (first, second) in rows.items():
+        unit = "" if letter in "zxk" else f", {mm}"
+        word = drafting.word(f"involute {letter}")
+        yield f"{word} {with_index(letter)}{unit}", (float(first), float(second))
+
+
+def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
+    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules."""
+    rack = pair.rack
+    moved = round((sizes.distance - pair.standard) / rack.module, EXACT) + 0.0
+    found = {"α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance, "ρ*": rack.rounding}
+    found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
+    found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
+    found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
+    found["u"] = -pair.sense * pair.teeth[1] / pair.teeth[0]
+    return found | {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+
+
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's pair."""
+    comparison, drafting = study.comparison("involute"), drafting_of(study.scene)
+    pair, sizes = study.of(InvoluteStudy).pair, comparison.analysis
+    yield from chain(_mesh(pair, sizes), _generation(pair, sizes), _sliding(pair, sizes))
+    for name, rows in ((PAIR, pair_rows(comparison, drafting)), (SIZES, size_rows(comparison, drafting))):
+        for row, values, places in rows:  # by formulas, in the columns of both roads
+            known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
+            yield from cells(name, row, [one for one in known for _ in range(2)])
+    for row, both in data_rows(pair, sizes, drafting):
+        yield from cells(DATA, row, [(one, FAR) for one in both], digits=DIGITS)
+    for name, value in noted(pair, sizes).items():
+        lost = name == "k"
+        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
+
+
+def _side(pair: InvolutePair, sizes: PairSizes, number: int) -> Complexes:
+    wheel, found = pair.wheels[number], sizes.wheels[number]
+    side = flank(wheel, found.tip, found.root, POINTS)
+    return np.concatenate([side.fillet, side.involute[1:]])
+
+
+def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
+    """Give the points on the line of action, the centres, teeth and circles."""
+    along = complex(math.cos(sizes.angle), math.sin(sizes.angle))
+    first, second = (one.operating * math.sin(sizes.angle) for one in sizes.wheels)
+    tips = [math.sqrt(one.tip**2 - wheel.base**2) for one, wheel in zip(sizes.wheels, pair.wheels, strict=True)]
+    spots = {"P": 0.0, "N_1": -first, "N_2": pair.sense * second, "B_2": tips[0] - first}
+    spots["B_1"] = pair.sense * (second - tips[1])
+    for name, far in spots.items():
+        yield Expected(Kind.POINT, MESH, name, far * along, FAR * sizes.distance, may_lack=name == "P")
+    yield Expected(Kind.ANGLE, MESH, "α_w", sizes.angle, FAR)
+    for k, one in enumerate(placed(pair, sizes)):
+        n = one.wheel.number
+        slack = FAR * one.sizes.operating
+        if one.shown:
+            yield Expected(Kind.POINT, MESH, f"O_{n}", one.centre, slack)
+            yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
+        last = sizes.angle
+        last += tips[k] / one.wheel.base - math.tan(sizes.angle) if one.unrolled else 0.0
+        for name, curve in one.circles(last).items():
+            yield Expected(Kind.CURVE, MESH, name, curve, slack)
+        yield Expected(Kind.CURVE, MESH, f"teeth {n}", one.teeth(_side(pair, sizes, k)), slack)
+
+
+def _generation(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
+    """Give the tooth of wheel 1, the rack in its positions, the circles, the shift."""
+    one = placed(pair, sizes)[0]
+    wheel, slack = one.wheel, FAR * one.wheel.radius
+    yield Expected(Kind.CURVE, GENERATION, "tooth", one.tooth(_side(pair, sizes, 0)), slack)
+    for name, curve in racked(wheel.rack, wheel.shift, wheel.radius).items():
+        yield Expected(Kind.CURVE, GENERATION, name, curve, slack)
+    ways = np.exp(1j * np.linspace(-0.75, 0.75, 65) * math.tau / wheel.teeth)
+    for name, radius in (("d_1", wheel.radius), ("d_b1", wheel.base)):
+        yield Expected(Kind.CURVE, GENERATION, name, 1j * (ways * radius - wheel.radius), slack)
+    yield Expected(Kind.ANGLE, GENERATION, "α", wheel.rack.angle, FAR)
+    shift = wheel.shift * wheel.rack.module
+    row = Expected(Kind.LENGTH, GENERATION, "x_1m", abs(shift), slack, may_lack=True)
+    yield from measured(row, 1e3 * shift, digits=4, may_lack=True) if shift else ()
+
+
+class Reach(NamedTuple):
+    """How far the graph of sliding goes: along the line from N_1, m, and down; where each course begins and ends."""
+
+    length: float
+    low: float
+    spans: tuple[tuple[float, float], tuple[float, float]]
+
+
+def reach(pair: InvolutePair, far: float, end: float, slides: Sequence[float]) -> Reach:
+    """Give how far the graph goes: to N_2, of an internal pair past B_2; down to below the sliding at the feet."""
+    low, ratio = min(LEAST, BEYOND * min(slides)), pair.teeth[0] / pair.teeth[1]
+    length = BEYOND * end if pair.internal else far
+    first = ratio * far / (1 - low + pair.sense * ratio)
+    share = 1 + pair.sense * ratio * (1 - low)  # of an internal pair wheel 2 never slides so much
+    last = min(ratio * far * (1 - low) / share, length) if share > 0 else length
+    return Reach(length, low, ((first, length), (0.0, last)))
+
+
+def _sliding(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
+    """Give the courses of sliding, what it is at the feet, the active part and the base pitch."""
+    far = sizes.distance * math.sin(sizes.angle)
+    end = math.sqrt(sizes.wheels[0].tip ** 2 - pair.wheels[0].base ** 2)
+    slides = [one.sliding for one in sizes.wheels]
+    ends = reach(pair, far, end, slides).spans
+    for k, (name, span) in enumerate(zip(("λ_1", "λ_2"), ends, strict=True)):
+
+        def course(x: np.ndarray, k: int = k) -> np.ndarray:
+            with np.errstate(divide="ignore"):
+                return sliding(pair, x)[k]
+
+        yield Expected(Kind.CURVE, SLIDING, name, course, 1e-3, ends=span)
+        yield Expected(Kind.VECTOR, SLIDING, f"λ_B{k + 1}", 1j * slides[k], 1e-9)
+    for name, size in (("g_α", sizes.active), ("p_b", pair.rack.base_pitch)):
+        yield from measured(Expected(Kind.LENGTH, SLIDING, name, size, FAR), 1e3 * size, digits=4)

@@ -1,0 +1,225 @@
+"""Three pairs of teeth in mesh: base circles and their tangent, flanks unrolled, the active part (зацепление)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
+from drawings.paper.walk import stating
+from drawings.symbols.figure import Subject, around, heading, heading_width, point
+from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
+from plans.involute.flanks import Flanks
+from plans.involute.study import InvoluteStudy
+from plans.model.motion import Complexes
+from plans.model.teeth import PlacedWheel, placed
+
+NAME, SYMBOL, UNIT = "mesh", "l", "m"
+MARGINS = Margins(4.5, 2.0, 2.0)
+LETTERS = 34.0  # it is drawn at least so many letters high
+DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
+STRIP, PAST = 1.6, 6.0  # mm: width of the strip along an active flank; how far lines go on beyond their ends
+TICKS = 24  # across a strip
+STUB = 1.2  # modules: what is shown of a radius whose centre is far
+SQUARE = 3.0  # mm: side of the mark of a right angle
+ANGLE, TURN = 30.0, (12.0, math.radians(40), math.radians(100))  # mm: radius of the angle's arc; arrow of a rotation
+COMMON = 34.0  # mm of the common tangent to either side of P
+
+
+class ShownMesh(NamedTuple):
+    """A mesh to be drawn, in true places about P, m."""
+
+    points: Mapping[str, complex]
+    wheels: tuple[PlacedWheel, PlacedWheel]
+    teeth: Mapping[str, Complexes]
+    circles: Mapping[str, Complexes]
+    strings: Mapping[str, tuple[complex, complex]]  # of the flanks unrolled, by the number at the base circle
+    active: tuple[tuple[Complexes, Complexes], ...]  # the parts of the flanks in P that touch, with the ways inwards
+    angle: float
+
+    @property
+    def known(self) -> list[complex]:
+        """All places that the figure must hold."""
+        curves = (complex(spot) for curve in (*self.teeth.values(), *self.circles.values()) for spot in curve[::6])
+        ends = (complex(curve[k]) for curve in self.circles.values() for k in (0, -1))
+        return [*curves, *ends, *self.points.values(), *map(self.inner, self.wheels)]
+
+    def inner(self, one: PlacedWheel) -> complex:
+        """Give where the radius to the line of action begins: at the centre, or near its end if that is far."""
+        end = self.points[f"N_{one.wheel.number}"]
+        inwards = one.centre - end
+        return one.centre if one.shown else end + inwards / abs(inwards) * STUB * one.wheel.rack.module
+
+
+def shown(study: InvoluteStudy) -> ShownMesh:
+    """Give what is drawn of a pair."""
+    action, wheels = study.action, placed(study.pair, study.sizes)
+    marks = {mark.name: complex(mark.point) for mark in (*action.ends, action.pole, *action.active)}
+    marks |= {f"O_{one.wheel.number}": complex(centre.point)
+              for one, centre in zip(wheels, action.centres, strict=True) if one.shown}  # fmt: skip
+    marks[action.pole.name] = 0j  # the origin: what the meeting leaves is rounding
+    teeth, circles, strings = dict[str, Complexes](), dict[str, Complexes](), dict[str, tuple[complex, complex]]()
+    for one, flanks in zip(wheels, study.flanks, strict=True):
+        n = one.wheel.number
+        unrolled = flanks.points if one.unrolled else ()
+        pairs = [(complex(point.leaves.point), complex(point.end.point)) for point in unrolled]
+        strings |= {f"{n}.{k}": pair for k, pair in enumerate(pairs, 1)}
+        last = pairs[-1][0] if pairs else marks[f"N_{n}"]
+        circles |= one.circles(cmath.phase((last - one.centre) / one.up))
+        teeth[f"teeth {n}"] = one.teeth(study.profile(flanks))
+    active = tuple(
+        touching(flanks, *ends) for flanks, *ends in zip(study.flanks, action.feet, action.strings, strict=True)
+    )
+    return ShownMesh(marks, wheels, teeth, circles, strings, active, action.angle)
+
+
+def touching(flanks: Flanks, foot: float, long: float) -> tuple[Complexes, Complexes]:
+    """Give the part of the flank in P that touches, by how long the string is at its ends; and the ways inwards."""
+    start, centre = complex(flanks.start.point), complex(flanks.centre.point)
+    slopes = np.linspace(foot, long, TICKS + 1) / abs(start)
+    arms = start * np.exp(1j * slopes)
+    return np.asarray(centre + arms * (1 - 1j * slopes)), np.asarray(1j * flanks.wheel.inward * arms / abs(start))
+
+
+def measure(mesh: ShownMesh, drafting: Drafting) -> Picture:
+    """Measure the room that a mesh needs."""
+    hand = drafting.hand
+    title, second = heading_width(drafting.word("involute mesh"), hand), mesh.wheels[1]
+    above = (TURN[0] + 2 * BESIDE) * hand.symbol + hand.letter if second.shown and not second.wheel.internal else 0.0
+    return picture(NAME, mesh.known, (SYMBOL, UNIT), around(MARGINS, hand, above=above), title, LETTERS * hand.letter)
+
+
+def draw(mesh: ShownMesh, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw a mesh in its spot."""
+    drawing = _DrawnMesh(mesh, room.place(*spot), drafting.hand)
+    head = heading(spot.box, drafting.word("involute mesh"), drafting.scale(spot.scale), drafting.hand)
+    return LetteredFigure(NAME, (head, *drawing.lines()), drawing.letters)
+
+
+def polyline(places: Complexes, place: Place, style: LineStyle) -> Polyline:
+    """Draw true places as a chain."""
+    return Polyline(tuple(map(place.on, places.tolist())), False, style)
+
+
+class _DrawnMesh:
+    """A mesh at its place on paper."""
+
+    def __init__(self, mesh: ShownMesh, place: Place, hand: Hand) -> None:
+        self.mesh, self.place, self.hand = mesh, place, hand
+        self.spots = {name: place.on(spot) for name, spot in mesh.points.items()}
+        self.way = cmath.exp(1j * mesh.angle)
+
+    def lines(self) -> Iterator[Stroke]:
+        """Draw circles, strings, teeth, the line of action, the points."""
+        yield from self._circles()
+        yield from (
+            Line(self.place.on(start), self.place.on(end), self.hand.drafted)
+            for start, end in self.mesh.strings.values()
+        )
+        for name, curve in self.mesh.teeth.items():
+            yield stating(Statement(Kind.CURVE, NAME, name), polyline(curve, self.place, self.hand.result))
+        yield from self._strips()
+        yield from self._action()
+        yield from self._rotations()
+        yield from self._points()
+
+    def _circles(self) -> Iterator[Stroke]:
+        styles = {"d_a": self.hand.other, "d_f": self.hand.drafted, "d_b": self.hand.other, "d_w": self.hand.axis}
+        for name, curve in self.mesh.circles.items():
+            line = polyline(curve, self.place, styles.get(name[:3], self.hand.axis))
+            yield stating(Statement(Kind.CURVE, NAME, name), *fit_dashes([line]))
+
+    def _strips(self) -> Iterator[Stroke]:
+        """Hatch a strip along the active parts of the flanks that touch in P."""
+        for curve, ways in self.mesh.active:
+            spots = [self.place.on(spot) for spot in curve.tolist()]
+            inner = [spot + STRIP * self.hand.symbol * way for spot, way in zip(spots, ways.tolist(), strict=True)]
+            yield Polyline(tuple(inner), False, self.hand.drafted)
+            yield from (Line(spot, end, self.hand.drafted) for spot, end in zip(spots, inner, strict=True))
+
+    def _action(self) -> Iterator[Stroke]:
+        """Draw the line of centres, the radii of touch, the line of action with its active part, and its angle."""
+        spots, hand, past = self.spots, self.hand, PAST * self.hand.symbol
+        low, high = self._upright
+        yield from fit_dashes([Line(low - 1j * past, high + 1j * past, hand.axis)])
+        yield from self._radii()
+        ends = sorted(
+            (spots[name] for name in ("N_1", "N_2", "B_1", "B_2")), key=lambda spot: (spot * self.way.conjugate()).real
+        )
+        yield Line(ends[0] - past * self.way, ends[-1] + past * self.way, hand.other)
+        yield Line(spots["B_1"], spots["B_2"], hand.result)
+        pole = spots["P"]
+        long = COMMON * hand.symbol
+        yield Line(pole - long, pole + long, hand.drafted)
+        arrow = TurnArrow(pole, ANGLE * hand.symbol, 0.0, self.mesh.angle)
+        yield stating(Statement(Kind.ANGLE, NAME, "α_w"), *arrow.angle(hand))
+
+    def _radii(self) -> Iterator[Stroke]:
+        """Draw the radii to where the line of action touches the base circles, square to it."""
+        hand, pole = self.hand, self.spots["P"]
+        for one in self.mesh.wheels:
+            end = self.spots[f"N_{one.wheel.number}"]
+            inwards, towards = self.place.on(one.centre) - end, pole - end
+            side, along = (SQUARE * hand.symbol * way / abs(way) for way in (inwards, towards))
+            yield Line(self.place.on(self.mesh.inner(one)), end, hand.drafted)
+            yield Polyline((end + side, end + side + along, end + along), False, hand.drafted)
+
+    @property
+    def _upright(self) -> tuple[complex, complex]:
+        """Where the line of centres begins and ends: at centres, or where the teeth do."""
+        heights = [spot.imag for name, spot in self.spots.items() if name[0] == "O"]
+        heights += [self.place.on(complex(curve[len(curve) // 2])).imag for curve in self.mesh.circles.values()]
+        across = self.spots["P"].real
+        return complex(across, min(heights)), complex(across, max(heights))
+
+    def _rotations(self) -> Iterator[Stroke]:
+        """Draw how the wheels turn: wheel 1 clockwise."""
+        for one in self.mesh.wheels:
+            if one.shown:
+                turns = self._turn(one)
+                yield stating(Statement(Kind.DIRECTION, NAME, f"ω_{one.wheel.number}"), *turns.draw(self.hand))
+
+    def _turn(self, one: PlacedWheel) -> TurnArrow:
+        sense = -1.0 if one.up == 1j else 1.0
+        return rotation(self.spots[f"O_{one.wheel.number}"], sense, TURN, self.hand)
+
+    def _points(self) -> Iterator[Stroke]:
+        subject = Subject(NAME, SYMBOL, None)
+        for name, spot in self.spots.items():
+            circle = Circle(spot, DOT * self.hand.symbol, INK)
+            yield point(subject, name, self.mesh.points[name], self.place, circle, "pole" if name == "P" else "point")
+
+    def letters(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the points, the angle, the circles at their ends, the numbers of the strings."""
+        hand, away = self.hand, cmath.phase(-1j * self.way)
+        sides = {"P": away - 0.3, "N_1": away + math.pi, "N_2": away, "B_1": away, "B_2": away + math.pi}
+        for name, spot in self.spots.items():
+            yield labels.beside(spot, with_index(name), hand.letter, BESIDE, sides.get(name, math.pi))
+        middle = self.spots["P"] + ANGLE * hand.symbol * cmath.exp(0.5j * self.mesh.angle)
+        yield labels.beside(middle, with_index("α_w"), hand.letter, BESIDE, 0.0)
+        for one in self.mesh.wheels:
+            if one.shown:
+                spot, turned = self._turn(one).middle
+                yield labels.beside(spot, with_index(f"ω_{one.wheel.number}"), hand.letter, BESIDE, turned)
+        for name, curve in self.mesh.circles.items():
+            end, before = self.place.on(complex(curve[0])), self.place.on(complex(curve[1]))
+            yield labels.beside(end, self._letter(name), hand.number, BESIDE, cmath.phase(end - before))
+        for name, (start, _) in self.mesh.strings.items():
+            one = self.mesh.wheels[int(name[0]) - 1]
+            at, centre = self.place.on(start), self.place.on(one.centre)
+            yield labels.beside(at, name[2:], hand.number, BESIDE / 2, cmath.phase(centre - at))
+
+    def _letter(self, circle: str) -> str:
+        """Letter a circle: one that is both pitch and operating circle by both."""
+        other = f"d_w{circle[1:]}"
+        alone = not circle[1:].isdigit() or other in self.mesh.circles
+        return with_index(circle) if alone else f"{with_index(circle)} = {with_index(other)}"

@@ -1,0 +1,196 @@
+"""The involute pair by formulas (геометрический расчёт; GOST 16532-70, 19274-73): no curve is drawn."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.model.involute import GearWheel, InvolutePair, PairSizes, WheelSizes
+from plans.model.motion import Complexes, Floats
+
+ANALYSIS = "analysis"
+STEPS = 30  # of Newton's method: it doubles its digits with each
+
+
+def inv(angle: float) -> float:
+    """Give the involute function (эвольвентная функция).
+
+    >>> round(inv(math.radians(20)), 6)
+    0.014904
+    """
+    return math.tan(angle) - angle
+
+
+def angle_of(value: float) -> float:
+    """Give the angle whose involute function is a value of zero or above; NaN below.
+
+    >>> round(math.degrees(angle_of(inv(math.radians(25)))), 12)
+    25.0
+    """
+    if value <= 0:
+        return 0.0 if value == 0 else math.nan
+    angle = math.atan(math.cbrt(3 * value) + value)  # above the root, for small values and for large ones
+    for _ in range(STEPS):
+        step = (inv(angle) - value) / math.tan(angle) ** 2
+        angle -= step
+        if abs(step) <= 1e-16 * angle:
+            break
+    return angle
+
+
+def solve(pair: InvolutePair) -> PairSizes:
+    """Find all sizes of a pair."""
+    return _Formulas(pair).sizes
+
+
+class _Formulas:
+    """A pair by formulas."""
+
+    def __init__(self, pair: InvolutePair) -> None:
+        self.pair, self.rack = pair, pair.rack
+        span = pair.teeth[1] + pair.sense * pair.teeth[0]
+        self.angle = angle_of(inv(self.rack.angle) + 2 * pair.total * math.tan(self.rack.angle) / span)
+        self.distance = pair.standard * math.cos(self.rack.angle) / math.cos(self.angle)
+        self.far = self.distance * math.sin(self.angle)  # N1N2
+        self.levelled = pair.total - (self.distance - pair.standard) / self.rack.module  # Δy
+
+    @property
+    def sizes(self) -> PairSizes:
+        first, second = self.pair.wheels
+        rolls = [self.roll(wheel) for wheel in (first, second)]
+        tangent = math.tan(self.angle)
+        # Of an internal wheel the tip is nearer to its base circle, and the line of action goes on beyond
+        parts = first.teeth * (rolls[0] - tangent), second.inward * second.teeth * (rolls[1] - tangent)
+        ratio = sum(parts) / math.tau
+        wheels = self._wheel(first), self._wheel(second)
+        return PairSizes(ANALYSIS, self.angle, self.distance, ratio * self.rack.base_pitch, ratio, wheels)
+
+    def tip(self, wheel: GearWheel) -> float:
+        """Give the tip radius, m: teeth of outer wheels are shortened by Δy, of a ring by k_2 - Δy."""
+        high = self.rack.head + wheel.inward * wheel.shift
+        if not self.pair.internal:
+            high -= self.levelled
+        elif wheel.internal:
+            high += self.levelled - self.pair.tip_relief
+        return wheel.radius + wheel.inward * self.rack.module * high
+
+    def root(self, wheel: GearWheel) -> float:
+        """Give the root radius, m."""
+        deep = self.rack.head + self.rack.clearance - wheel.inward * wheel.shift
+        return wheel.radius - wheel.inward * self.rack.module * deep
+
+    def roll(self, wheel: GearWheel) -> float:
+        """Give the tangent of the profile angle at the tip."""
+        return math.sqrt(max((self.tip(wheel) / wheel.base) ** 2 - 1, 0.0))
+
+    def foot(self, wheel: GearWheel) -> float:
+        """Give the tangent of the profile angle at which the tip of the other wheel meets this one's foot."""
+        other = self.pair.wheels[2 - wheel.number]
+        return self.facing(other, other.base * self.roll(other)) / wheel.base
+
+    def facing(self, wheel: GearWheel, curvature: float) -> float:
+        """Give the radius of curvature of the other flank where that of a wheel is known, m."""
+        if not self.pair.internal:
+            return self.far - curvature
+        return curvature - self.far if wheel.internal else curvature + self.far
+
+    def _sliding(self, wheel: GearWheel) -> float:
+        """Give the specific sliding at the foot: 1 less the ratio of the velocities along the flanks."""
+        other, own = self.pair.wheels[2 - wheel.number], self.foot(wheel) * wheel.base
+        return 1 - wheel.teeth / other.teeth * self.facing(wheel, own) / own
+
+    def _wheel(self, wheel: GearWheel) -> WheelSizes:
+        tip = self.tip(wheel)
+        chord, height = self._chord(wheel, tip)
+        operating = wheel.base / math.cos(self.angle)
+        thickness = math.tau * wheel.radius / wheel.teeth - wheel.width if wheel.internal else wheel.width
+        return WheelSizes(
+            operating, tip, self.root(wheel), thickness, self._thick(wheel, self.angle, operating),
+            self._thick(wheel, math.atan(self.roll(wheel)), tip), chord, height,
+            self._span(wheel), self._over(wheel), self._sliding(wheel),
+        )  # fmt: skip
+
+    def _thick(self, wheel: GearWheel, angle: float, radius: float) -> float:
+        """Give the thickness of a tooth on a circle, by the profile angle there."""
+        half = wheel.width / (2 * wheel.radius) + inv(self.rack.angle) - inv(angle)
+        return radius * (math.tau / wheel.teeth - 2 * half if wheel.internal else 2 * half)
+
+    def _chord(self, wheel: GearWheel, tip: float) -> tuple[float, float]:
+        """Give the constant chord and its height; an internal wheel has none that is measured."""
+        if wheel.internal:
+            return math.nan, math.nan
+        chord = wheel.width * math.cos(self.rack.angle) ** 2
+        return chord, tip - wheel.radius - chord * math.tan(self.rack.angle) / 2
+
+    def _span(self, wheel: GearWheel) -> float:
+        """Give the length of the common normal, m."""
+        arc = math.pi * (wheel.spanned - 0.5) + 2 * wheel.shift * math.tan(self.rack.angle)
+        return self.rack.module * math.cos(self.rack.angle) * (arc + wheel.teeth * inv(self.rack.angle))
+
+    def _over(self, wheel: GearWheel) -> float:
+        """Give the size over pins, of an internal wheel between them, m."""
+        half, off = wheel.width / (2 * wheel.radius) + inv(self.rack.angle), wheel.pin / (2 * wheel.base)
+        free = half - off if wheel.internal else half + off - math.pi / wheel.teeth
+        far = 2 * wheel.base / math.cos(angle_of(free))
+        far *= math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
+        return far + wheel.inward * wheel.pin
+
+
+class Flank(NamedTuple):
+    """The right side of a space, its middle on the y axis above the wheel's centre: fillet, then involute, m.
+
+    Points of the fillet go from the root circle to the involute, those of the involute on to the tip circle.
+    """
+
+    fillet: Complexes
+    involute: Complexes
+
+
+def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
+    """Give a flank: an involute by its polar equation, below it what the corner of the tool leaves."""
+    half = wheel.width / (2 * wheel.radius) + inv(wheel.rack.angle)  # of a tooth, of a ring's space, at the base circle
+    high = math.sqrt((tip / wheel.base) ** 2 - 1)
+    if wheel.internal:
+        fillet, low = _ring_corner(wheel, half, root, count)
+        rolls = np.linspace(low, high, count)
+        return Flank(fillet, _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
+    depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
+    low = (wheel.radius * math.sin(wheel.rack.angle) - depth / math.sin(wheel.rack.angle)) / wheel.base
+    rolls = np.linspace(low, high, count)
+    spots = _polar(wheel.base, rolls, math.pi / wheel.teeth - half + rolls - np.arctan(rolls))
+    return Flank(_trochoid(wheel, depth, count), spots)
+
+
+def _polar(base: float, rolls: Floats, off: Floats) -> Complexes:
+    return np.asarray(1j * base * np.sqrt(1 + rolls**2) * np.exp(-1j * off))
+
+
+def _trochoid(wheel: GearWheel, depth: float, count: int) -> Complexes:
+    """Give the curve at the corner's radius beside the path of its centre: it begins square to the root circle."""
+    rack, r = wheel.rack, wheel.radius
+    corner = rack.rounding * rack.module
+    over = depth - corner * math.sin(rack.angle)  # from the pitch line down to the path of the corner's centre
+    lean = np.linspace(math.pi / 2, rack.angle, count)  # of the normal: tan = over / abscissa, from c' = r + i c
+    across = over / np.tan(lean)
+    turned = (across - rack.land * rack.module) / r
+    return np.asarray((across + 1j * (r - over) + corner * np.exp(-1j * lean)) * np.exp(1j * turned))
+
+
+def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> tuple[Complexes, float]:
+    """Give the arc between root circle and involute of an internal wheel, and the roll at which it ends."""
+    corner = wheel.corner(root)
+    string = math.sqrt((root - corner) ** 2 - wheel.base**2)
+    off = half - corner / wheel.base - string / wheel.base + math.atan(string / wheel.base)
+    low = (string + corner) / wheel.base
+    lean = np.linspace(off, half - low + math.pi / 2, count)  # of the corner's radius, from the y axis
+    return np.asarray(1j * ((root - corner) * np.exp(-1j * off) + corner * np.exp(-1j * lean))), low
+
+
+def sliding(pair: InvolutePair, places: Floats) -> tuple[Floats, Floats]:
+    """Give the specific sliding of both wheels at distances from N1 along the line of action, m."""
+    far = _Formulas(pair).far
+    others = far - places if pair.sense > 0 else far + places
+    ratio = pair.teeth[0] / pair.teeth[1]
+    return np.asarray(1 - ratio * others / places), np.asarray(1 - places / (ratio * others))

@@ -1,0 +1,168 @@
+"""The line of action by construction: common tangent of the base circles, active part, sliding (линия зацепления)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from functools import cached_property
+from typing import Final
+
+from geometry.board import Board, Mark, between
+from plans.model.involute import EPS, GearWheel, InvolutePair
+from plans.words.words import because
+
+MESH: Final = "involute"  # the board and the plan, m
+TRIALS = 60  # each halves an interval: the last is one rounding
+
+
+def opened(slope: float) -> float:
+    """Give by how much an involute has turned away where its string is so many base radii long, rad.
+
+    >>> round(opened(math.tan(math.radians(20))), 6)
+    0.014904
+    """
+    return slope + cmath.phase(1 - 1j * slope)  # the string is unrolled, and the point seen from the centre
+
+
+def half_at_base(wheel: GearWheel) -> float:
+    """Give half the angle of a tooth, of an internal wheel's space, on the base circle, rad."""
+    return wheel.width / (2 * wheel.radius) + opened(math.tan(wheel.rack.angle))
+
+
+def rolled(value: float) -> float:
+    """Give how many base radii the string is long of an involute that has turned away so far: found by trial.
+
+    >>> round(math.degrees(math.atan(rolled(0.014904384))), 6)
+    20.0
+    """
+    low, high = 0.0, 1.0
+    while opened(high) < value:
+        high *= 2
+    for _ in range(TRIALS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if opened(middle) < value else (low, middle)
+    return (low + high) / 2
+
+
+def closing(pair: InvolutePair) -> float:
+    """Give by how much involutes have turned away on the operating circles where flanks touch on both sides, rad."""
+    first, second = pair.wheels
+    halves = half_at_base(second) * second.teeth + pair.sense * half_at_base(first) * first.teeth
+    return (halves - (math.pi if pair.sense > 0 else 0.0)) / (second.teeth + pair.sense * first.teeth)
+
+
+def touching(pair: InvolutePair) -> float:
+    """Give the angle of action, rad, at which the flanks of a pair touch on both sides."""
+    return math.atan(rolled(closing(pair)))
+
+
+class LineOfAction:
+    """The line of action of a pair, on a board: P is the origin, the line of centres upright, wheel 1 below."""
+
+    def __init__(self, pair: InvolutePair) -> None:
+        self.pair, self.board, angle = pair, Board(MESH), touching(pair)
+        first, second = pair.wheels
+        self.distance = (second.base + pair.sense * first.base) / math.cos(angle)
+        self._draw(first, second)
+
+    def _draw(self, first: GearWheel, second: GearWheel) -> None:
+        board, sense, distance = self.board, self.pair.sense, self.distance
+        share = first.teeth / (second.teeth + sense * first.teeth)
+        down = board.given("O_1", -1j * distance * share, because("involute_centre", wheel=1))
+        up = board.given("O_2", 1j * distance * (sense - share), because("involute_apart"))
+        self.centres = down, up
+        for wheel, centre in zip((first, second), self.centres, strict=True):
+            board.arc(f"d_b{wheel.number}", centre, wheel.base, because("involute_base", wheel=wheel.number))
+        offset = second.base * sense + first.base
+        self.way = board.tangent("t", down, up, offset, float(sense), because("involute_tangent"))
+        self.normals = tuple(
+            board.turn(
+                f"O_{wheel.number}N_{wheel.number}", self.way, 1j * side * wheel.base, because("involute_radius")
+            )
+            for wheel, side in zip((first, second), (1, -sense), strict=True)
+        )
+        names = "N_1", "N_2"
+        self.ends = tuple(
+            board.lay_off(name, centre, radius, because("involute_touch"))
+            for name, centre, radius in zip(names, self.centres, self.normals, strict=True)
+        )
+        self.line = board.parallel("N_1N_2", self.ends[0], self.way, because("involute_line"))
+        upright = board.parallel(
+            "O_1O_2", down, board.join("a_w", down, up, because("involute_apart")), because("involute_axis")
+        )
+        self.pole = board.meet("P", upright, self.line, why=because("involute_pole"))
+
+    @property
+    def angle(self) -> float:
+        """The angle of action α_w, as it is drawn, rad."""
+        return cmath.phase(complex(self.way.point))
+
+    def _to(self, end: int, mark: Mark) -> float:
+        """Give how far along the line a mark is from where that touches a base circle, m."""
+        off = complex(between(self.ends[end], mark)) * complex(self.way.point).conjugate()
+        return off.real
+
+    @cached_property
+    def tips(self) -> tuple[float, float]:
+        """The tip radii, m: each leaves the clearance to the other's root; an internal wheel clears the fillet too."""
+        rack, relief = self.pair.rack, self.pair.tip_relief
+        first = self.pair.wheels[0]
+        head = first.radius + rack.module * (rack.head + first.shift)
+        if self.pair.internal:
+            return head, self.roots[0] + self.distance + rack.module * (rack.clearance + relief)
+        gap = rack.module * rack.clearance
+        return self.distance - self.roots[1] - gap, self.distance - self.roots[0] - gap
+
+    @cached_property
+    def roots(self) -> tuple[float, float]:
+        """The root radii, m: as deep as the rack goes."""
+        rack, (first, second) = self.pair.rack, self.pair.wheels
+        deep = (rack.head + rack.clearance) * rack.module
+        shifts = [wheel.shift * rack.module for wheel in (first, second)]
+        return first.radius - deep + shifts[0], second.radius - second.inward * deep + shifts[1]
+
+    @cached_property
+    def active(self) -> tuple[Mark, Mark]:
+        """B_1 and B_2: where the tip circles of wheel 2 and of wheel 1 cut the line."""
+        board, marks = self.board, list[Mark]()
+        for name, number, side in (("B_1", 1, -self.pair.sense), ("B_2", 0, 1)):
+            why = because("involute_tip", wheel=number + 1)
+            tip = board.arc(f"d_a{number + 1}", self.centres[number], self.tips[number], why)
+            marks.append(board.meet(name, self.line, tip, float(side), because("involute_active", wheel=number + 1)))
+        return marks[0], marks[1]
+
+    @cached_property
+    def strings(self) -> tuple[float, float]:
+        """How long the string is at each tip, m: from N_1 to B_2, and from N_2 to B_1."""
+        start, end = self.active
+        return self._to(0, end), -self.pair.sense * self._to(1, start)
+
+    @property
+    def length(self) -> float:
+        """The length of the active part, measured, m."""
+        start, end = self.active
+        return self._to(0, end) - self._to(0, start)
+
+    @property
+    def feet(self) -> tuple[float, float]:
+        """How long the string is where the other's tip meets each flank, m."""
+        start, end = self.active
+        return self._to(0, start), -self.pair.sense * self._to(1, end)
+
+    @property
+    def sliding(self) -> tuple[float, float]:
+        """The specific sliding at the foot of each flank, by segments of the line: 1 - u N2B/N1B."""
+        start, end = self.active
+        ratio = self.pair.teeth[0] / self.pair.teeth[1]
+        first = 1 - ratio * -self.pair.sense * self._to(1, start) / self._to(0, start)
+        return first, 1 - self._to(0, end) / (ratio * -self.pair.sense * self._to(1, end))
+
+
+# By how many roundings a size may be off: sums and roots of a few, and a meeting of a line and an arc.
+ROUNDINGS = 64.0
+
+
+def slack(pair: InvolutePair, angle: float) -> float:
+    """Give how far rounding may move a place, m: the involute function is flat where the angle is small."""
+    flat = math.sin(angle) * math.tan(angle)
+    return ROUNDINGS * EPS * max(wheel.base for wheel in pair.wheels) / min(flat, 1.0)

@@ -1,0 +1,114 @@
+"""An involute pair by both roads: what is measured on the drawing beside the formulas (сравнение)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from geometry.board import Mark, Span
+from plans.analytic.involute import flank, solve
+from plans.explanation import Explanation, NoMark, explained_by
+from plans.involute.action import MESH, slack
+from plans.involute.flanks import Flanks
+from plans.involute.generation import GENERATION
+from plans.involute.limits import lowest
+from plans.involute.study import POINTS, InvoluteStudy
+from plans.model.involute import PairSizes, WheelSizes
+from plans.quantity import Comparison, Quantity, Shown
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+WEAR = 8.0  # roundings more of what is measured by several lines
+
+
+def compare_pair(study: InvoluteStudy) -> Comparison:
+    """Measure a pair on its drawing, and put every size beside that by formulas."""
+    both = _ComparedPair(study, study.sizes, solve(study.pair))
+    return Comparison(both.ours, both.theirs, (*both.pair(), *both.wheels(), *both.generated(), *both.left()))
+
+
+class _ComparedPair(NamedTuple):
+    """A pair by both roads."""
+
+    study: InvoluteStudy
+    ours: PairSizes
+    theirs: PairSizes
+
+    @property
+    def slack(self) -> float:
+        """How far rounding may move a place, m."""
+        return WEAR * slack(self.study.pair, self.theirs.angle)
+
+    def _of(self, name: str, unit: str, pair: tuple[float, float], off: float, shown: Shown | None = None) -> Quantity:
+        return Quantity.of((MESH, name, unit), pair, off, shown=shown)
+
+    def pair(self) -> Iterator[Quantity]:
+        """Compare what both wheels have in common."""
+        ours, theirs, action = self.ours, self.theirs, self.study.action
+        turned = self.slack / (theirs.distance * math.sin(theirs.angle))
+        yield self._of("α_w", "rad", (ours.angle, theirs.angle), turned, action.way)
+        yield self._of("a_w", "m", (ours.distance, theirs.distance), self.slack, Span(*action.centres))
+        yield self._of("g_α", "m", (ours.active, theirs.active), self.slack, Span(*action.active))
+        yield self._of("ε_α", "1", (ours.ratio, theirs.ratio), self.slack / self.study.pair.rack.base_pitch)
+
+    def wheels(self) -> Iterator[Quantity]:
+        """Compare the sizes of each wheel."""
+        for flanks, ours, theirs in zip(self.study.flanks, self.ours.wheels, self.theirs.wheels, strict=True):
+            n, ends = flanks.wheel.number, self._ends(flanks)
+            for letter, name, times in SIZES:
+                values = times * getattr(ours, name), times * getattr(theirs, name)
+                if not math.isnan(values[1]):
+                    yield self._of(f"{letter}{n}", "m", values, times * self.slack, ends.get(name))
+            strings = self.study.action.feet[n - 1]
+            share = self.slack * (1 / strings + 1 / abs(strings - self.theirs.distance * math.sin(self.theirs.angle)))
+            off = abs(1 - theirs.sliding) * share
+            yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off)
+
+    def _ends(self, flanks: Flanks) -> dict[str, Span]:
+        """Give the marks between which sizes are measured."""
+        ends: dict[str, tuple[Mark, Mark]] = {"span": flanks.span}
+        if not flanks.wheel.internal:
+            ends["chord"] = flanks.chord
+        return {name: Span(*both) for name, both in ends.items()}
+
+    def generated(self) -> Iterator[Quantity]:
+        """Compare what the rack leaves: the root circle, and where the involute begins."""
+        for flanks, theirs in zip(self.study.flanks, self.theirs.wheels, strict=True):
+            if flanks.wheel.internal:
+                yield self._of("d_f2", "m", (2 * flanks.root, 2 * theirs.root), 2 * self.slack)
+            if found := self.study.generated.get(flanks.wheel.number):
+                n, base = flanks.wheel.number, flanks.wheel.base
+                root, begin = abs(complex(found.points[0])), abs(complex(np.atleast_1d(found.involute.point)[0]))
+                end = math.hypot(base, lowest(flanks.wheel, theirs.root))
+                yield Quantity.of((GENERATION, f"d_f{n}", "m"), (2 * root, 2 * theirs.root), 2 * self.slack)
+                yield Quantity.of((GENERATION, f"d_l{n}", "m"), (2 * begin, 2 * end), 2 * self.slack)
+
+    def left(self) -> Iterator[Quantity]:
+        """See that tooth and space fill the operating pitch, and how far whole profiles are from the formulas."""
+        first, second = self.ours.wheels
+        pitch = math.tau * first.operating / self.study.pair.teeth[0]
+        gap = pitch - first.operating_thickness - second.operating_thickness
+        yield Quantity.of((MESH, "j_w", "m"), (gap, 0.0), 2 * self.slack, pitch)
+        for flanks, theirs in zip(self.study.flanks, self.theirs.wheels, strict=True):
+            known = flank(flanks.wheel, theirs.tip, theirs.root, POINTS)
+            points = np.concatenate([known.fillet, known.involute[1:]])
+            off = float(np.abs(self.study.profile(flanks) - points).max())
+            yield Quantity.of((GENERATION, f"Δ_{flanks.wheel.number}", "m"), (off, 0.0), self.slack, theirs.tip)
+
+
+# The letter of a size, its name, and how often it is told: of circles the diameters.
+SIZES = (
+    ("d_w", "operating", 2), ("d_a", "tip", 2), ("s_", "thickness", 1), ("s_w", "operating_thickness", 1),
+    ("s_a", "tip_thickness", 1), ("s_c", "chord", 1), ("h_c", "height", 1), ("W_", "span", 1), ("M_", "over", 1),
+)  # fmt: skip
+assert {name for _, name, _ in SIZES} <= set(WheelSizes._fields)
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark: places and lengths are metres."""
+    found = explained_by(study.comparison(MESH).findings, position, name)
+    return found._replace(units={MESH: "m"}) if isinstance(found, Explanation) else found

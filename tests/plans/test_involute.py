@@ -1,0 +1,230 @@
+"""The involute pair: worked values, tables of handbooks, random pairs against an independent envelope (эвольвента)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from random import Random
+
+import numpy as np
+import pytest
+
+from plans.analytic.involute import angle_of, inv, solve
+from plans.involute.limits import limits
+from plans.involute.quantities import compare_pair
+from plans.involute.shift import AIMS, EQUAL_SLIDING, aimed, least_shift
+from plans.involute.study import InvoluteStudy
+from plans.model.involute import GearWheel, InvolutePair, Rack
+from plans.model.motion import Complexes, Floats
+from plans.words.words import languages
+
+RACK = Rack(0.005, math.radians(20))
+UNIT = Rack(1.0, math.radians(20))
+
+
+def wheel(teeth: int, shift: float, rack: Rack = RACK) -> GearWheel:
+    return GearWheel(rack, 1, teeth, shift)
+
+
+# Theme 6 of the book, tasks 2 and 3: by (17 - z)/17, and by the exact least shift; mm.
+@pytest.mark.parametrize(
+    ("teeth", "shift", "told"),
+    [
+        (12, 5 / 17, {"s": "8.924482323", "e": "6.783480945", "x": "0.2941176471"}),
+        (12, None, {"s": "8.939098211", "e": "6.768865057", "x": "0.2981333294"}),
+        (10, 7 / 17, {"d_a": "64.11764706", "d_f": "41.61764706", "x": "0.4117647059"}),
+        (10, None, {"d_a": "64.15111108", "d_f": "41.65111108", "x": "0.4151111078"}),
+    ],
+)
+def test_theme_6(teeth: int, shift: float | None, told: dict[str, str]) -> None:
+    shift = least_shift(wheel(teeth, 0.0)) if shift is None else shift
+    first = solve(InvolutePair(RACK, (teeth, 30), (shift, -shift))).wheels[0]  # of no total shift: no shortened teeth
+    known = {"s": first.thickness, "e": RACK.pitch - first.thickness, "d_a": 2 * first.tip, "d_f": 2 * first.root}
+    found = {name: 1e3 * value for name, value in known.items()} | {"x": shift}
+    for name, digits in told.items():
+        assert f"{found[name]:.{len(digits) - digits.index('.') - 1}f}" == digits
+
+
+def test_least_teeth_without_undercut() -> None:
+    assert f"{2 / math.sin(RACK.angle) ** 2:.8f}" == "17.09726434" and abs(least_shift(wheel(17, 0.0))) < 0.006
+
+
+# Tables of the involute function, of the common normal and the constant chord at m = 1 (Anuriev, vol. 2).
+@pytest.mark.parametrize(("degrees", "value"), [(15, 0.0061498), (20, 0.0149044), (25, 0.0299753), (30, 0.0537515)])
+def test_involute_function(degrees: float, value: float) -> None:
+    assert round(inv(math.radians(degrees)), 7) == value
+    assert math.degrees(angle_of(inv(math.radians(degrees)))) == pytest.approx(degrees, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("teeth", "spanned", "length"),
+    [(10, 2, 4.5683), (12, 2, 4.5963), (17, 2, 4.6663), (20, 3, 7.6604), (30, 4, 10.7526), (40, 5, 13.8448)],
+)
+def test_common_normal(teeth: int, spanned: int, length: float) -> None:
+    pair = InvolutePair(UNIT, (teeth, teeth), (0.0, 0.0))
+    assert pair.wheels[0].spanned == spanned
+    assert round(solve(pair).wheels[0].span, 4) == length
+
+
+def test_constant_chord() -> None:
+    first = solve(InvolutePair(UNIT, (20, 40), (0.0, 0.0))).wheels[0]
+    assert (round(first.chord, 4), round(first.height, 4)) == (1.3870, 0.7476)
+
+
+def pairs(count: int, seed: int) -> Iterator[InvolutePair]:
+    """Give random pairs that keep all limits, every third one internal."""
+    chance = Random(seed)
+    for _ in range(20 * count):
+        rack = Rack(chance.choice((0.002, 0.005, 0.01)), math.radians(chance.choice((20.0, 20.0, 25.0))))
+        first, internal = chance.randint(10, 32), count % 3 == 0
+        second = first + chance.randint(14, 60) if internal else chance.randint(first, 90)
+        shift = max(least_shift(wheel(first, 0.0, rack)), 0.0) + chance.uniform(0.0, 0.3)
+        other = shift + chance.uniform(0.0, 0.3) if internal else chance.uniform(-0.2, 0.5)
+        pair = InvolutePair(rack, (first, second), (shift, other), internal)
+        if not any(limit.broken for limit in limits(pair)):
+            count -= 1
+            yield pair
+        if not count:
+            return
+    raise AssertionError("limits let too few pairs pass")
+
+
+PAIRS = [*pairs(60, 31)]
+
+
+def sunk(spots: Complexes, cut: GearWheel, rolled: Floats) -> Floats:
+    """Give how deep places of a wheel lie in the rack after it rolled, m: below 0 outside of it.
+
+    The rack's tooth is a trapezium, less a corner's radius all round, to which that radius is added again.
+    """
+    rack, m = cut.rack, cut.rack.module
+    moved = spots[:, None] * np.exp(-1j * rolled / cut.radius) - rolled
+    off = np.abs(moved.real) - rack.land * m
+    up = moved.imag - cut.radius - (cut.shift - rack.straight + rack.rounding * math.sin(rack.angle)) * m
+    along = off * math.sin(rack.angle) + up * math.cos(rack.angle)
+    beside = off * math.cos(rack.angle) - up * math.sin(rack.angle)
+    corner = np.where(off <= 0, -up, np.hypot(off, up))
+    return np.asarray(rack.rounding * m - np.where(along >= 0, beside, corner))
+
+
+def deepest(depth: object, low: Floats, high: Floats) -> Floats:
+    """Give the largest depth over a range, place by place: by a grid, then by thirds."""
+    assert callable(depth)
+    grid = np.linspace(0, 1, 4001)
+    tried = depth(low[:, None] + (high - low)[:, None] * grid)
+    best = tried.argmax(axis=1)
+    step = (high - low) / 4000
+    start, end = low + step * (best - 1), low + step * (best + 1)
+    for _ in range(80):
+        third = (end - start) / 3
+        one, other = (depth((start + k * third)[:, None])[:, 0] for k in (1, 2))
+        start, end = np.where(one < other, start + third, start), np.where(one < other, end, end - third)
+    return np.asarray(depth(((start + end) / 2)[:, None])[:, 0])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_roads_agree_and_the_rack_touches_every_place_and_cuts_none(pair: InvolutePair) -> None:
+    study = InvoluteStudy(pair)
+    comparison = compare_pair(study)
+    assert comparison.agrees
+    for flanks in study.flanks:
+        if not flanks.wheel.internal:
+            spots, reach = study.profile(flanks)[1::8], np.ones(10) * 3 * pair.rack.pitch
+            left = deepest(lambda rolled, f=flanks, s=spots: sunk(s, f.wheel, rolled), -reach, reach)
+            assert np.abs(left).max() < 1e-12 * pair.rack.module
+    ratio = study.action.length / pair.rack.base_pitch
+    assert ratio == pytest.approx(solve(pair).ratio, rel=1e-12)
+
+
+@pytest.mark.parametrize("pair", [pair for pair in PAIRS if pair.internal])
+def test_the_pinion_touches_the_ring_everywhere_and_cuts_nowhere(pair: InvolutePair) -> None:
+    study, sizes, (first, second) = InvoluteStudy(pair), solve(pair), pair.wheels
+    flank = study.profile(study.flanks[1])[41::4]  # of the ring's involute, the middle of a space above its centre
+    half = first.width / (2 * first.radius) + inv(pair.rack.angle)
+
+    def depth(turned: Floats) -> Floats:
+        """Give how deep the flank lies in the pinion's tooth, along its normal, at turns of the ring."""
+        seen = flank[:, None] * np.exp(1j * turned) - 1j * sizes.distance
+        seen = seen * np.exp(-1j * turned * second.teeth / first.teeth)
+        slope = np.sqrt(np.maximum((np.abs(seen) / first.base) ** 2 - 1, 0.0))
+        return np.asarray((half - slope + np.arctan(slope) + np.angle(seen / 1j)) * first.base)
+
+    reach = np.full(len(flank), 4 * math.pi / second.teeth)
+    assert np.abs(deepest(depth, -reach, reach)).max() < 1e-12 * second.radius
+
+
+def spare(pair: InvolutePair) -> float:
+    """Give the least angle that is left in a ring's spaces beside the pinion's tips as they swing through, rad."""
+    sizes, (first, second) = solve(pair), pair.wheels
+    tip, ring = sizes.wheels
+    turned = np.linspace(-2.0, 2.0, 40001)  # of the pinion, in whose space of the ring the tooth stands at 0
+    corner = tip.tip * np.exp(1j * (turned - tip.tip_thickness / 2 / tip.tip)) * 1j + 1j * sizes.distance
+    seen = corner * np.exp(-1j * turned * first.teeth / second.teeth) / 1j
+    slope = np.sqrt(np.maximum((np.abs(seen) / second.base) ** 2 - 1, 0.0))
+    space = second.width / (2 * second.radius) + inv(pair.rack.angle) - slope + np.arctan(slope)
+    return float(np.min((space - np.abs(np.angle(seen)))[np.abs(seen) > ring.tip]))
+
+
+@pytest.mark.parametrize("shift", [0.3, 0.5, 0.7])
+@pytest.mark.parametrize("teeth", [(20, 24), (20, 26), (20, 28), (20, 30), (30, 36), (30, 40)])
+def test_tips_of_a_ring_are_told_to_meet_where_they_do(teeth: tuple[int, int], shift: float) -> None:
+    pair = InvolutePair(RACK, teeth, (shift, shift), True)
+    told = [limit.details["gap"] for limit in limits(pair) if limit.kind == "tips_meet"]
+    gaps = [float(str(gap).replace("\N{MINUS SIGN}", "-")) for gap in told] or [0.0]
+    assert gaps[0] == pytest.approx(min(math.degrees(spare(pair)), 0.0), abs=1e-3)  # by a grid of turns
+
+
+def speeds(pair: InvolutePair, spot: complex) -> tuple[float, float]:
+    """Give how fast both flanks move along themselves in a place on the line of action, at 1 rad/s of wheel 1."""
+    sizes = solve(pair)
+    first, second = (one.operating for one in sizes.wheels)
+    tangent = 1j * np.exp(1j * sizes.angle)
+    ways = (
+        -1j * (spot + 1j * first),
+        1j * pair.sense * pair.teeth[0] / pair.teeth[1] * (spot - 1j * pair.sense * second),
+    )
+    return tuple(float((way * np.conj(tangent)).real) for way in ways)  # type: ignore[return-value]
+
+
+@pytest.mark.parametrize("pair", PAIRS[:12])
+def test_sliding_is_that_of_the_velocities(pair: InvolutePair) -> None:
+    study = InvoluteStudy(pair)
+    for number, mark in enumerate(study.action.active):
+        both = speeds(pair, complex(mark.point))
+        own, other = both[number], both[1 - number]
+        assert solve(pair).wheels[number].sliding == pytest.approx((own - other) / own, rel=1e-9)
+
+
+@pytest.mark.parametrize("pair", PAIRS[:6])
+def test_teeth_fill_the_operating_pitch_and_profiles_stand_in_no_other(pair: InvolutePair) -> None:
+    first, second = solve(pair).wheels
+    assert first.operating_thickness + second.operating_thickness == pytest.approx(
+        math.tau * first.operating / pair.teeth[0], rel=1e-12
+    )
+
+
+@pytest.mark.parametrize("aim", AIMS)
+@pytest.mark.parametrize("plain", [((12, 28), False), ((15, 41), False), ((18, 64), True)])
+@pytest.mark.parametrize("more", [None, 0.3])
+def test_shifts_bring_what_is_aimed_at(aim: str, plain: tuple[tuple[int, int], bool], more: float | None) -> None:
+    teeth, internal = plain
+    bare = InvolutePair(RACK, teeth, (0.0, 0.0), internal)
+    centre = None if more is None else bare.standard + more * RACK.module
+    pair = aimed(bare, aim, centre)
+    sizes = solve(pair)
+    assert sizes.distance == pytest.approx(centre or sizes.distance, rel=1e-12)
+    if aim == EQUAL_SLIDING:
+        assert sizes.wheels[0].sliding == pytest.approx(sizes.wheels[1].sliding, rel=1e-6)
+    else:
+        assert all(one.internal or one.shift >= least_shift(one) - 1e-12 for one in pair.wheels)
+
+
+def test_limits_are_told_in_words_of_every_language() -> None:
+    bad = [
+        InvolutePair(RACK, (10, 30), (0.0, 0.0)), InvolutePair(RACK, (10, 30), (1.2, 0.0)),
+        InvolutePair(RACK, (20, 24), (0.5, 0.5), internal=True), InvolutePair(RACK, (20, 40), (0.0, -2.0)),
+    ]  # fmt: skip
+    kinds = {limit.kind for pair in bad for limit in limits(pair)}
+    assert {"undercut_teeth", "pointed_tip", "tips_meet", "no_mesh"} <= kinds and len(languages()) == 2
+    assert not any(limit.broken for limit in limits(replace(bad[0], shifts=(0.4152, 0.0))))
