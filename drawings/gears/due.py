@@ -1,0 +1,111 @@
+"""What must stand on the sheet of a gear train, by exact equations alone: velocities, speeds, ratios (лист)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+
+from drawings.checks.expected import NOTES, Expected, by_hand, cells
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
+from plans.analytic.gears import velocity
+from plans.gears.kutzbach import ANGULAR, LINEAR, board_of
+from plans.gears.study import GEARS, GearsStudy, of_gear
+from plans.model.gears import FRAME, Gear
+from plans.quantity import Quantity
+from plans.quantity import by_hand as slipping
+from plans.study import Study
+
+DIGITS = 5
+SHORT = 0.6  # mm: a shorter velocity is a point
+SAME = 1e-9  # of the largest: ends that are one
+
+
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's gear train."""
+    found, drafting = study.of(GearsStudy), drafting_of(study.scene)
+    scales = {name: mu for leaf in leaves for name, mu in leaf.metadata["scales"].items()}
+    plans = (
+        one for gear in found.train.gears for one in (*_linear(found, gear, scales), *_angular(found, gear, scales))
+    )
+    findings = study.comparison(GEARS).of(ANGULAR)
+    slips = slipping(study.comparison(GEARS).findings, scales)
+    results = (row for one in findings if one.analysis[0] for row in _result(one, slips, drafting))
+    yield from chain(plans, results, _speeds(found), _notes(found))
+
+
+def _linear(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Iterator[Expected]:
+    """Give the velocities of mesh points and of planets' centres, m/s."""
+    name, speeds = board_of(LINEAR, gear), study.exact(gear)
+    for spot in (spot for spot in study.spots if spot.links[0] != FRAME):
+        value = velocity(study.train, speeds, spot.links[0], spot.height)
+        short = abs(value) * study.plans[0].tau < SHORT * 2 * scales[name]
+        yield Expected(Kind.VECTOR, name, f"v_{spot.letter}", complex(value), may_lack=short)
+
+
+def _angular(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Iterator[Expected]:
+    """Give the ends of the segments of links, rad/s; of links that turn alike the first may stand for all."""
+    name, speeds = board_of(ANGULAR, gear), study.true(gear)
+    largest = max(map(abs, speeds.values()))
+    for k, (link, speed) in enumerate(speeds.items()):
+        others = (0.0, *[*speeds.values()][:k])
+        near = any(abs(speed - other) < SAME * largest + scales[name] for other in others)
+        yield Expected(Kind.POINT, name, f"ω_{link}", complex(speed), SAME * largest, may_lack=near)
+    yield Expected(Kind.PHRASE, name, f"K {name}", 1 / study.plans[0].tau / scales[name])
+
+
+def _result(one: Quantity, slips: Mapping[tuple[str, int], float], drafting: Drafting) -> Iterator[Expected]:
+    value = float(one.analysis[0]), float(one.allowed[0])
+    label = f"{with_index(one.name)}, {drafting.word(one.unit)}" if one.unit else with_index(one.name)
+    yield from cells(
+        "results", label, (value, value, by_hand(slips.get((one.name, 0), math.nan), one.largest)), digits=DIGITS
+    )
+
+
+def _speeds(study: GearsStudy) -> Iterator[Expected]:
+    for link in study.train.links:
+        row: list[tuple[float, float] | str] = []
+        for gear in study.train.gears:
+            row.append((study.true(gear)[link] * 30 / math.pi, 0.0))
+            row += [str(study.shares(gear)[link][0]).replace("-", "−")] if study.single else []
+        yield from cells("speeds", link, row, digits=DIGITS)
+
+
+def _notes(study: GearsStudy) -> Iterator[Expected]:
+    """Give the numbers of the notes by the names of their quantities."""
+    train, numbers = study.train, dict[str, float]()
+    numbers |= {f"z_{name}": float(abs(wheel.teeth)) for name, wheel in train.wheels.items()}
+    for module in {wheel.module for wheel in train.wheels.values()}:
+        first = next(wheel for wheel in train.wheels.values() if wheel.module == module)
+        numbers[f"m {first.name}"] = 1000 * float(module)
+    for link, speed in train.drives:
+        numbers |= {f"n_{link}": speed * 30 / math.pi, f"given ω_{link}": speed}
+    for one, other in train.pairs:
+        numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
+    for gear in train.gears:
+        if (ratio := study.ratio(gear)) is not None:
+            numbers[of_gear(study.ratio_name, gear)] = float(ratio)
+            numbers[of_gear(f"n_{train.output}", gear)] = study.true(gear)[train.output] * 30 / math.pi
+    for name, value in numbers.items():
+        yield Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS)
+    yield from _ratios(study)
+    yield from _planets(study)
+
+
+def _ratios(study: GearsStudy) -> Iterator[Expected]:
+    """Give the ratios with a carrier stopped: speeds of the analysis over that of the carrier."""
+    for one in study.train.willis:
+        value = float(study.stopped(one.first.link, one.other.link, one.carrier or FRAME))
+        yield Expected(Kind.PHRASE, NOTES, f"U_{one.first.name}{one.other.name}^{one.carrier}", value, digits=DIGITS)
+
+
+def _planets(study: GearsStudy) -> Iterator[Expected]:
+    train = study.train
+    for link, carrier in train.carrier_of.items() if (train.planets or 0) > 1 else ():
+        far = float(train.heights[link] - train.heights[carrier])
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+            chord = 2000 * far * math.sin(math.pi / (train.planets or 1))
+            yield Expected(Kind.PHRASE, NOTES, f"chord {wheel.name}", chord)
+            yield Expected(Kind.PHRASE, NOTES, f"tips {wheel.name}", 1000 * float(wheel.module) * (wheel.teeth + 2))

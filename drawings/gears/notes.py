@@ -1,0 +1,168 @@
+"""A gear train in words: what is given, coaxiality, Willis's formula with numbers, ratios (пояснения)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from drawings.lettering.words import Phrase, Slot, joined, with_index
+from drawings.page.page import Drafting
+from plans.gears.study import GearsStudy, of_gear
+from plans.model.gears import Gear, Wheel, Willis, assembly
+
+MILLIMETRES = 1000.0
+DIGITS = 5
+
+
+def letters(index: str) -> str:
+    """Letter a number of teeth, its primes on the index.
+
+    >>> letters("2'")
+    "z_{2'}"
+    """
+    return f"z_{{{index}}}"
+
+
+class GearsNotes(NamedTuple):
+    """The notes on a gear train."""
+
+    study: GearsStudy
+    drafting: Drafting
+    lacking: Sequence[str]  # wheels whose teeth the scene does not give
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """What is given, how it fits, what Willis gives, how the plans are read."""
+        return *self.given(), *self.fit(), *self.willis(), *self.ratios(), *self.read()
+
+    def given(self) -> Iterator[str]:
+        """Tell teeth, module and speeds."""
+        train, slot = self.study.train, self.drafting.slot
+        for module in dict.fromkeys(wheel.module for wheel in train.wheels.values()):
+            some = [wheel for wheel in train.wheels.values() if wheel.module == module]
+            teeth = joined(",  ", (self._equal(letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
+            size = Slot(f"m {some[0].name}", MILLIMETRES * float(module))
+            yield self._said("gears teeth", module=slot(size), teeth=teeth)
+        if self.lacking:
+            yield self._said("gears found", names=", ".join(map(letters, self.lacking)))
+        for link, speed in train.drives:
+            n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
+            yield self._said("gears drive", link=link, n=n, omega=omega)
+        if train.joined:
+            yield self._said("gears joined", links=";  ".join(" – ".join(map(_link, group)) for group in train.joined))
+        for gear in train.gears:
+            if gear.name:
+                names = ", ".join(map(with_index, self.study.engaged(gear)))
+                yield self._said("gears engaged", gear=gear.name, names=names)
+
+    def fit(self) -> Iterator[str]:
+        """Tell the distances of axes, and the conditions of neighbourhood and of assembly."""
+        train = self.study.train
+        for one, other in train.pairs:
+            sign = "−" if one.internal or other.internal else "+"
+            large, small = (other, one) if other.internal else (one, other)
+            formula = f"m({letters(large.name)} {sign} {letters(small.name)})/2"
+            far = Slot(f"a_{one.name}{other.name}", MILLIMETRES * float(one.module * abs(one.teeth + other.teeth) / 2))
+            yield self._said("gears distance", pair=f"{one.name}{other.name}", formula=formula, far=far)
+        for link in train.carrier_of if (train.planets or 0) > 1 else ():
+            yield from self._planets(link)
+
+    def _planets(self, link: str) -> Iterator[str]:
+        train, count = self.study.train, self.study.train.planets or 1
+        far = train.heights[link] - train.heights[train.carrier_of[link]]
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+            chord = Slot(f"chord {wheel.name}", MILLIMETRES * 2 * float(far) * math.sin(math.pi / count))
+            tips = Slot(f"tips {wheel.name}", MILLIMETRES * float(wheel.module * (wheel.teeth + 2)))
+            yield self._said("gears chord", wheel=wheel.name, count=count, chord=chord, tips=tips)
+        for one, other, share in assembly(train, link):
+            parts = {"sum": share * count, "count": count, "share": str(share)}
+            yield self._said("gears whole", one=one.name, other=other.name, **parts)
+
+    def willis(self) -> Iterator[str]:
+        """Write Willis's formula of each two wheels about a planet, in letters and in numbers."""
+        for one in self.study.train.willis:
+            yield self._formula(one)
+
+    def _formula(self, one: Willis) -> Phrase:
+        first, other, carrier = one.first.link, one.other.link, one.carrier
+        name = f"U_{{{_pair(first, other)}}}" + (f"^{{({carrier})}}" if carrier else "")
+        top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
+        speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
+        driven, driving = _kept(one)
+        sign = "−" if one.ratio < 0 else ""
+        product = "·".join(letters(w.name) for w in driven), "·".join(letters(w.name) for w in driving)
+        numbers = "·".join(str(abs(w.teeth)) for w in driven), "·".join(str(abs(w.teeth)) for w in driving)
+        terms = [name, speeds, f"{sign}{_over(*product, len(driving))}", f"{sign}{_over(*numbers, len(driving))}"]
+        return joined(" = ", (*terms, self.drafting.slot(Slot(_quantity(one), float(one.ratio), DIGITS))))
+
+    def ratios(self) -> Iterator[str]:
+        """Tell the ratio of each gear, by Willis's formula where one of its wheels is held, and the driven speed."""
+        for gear in self.study.train.gears:
+            ratio = self.study.ratio(gear)
+            if ratio is not None:
+                yield self._ratio(gear, ratio)
+
+    def _ratio(self, gear: Gear, ratio: Fraction) -> Phrase:
+        driving, driven = self.study.train.drives[0][0], self.study.train.output
+        name = f"U_{{{_pair(driving, driven)}}}" + (f"^{{{gear.name}}}" if gear.name else "")
+        value = self.drafting.slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
+        terms = [name, *self._stopped(gear, driving, driven)]
+        terms += [_fraction(ratio)] if ratio.denominator != 1 else []
+        speed = self.study.train.drives[0][1] * float(1 / ratio) * 30 / math.pi
+        n = self.drafting.slot(Slot(of_gear(f"n_{driven}", gear), speed, DIGITS))
+        unit = self.drafting.word("rpm")
+        return joined("", (joined(" = ", (*terms, value)), f";  n_{{{driven}}} = ", n, f" {unit}"))
+
+    def _stopped(self, gear: Gear, driving: str, driven: str) -> Iterator[str]:
+        """Write 1 - U_13^(H) where wheel 3 is held and the carrier is driven, or drives."""
+        for one in self.study.train.willis:
+            for a, b in ((one.first, one.other), (one.other, one.first)):
+                if b.link in gear.held and {a.link, one.carrier} == {driving, driven}:
+                    text = f"1 − U_{{{_pair(a.link, b.link)}}}^{{({one.carrier})}}"
+                    yield text if driving == a.link else f"1/({text})"
+                    return
+
+    def read(self) -> Iterator[str]:
+        """Say how the plans are read, and on what assumed speed they rest."""
+        yield self._said("gears read")
+        for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
+            yield self._said("gears assumed", link=_link(link))
+
+    def _equal(self, letter: str, slot: Slot) -> Phrase:
+        return joined(" = ", (letter, self.drafting.slot(slot)))
+
+    def _said(self, key: str, **parts: object) -> Phrase:
+        return self.drafting.phrase(key, **parts)
+
+
+def _link(name: str) -> str:
+    """Write the name of a link with its number lowered: H_1."""
+    return with_index(name) if not name[0].isdigit() else name
+
+
+def _pair(one: str, other: str) -> str:
+    return f"{one}{other}" if len(one) + len(other) < 3 else f"{one},{other}"
+
+
+def _quantity(one: Willis) -> str:
+    return f"U_{one.first.name}{one.other.name}^{one.carrier}"
+
+
+def _kept(one: Willis) -> tuple[list[Wheel], list[Wheel]]:
+    """Leave out wheels that are driven and drive: an idler changes the sign alone."""
+    driven, driving = [*one.driven], [*one.driving]
+    for wheel in one.driven:
+        if wheel in driving:
+            driven.remove(wheel)
+            driving.remove(wheel)
+    return driven, driving
+
+
+def _over(top: str, low: str, count: int) -> str:
+    return f"{top}/({low})" if count > 1 else f"{top}/{low}"
+
+
+def _fraction(value: Fraction) -> str:
+    return str(value).replace("-", "−")

@@ -1,0 +1,61 @@
+"""A gear train in the report: what is given, how it fits, ratios, speeds of all links (зубчатый механизм в отчёте)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from drawings.gears.notes import GearsNotes
+from drawings.gears.sheet import speeds
+from drawings.page.page import drafting_of
+from drawings.paper.strokes import Text
+from drawings.report.formula import Chapters, entry, plain
+from drawings.report.report import Report, TableSubject, chapter, header, row
+from plans.gears.study import GEARS, GearsStudy
+from plans.study import Study
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+
+def _notes(study: Study) -> GearsNotes:
+    found = study.of(GearsStudy)
+    return GearsNotes(found, drafting_of(study.scene), found.lacking)
+
+
+def headline(study: Study) -> str:
+    """Say the ratio of each gear."""
+    return "; ".join(map(plain, _notes(study).ratios()))
+
+
+def subject(study: Study) -> TableSubject:
+    """Tell the train by its wheels and its ratios."""
+    found = study.of(GearsStudy)
+    ratios = ((gear.name, found.ratio(gear)) for gear in found.train.gears)
+    told = ", ".join(f"{name} {ratio}".strip() for name, ratio in ratios if ratio is not None) or "a differential"
+    structure = f"gear train, {len(found.train.wheels)} wheels"
+    output = f"{found.ratio_name} = {told}" if found.single else told
+    return TableSubject(structure, output, f"A {structure}: {output}.")
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the train: what is given, how it fits, its ratios, the speeds of its links."""
+    notes, drafting = _notes(study), drafting_of(study.scene)
+    table = speeds(study.of(GearsStudy), drafting)
+    heads = [_plain(text) for text in (table.first, *table.heads)]
+    rows = (row([_plain(line.name), *(_plain(str(cell)) for cell in line.cells)]) for line in table.lines)
+    return Chapters(
+        subject=[chapter(drafting.language, GEARS).lstrip(), *map(entry, (*notes.given(), *notes.fit()))],
+        values=["", *map(entry, (*notes.willis(), *notes.ratios())), "", *header(heads), *rows],
+    )
+
+
+def _plain(text: str) -> str:
+    return Text(0j, text).plain
+
+
+def _concluded(study: Study) -> Iterator[str]:
+    yield from map(entry, _notes(study).ratios())
+
+
+REPORT = Report(chapters, headline, subject=subject, conclusion=_concluded)

@@ -1,0 +1,75 @@
+"""A gear train by both roads: speeds of links and points by Kutzbach's plan and by exact equations (сравнение)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from geometry.board import Mark, Reading
+from geometry.precision import Error, errors
+from plans.analytic.gears import speeds, velocity
+from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan
+from plans.gears.study import GEARS, GearsStudy, of_gear
+from plans.model.motion import Gap
+from plans.quantity import Comparison, Numbers, Quantity, numbers_of
+from plans.words.words import because
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+DATA = 2.0  # times the bound of the record: heights and speeds that it is given are rounded themselves
+
+
+class GearsRoad(NamedTuple):
+    """What a road found; a train that is read has no gaps."""
+
+    by: str
+    unanswered: tuple[Gap, ...] = ()
+
+
+def compare_gears(study: GearsStudy) -> Comparison:
+    """Find the speeds of all links and points, and the ratio of each gear, by both roads."""
+    found = tuple(one for plan in study.plans for one in _gear(study, plan))
+    return Comparison(GearsRoad("construction"), GearsRoad("analysis"), found)
+
+
+def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
+    true, bound = speeds(study.train, plan.gear), errors(*plan.speeds.values(), *plan.velocities.values())
+    most = float(max(map(abs, true.values())))
+    for link, mark in plan.speeds.items():
+        if study.train.body_of[link] == link:  # shafts that are one have one speed
+            named = ANGULAR, of_gear(f"ω_{link}", plan.gear), "rad/s"
+            pair = complex(mark.point).real, float(true[link])
+            yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
+    yield from _ratio(study, plan, bound)
+    spots = {spot.letter: spot for spot in study.spots}
+    values = {name: velocity(study.train, true, spots[name].links[0], spots[name].height) for name in plan.velocities}
+    most = max(map(abs, values.values()))
+    for name, mark in plan.velocities.items():
+        named, pair = (LINEAR, of_gear(f"v_{name}", plan.gear), "m/s"), (complex(mark.point).real, values[name])
+        yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
+
+
+def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
+    """Compare the ratio: on the plan it is that of two segments."""
+    true = study.ratio(plan.gear)
+    if true is None:
+        return
+    driving, driven = (plan.speeds[link] for link in (study.train.drives[0][0], study.train.output))
+    ratio = (complex(driving.point) / complex(driven.point)).real
+    off = (float(bound[mark].place.max() / abs(complex(mark.point))) for mark in (driving, driven))
+    turned = plan.angular.turn(f"j{driving.name}", driving, 1j, because("gear_quotient"))
+    named = ANGULAR, of_gear(study.ratio_name, plan.gear), ""
+    yield Quantity.of(
+        named, (ratio, float(true)), DATA * abs(ratio) * sum(off), abs(float(true)), Reading(driven, turned)
+    )
+
+
+def numbers(study: Study, by: str) -> Numbers:
+    """Give the speeds of a train by a road; of its ratios the fractions too, which are exact."""
+    found = study.of(GearsStudy)
+    data = numbers_of(study.quantities(GEARS), by)
+    exact = {of_gear(found.ratio_name, gear): found.ratio(gear) for gear in found.train.gears} if found.single else {}
+    teeth = {name: abs(wheel.teeth) for name, wheel in found.train.wheels.items()}
+    fractions = {name: str(ratio) for name, ratio in exact.items() if ratio is not None}
+    return Numbers({"scene": study.scene.heading(), "by": by, GEARS: data | {"teeth": teeth, "fractions": fractions}})
