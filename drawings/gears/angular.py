@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
+from drawings.gears.letters import link_letters
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.words import Slot, joined, telling
@@ -86,5 +87,6 @@ def _shared(shown: ShownAngular, end: complex, place: Place) -> str:
 def _letters(shown: ShownAngular, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     hand = drafting.hand
     for text, end in {_shared(shown, end, place): end for end in (0j, *shown.ends.values())}.items():
-        yield labels.beside(place.on(end), text, hand.letter, BESIDE, math.pi / 2)
+        names = ", ".join(map(link_letters, text.split(", ")))
+        yield labels.beside(place.on(end), names, hand.letter, BESIDE, math.pi / 2)
     yield labels.beside(place.on(shown.pole), "P", hand.letter, BESIDE, math.pi)

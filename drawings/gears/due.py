@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 
 from drawings.checks.expected import NOTES, Expected, by_hand, cells
+from drawings.gears.letters import link_letters
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
@@ -70,7 +71,7 @@ def _speeds(study: GearsStudy) -> Iterator[Expected]:
         for gear in study.train.gears:
             row.append((study.true(gear)[link] * 30 / math.pi, 0.0))
             row += [str(study.shares(gear)[link][0]).replace("-", "−")] if study.single else []
-        yield from cells("speeds", link, row, digits=DIGITS)
+        yield from cells("speeds", link_letters(link), row, digits=DIGITS)
 
 
 def _notes(study: GearsStudy) -> Iterator[Expected]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
+from drawings.gears.letters import link_letters
 from drawings.gears.scheme import BESIDE, TrainScheme
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
@@ -65,7 +66,7 @@ class ShownLinear(NamedTuple):
             links.append(link)
             spots += ends
         rows = (
-            (", ".join(links), sorted(ends, key=lambda end: end.imag))
+            (", ".join(map(link_letters, links)), sorted(ends, key=lambda end: end.imag))
             for key, (links, ends) in found.items()
             if any(key)
         )
@@ -75,7 +76,7 @@ class ShownLinear(NamedTuple):
     def resting(self) -> str:
         """The links that rest, after the frame."""
         lines = self.plan.lines
-        return ", ".join((FRAME, *(link for link, line in lines.items() if line.name == FRAME)))
+        return ", ".join((FRAME, *(link_letters(link) for link, line in lines.items() if line.name == FRAME)))
 
 
 def _longer(start: complex, end: complex, past: float) -> tuple[complex, complex]:
@@ -125,9 +126,7 @@ def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> L
 
 def _level(shown: ShownLinear, spot: TrainSpot, place: Place, drafting: Drafting) -> Stroke:
     """Carry a height over from the scheme to the triangles."""
-    start = shown.scheme.contact(spot) if shown.schemed else complex(_left(shown), float(spot.height))
-    if spot.links[0] == FRAME and shown.schemed:
-        start = complex(shown.scheme.right, float(spot.height))
+    start = shown.scheme.beyond(spot) if shown.schemed else complex(_left(shown), float(spot.height))
     end = max(shown.zero, shown.zero + shown.images[spot.letter].real) if spot.letter in shown.images else shown.zero
     return Line(place.on(start), place.on(complex(end, float(spot.height))), drafting.hand.drafted)
 

@@ -7,22 +7,14 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from drawings.lettering.words import Phrase, Slot, joined, with_index
+from drawings.gears.letters import link_letters, teeth_letters
+from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
-from plans.gears.study import GearsStudy, of_gear
+from plans.gears.study import GearsStudy, of_gear, pair_of
 from plans.model.gears import Gear, Wheel, Willis, assembly
 
 MILLIMETRES = 1000.0
 DIGITS = 5
-
-
-def letters(index: str) -> str:
-    """Letter a number of teeth, its primes on the index.
-
-    >>> letters("2'")
-    "z_{2'}"
-    """
-    return f"z_{{{index}}}"
 
 
 class GearsNotes(NamedTuple):
@@ -42,19 +34,21 @@ class GearsNotes(NamedTuple):
         train, slot = self.study.train, self.drafting.slot
         for module in dict.fromkeys(wheel.module for wheel in train.wheels.values()):
             some = [wheel for wheel in train.wheels.values() if wheel.module == module]
-            teeth = joined(",  ", (self._equal(letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
+            teeth = joined(",  ", (self._equal(teeth_letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
             size = Slot(f"m {some[0].name}", MILLIMETRES * float(module))
             yield self._said("gears teeth", module=slot(size), teeth=teeth)
         if self.lacking:
-            yield self._said("gears found", names=", ".join(map(letters, self.lacking)))
+            yield self._said("gears found", names=", ".join(map(teeth_letters, self.lacking)))
         for link, speed in train.drives:
             n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
             yield self._said("gears drive", link=link, n=n, omega=omega)
         if train.joined:
-            yield self._said("gears joined", links=";  ".join(" – ".join(map(_link, group)) for group in train.joined))
+            yield self._said(
+                "gears joined", links=";  ".join(" – ".join(map(link_letters, group)) for group in train.joined)
+            )
         for gear in train.gears:
             if gear.name:
-                names = ", ".join(map(with_index, self.study.engaged(gear)))
+                names = ", ".join(map(link_letters, self.study.engaged(gear)))
                 yield self._said("gears engaged", gear=gear.name, names=names)
 
     def fit(self) -> Iterator[str]:
@@ -63,7 +57,7 @@ class GearsNotes(NamedTuple):
         for one, other in train.pairs:
             sign = "−" if one.internal or other.internal else "+"
             large, small = (other, one) if other.internal else (one, other)
-            formula = f"m({letters(large.name)} {sign} {letters(small.name)})/2"
+            formula = f"m({teeth_letters(large.name)} {sign} {teeth_letters(small.name)})/2"
             far = Slot(f"a_{one.name}{other.name}", MILLIMETRES * float(one.module * abs(one.teeth + other.teeth) / 2))
             yield self._said("gears distance", pair=f"{one.name}{other.name}", formula=formula, far=far)
         for link in train.carrier_of if (train.planets or 0) > 1 else ():
@@ -87,12 +81,12 @@ class GearsNotes(NamedTuple):
 
     def _formula(self, one: Willis) -> Phrase:
         first, other, carrier = one.first.link, one.other.link, one.carrier
-        name = f"U_{{{_pair(first, other)}}}" + (f"^{{({carrier})}}" if carrier else "")
+        name = f"U_{{{pair_of(first, other)}}}" + (f"^{{({carrier})}}" if carrier else "")
         top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
         speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
         driven, driving = _kept(one)
         sign = "−" if one.ratio < 0 else ""
-        product = "·".join(letters(w.name) for w in driven), "·".join(letters(w.name) for w in driving)
+        product = "·".join(teeth_letters(w.name) for w in driven), "·".join(teeth_letters(w.name) for w in driving)
         numbers = "·".join(str(abs(w.teeth)) for w in driven), "·".join(str(abs(w.teeth)) for w in driving)
         terms = [name, speeds, f"{sign}{_over(*product, len(driving))}", f"{sign}{_over(*numbers, len(driving))}"]
         return joined(" = ", (*terms, self.drafting.slot(Slot(_quantity(one), float(one.ratio), DIGITS))))
@@ -106,7 +100,7 @@ class GearsNotes(NamedTuple):
 
     def _ratio(self, gear: Gear, ratio: Fraction) -> Phrase:
         driving, driven = self.study.train.drives[0][0], self.study.train.output
-        name = f"U_{{{_pair(driving, driven)}}}" + (f"^{{{gear.name}}}" if gear.name else "")
+        name = f"U_{{{pair_of(driving, driven)}}}" + (f"^{{{gear.name}}}" if gear.name else "")
         value = self.drafting.slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
         terms = [name, *self._stopped(gear, driving, driven)]
         terms += [_fraction(ratio)] if ratio.denominator != 1 else []
@@ -120,7 +114,7 @@ class GearsNotes(NamedTuple):
         for one in self.study.train.willis:
             for a, b in ((one.first, one.other), (one.other, one.first)):
                 if b.link in gear.held and {a.link, one.carrier} == {driving, driven}:
-                    text = f"1 − U_{{{_pair(a.link, b.link)}}}^{{({one.carrier})}}"
+                    text = f"1 − U_{{{pair_of(a.link, b.link)}}}^{{({one.carrier})}}"
                     yield text if driving == a.link else f"1/({text})"
                     return
 
@@ -128,22 +122,13 @@ class GearsNotes(NamedTuple):
         """Say how the plans are read, and on what assumed speed they rest."""
         yield self._said("gears read")
         for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
-            yield self._said("gears assumed", link=_link(link))
+            yield self._said("gears assumed", link=link_letters(link))
 
     def _equal(self, letter: str, slot: Slot) -> Phrase:
         return joined(" = ", (letter, self.drafting.slot(slot)))
 
     def _said(self, key: str, **parts: object) -> Phrase:
         return self.drafting.phrase(key, **parts)
-
-
-def _link(name: str) -> str:
-    """Write the name of a link with its number lowered: H_1."""
-    return with_index(name) if not name[0].isdigit() else name
-
-
-def _pair(one: str, other: str) -> str:
-    return f"{one}{other}" if len(one) + len(other) < 3 else f"{one},{other}"
 
 
 def _quantity(one: Willis) -> str:

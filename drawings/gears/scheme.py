@@ -17,14 +17,14 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import arrowhead, fit, ground
 from plans.gears.kutzbach import Spot
-from plans.model.gears import Train, Wheel
+from plans.model.gears import FRAME, Train, Wheel
 
 STEP = 0.11  # of the height of the train: from one place across to the next
-CLOSE: Final = 0.4  # steps between the plates of a clutch
+CLOSE: Final = 0.22  # steps between the plates of a clutch
 FACE = 0.32  # steps, half of the width of a wheel
 # Millimetres, by the factor of the hand: half the gap between two faces, half a hub, half the cross of a wheel that is
-# fixed on its shaft, half a bearing and its distance from the shaft, a shoe of a brake.
-MESHED, HUB, CROSS, BEARING, OFF, SHOE = 0.5, 1.5, 1.1, 6.0, 1.1, 4.0
+# fixed on its shaft, a bearing and its distance from the shaft, a shoe of a brake, an arrow at the end of a shaft.
+MESHED, HUB, CROSS, BEARING, OFF, SHOE, ARROW = 0.5, 1.5, 1.1, 6.0, 1.1, 4.0, 9.0
 BESIDE = 0.8  # mm from a line to its letter
 
 
@@ -83,6 +83,14 @@ class TrainScheme:
             if {*mesh} <= {*names} and self.train.contact(mesh) == spot.height:
                 return self.at(self.routing.columns[mesh[0]], float(spot.height))
         return self.at(max(self.routing.columns[name] for name in names), float(spot.height))
+
+    def beyond(self, spot: Spot) -> complex:
+        """Give where the level of a point begins: past the faces of a mesh, at the end of an axle, of the scheme."""
+        if spot.links[0] == FRAME:
+            return complex(self.right, float(spot.height))
+        if spot.links[0] in self.train.carrier_of and spot.links[1] == self.train.carrier_of[spot.links[0]]:
+            return self.at(self.routing.axle(spot.links[0]).right, float(spot.height))
+        return self.contact(spot) + FACE * STEP * self.routing.size
 
     def draw(self, place: Place, hand: Hand) -> Iterator[Stroke]:
         """Draw axes, shafts, then what stands on them."""
@@ -218,9 +226,10 @@ class _SchemePen:
         """Draw the end of a driving or driven shaft: its bearing, and an arrow into the train or out of it."""
         inward = 1.0 if self.scheme.across[post.x] < self.scheme.right / 2 else -1.0
         yield from self._bearing(foot + inward * BEARING * self.hand.symbol)
-        way = inward if post.kind == INPUT else -inward
-        tip = foot - (0.0 if post.kind == INPUT else inward * 5.0 * self.hand.symbol)
-        head = arrowhead(tip - way, tip, self.hand.symbol)
+        end = foot - inward * ARROW * self.hand.symbol
+        tail, tip = (end, foot) if post.kind == INPUT else (foot, end)
+        head = arrowhead(tail, tip, self.hand.symbol)
+        yield Line(tail, tip, self.hand.other)
         yield from (head,) if head is not None else ()
 
     def _bearing(self, at: complex) -> Iterator[Stroke]:

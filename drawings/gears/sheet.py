@@ -10,6 +10,7 @@ from typing import Final
 from drawings.gears import angular, linear
 from drawings.gears.angular import ShownAngular
 from drawings.gears.due import expected
+from drawings.gears.letters import link_letters
 from drawings.gears.linear import ShownLinear
 from drawings.gears.notes import DIGITS, GearsNotes
 from drawings.gears.routing import routed
@@ -93,7 +94,7 @@ def speeds(study: GearsStudy, drafting: Drafting) -> RuledTable:
     heads = ["gears n", "gears share"] if study.single else ["gears n"]
     words = [(gear, drafting.word(key, drive=drive)) for gear in study.train.gears for key in heads]
     titles = tuple(drafting.word("gears of", gear=gear.name, head=head) if gear.name else head for gear, head in words)
-    lines = [TableRow(link, tuple(_cells(study, link, drafting))) for link in study.train.links]
+    lines = [TableRow(link_letters(link), tuple(_cells(study, link, drafting))) for link in study.train.links]
     return table(lines, drafting.word("gears link"), titles, drafting.hand.text)._replace(name=SPEEDS)
 
 

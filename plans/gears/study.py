@@ -83,13 +83,16 @@ class GearsStudy:
     @property
     def ratio_name(self) -> str:
         """The letter of the ratio: U_1H."""
-        driving, driven = self.train.drives[0][0], self.train.output
-        comma = (
-            ","
-            if len(driving) + len(driven) > 2 and any(len(one) > 1 and one.isdigit() for one in (driving, driven))
-            else ""
-        )
-        return f"U_{driving}{comma}{driven}"
+        return f"U_{pair_of(self.train.drives[0][0], self.train.output)}"
+
+
+def pair_of(one: str, other: str) -> str:
+    """Write the links of a ratio beside each other, with a comma where numbers would run into one.
+
+    >>> pair_of("1", "H2"), pair_of("1", "12")
+    ('1H2', '1,12')
+    """
+    return f"{one},{other}" if len(one) + len(other) > 2 and (one + other).isdigit() else f"{one}{other}"
 
 
 def of_gear(name: str, gear: Gear) -> str:
