@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
-from drawings.gears.letters import link_letters
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import Slot, joined, telling
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Line, Stroke, Text

@@ -7,12 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 
 from drawings.checks.expected import NOTES, Expected, by_hand, cells
-from drawings.gears.letters import link_letters
+from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from plans.analytic.gears import velocity
+from plans.analytic.gears import TrainSpeeds, ratio_with, speeds, velocity
 from plans.gears.kutzbach import ANGULAR, LINEAR, board_of
+from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy, of_gear
 from plans.model.gears import FRAME, Gear
 from plans.quantity import Quantity
@@ -34,24 +35,24 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     findings = study.comparison(GEARS).of(ANGULAR)
     slips = slipping(study.comparison(GEARS).findings, scales)
     results = (row for one in findings if one.analysis[0] for row in _result(one, slips, drafting))
-    yield from chain(plans, results, _speeds(found), _notes(found))
+    yield from chain(plans, results, _speeds(study.of(GearsComparison).analysis), _notes(found))
 
 
 def _linear(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Iterator[Expected]:
     """Give the velocities of mesh points and of planets' centres, m/s."""
-    name, speeds = board_of(LINEAR, gear), study.exact(gear)
+    name, exact = board_of(LINEAR, gear), speeds(study.train, gear)
     for spot in (spot for spot in study.spots if spot.links[0] != FRAME):
-        value = velocity(study.train, speeds, spot.links[0], spot.height)
+        value = velocity(study.train, exact, spot.links[0], spot.height)
         short = abs(value) * study.plans[0].tau < SHORT * 2 * scales[name]
         yield Expected(Kind.VECTOR, name, f"v_{spot.letter}", complex(value), may_lack=short)
 
 
 def _angular(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Iterator[Expected]:
     """Give the ends of the segments of links, rad/s; of links that turn alike the first may stand for all."""
-    name, speeds = board_of(ANGULAR, gear), study.true(gear)
-    largest = max(map(abs, speeds.values()))
-    for k, (link, speed) in enumerate(speeds.items()):
-        others = (0.0, *[*speeds.values()][:k])
+    name, every = board_of(ANGULAR, gear), TrainSpeeds(study.train).true(gear)
+    largest = max(map(abs, every.values()))
+    for k, (link, speed) in enumerate(every.items()):
+        others = (0.0, *[*every.values()][:k])
         near = any(abs(speed - other) < SAME * largest + scales[name] for other in others)
         yield Expected(Kind.POINT, name, f"ω_{link}", complex(speed), SAME * largest, may_lack=near)
     yield Expected(Kind.PHRASE, name, f"K {name}", 1 / study.plans[0].tau / scales[name])
@@ -65,12 +66,12 @@ def _result(one: Quantity, slips: Mapping[tuple[str, int], float], drafting: Dra
     )
 
 
-def _speeds(study: GearsStudy) -> Iterator[Expected]:
-    for link in study.train.links:
+def _speeds(found: TrainSpeeds) -> Iterator[Expected]:
+    for link in found.train.links:
         row: list[tuple[float, float] | str] = []
-        for gear in study.train.gears:
-            row.append((study.true(gear)[link] * 30 / math.pi, 0.0))
-            row += [str(study.shares(gear)[link][0]).replace("-", "−")] if study.single else []
+        for gear in found.train.gears:
+            row.append((found.true(gear)[link] * 30 / math.pi, 0.0))
+            row += [str(found.shares(gear)[link][0]).replace("-", "−")] if found.train.single else []
         yield from cells("speeds", link_letters(link), row, digits=DIGITS)
 
 
@@ -86,9 +87,9 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     for one, other in train.pairs:
         numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
     for gear in train.gears:
-        if (ratio := study.ratio(gear)) is not None:
+        if (ratio := TrainSpeeds(train).ratio(gear)) is not None:
             numbers[of_gear(study.ratio_name, gear)] = float(ratio)
-            numbers[of_gear(f"n_{train.output}", gear)] = study.true(gear)[train.output] * 30 / math.pi
+            numbers[of_gear(f"n_{train.output}", gear)] = TrainSpeeds(train).true(gear)[train.output] * 30 / math.pi
     for name, value in numbers.items():
         yield Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS)
     yield from _ratios(study)
@@ -98,7 +99,7 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
 def _ratios(study: GearsStudy) -> Iterator[Expected]:
     """Give the ratios with a carrier stopped: speeds of the analysis over that of the carrier."""
     for one in study.train.willis:
-        value = float(study.stopped(one.first.link, one.other.link, one.carrier or FRAME))
+        value = float(ratio_with(study.train, one.first.link, one.other.link, one.carrier or FRAME))
         yield Expected(Kind.PHRASE, NOTES, f"U_{one.first.name}{one.other.name}^{one.carrier}", value, digits=DIGITS)
 
 

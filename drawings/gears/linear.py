@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
-from drawings.gears.letters import link_letters
 from drawings.gears.scheme import BESIDE, TrainScheme
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Line, Stroke
@@ -156,9 +156,10 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
     for spot in shown.scheme.spots:
         if shown.schemed and spot.links[0] != FRAME:
             yield labels.beside(place.on(shown.scheme.contact(spot)), with_index(spot.letter), hand.letter, BESIDE, 0.6)
-        elif shown.schemed and not spot.height:
-            yield labels.beside(place.on(complex(shown.scheme.right)), spot.letter, hand.letter, BESIDE, -0.8)
-        elif not shown.schemed:
+        elif shown.schemed:
+            at = shown.scheme.contact(spot) if spot.height else complex(shown.scheme.right)
+            yield labels.beside(place.on(at), with_index(spot.letter), hand.letter, BESIDE, -0.8)
+        else:
             at = place.on(complex(_left(shown), float(spot.height)))
             yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, math.pi)
         if spot.links[0] != FRAME:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from drawings.gears.letters import link_letters, teeth_letters
+from drawings.lettering.gear_letters import link_letters, teeth_letters
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
+from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy, of_gear, pair_of
-from plans.model.gears import Gear, Wheel, Willis, assembly
+from plans.model.gears import FRAME, Gear, Wheel, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
 DIGITS = 5
@@ -21,8 +22,8 @@ class GearsNotes(NamedTuple):
     """The notes on a gear train."""
 
     study: GearsStudy
+    speeds: TrainSpeeds
     drafting: Drafting
-    lacking: Sequence[str]  # wheels whose teeth the scene does not give
 
     @property
     def all(self) -> tuple[str, ...]:
@@ -37,8 +38,8 @@ class GearsNotes(NamedTuple):
             teeth = joined(",  ", (self._equal(teeth_letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
             size = Slot(f"m {some[0].name}", MILLIMETRES * float(module))
             yield self._said("gears teeth", module=slot(size), teeth=teeth)
-        if self.lacking:
-            yield self._said("gears found", names=", ".join(map(teeth_letters, self.lacking)))
+        if self.study.lacking:
+            yield self._said("gears found", names=", ".join(map(teeth_letters, self.study.lacking)))
         for link, speed in train.drives:
             n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
             yield self._said("gears drive", link=link, n=n, omega=omega)
@@ -81,7 +82,7 @@ class GearsNotes(NamedTuple):
 
     def _formula(self, one: Willis) -> Phrase:
         first, other, carrier = one.first.link, one.other.link, one.carrier
-        name = f"U_{{{pair_of(first, other)}}}" + (f"^{{({carrier})}}" if carrier else "")
+        name = ratio_letters(one)
         top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
         speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
         driven, driving = _kept(one)
@@ -94,7 +95,7 @@ class GearsNotes(NamedTuple):
     def ratios(self) -> Iterator[str]:
         """Tell the ratio of each gear, by Willis's formula where one of its wheels is held, and the driven speed."""
         for gear in self.study.train.gears:
-            ratio = self.study.ratio(gear)
+            ratio = self.speeds.ratio(gear)
             if ratio is not None:
                 yield self._ratio(gear, ratio)
 
@@ -110,13 +111,32 @@ class GearsNotes(NamedTuple):
         return joined("", (joined(" = ", (*terms, value)), f";  n_{{{driven}}} = ", n, f" {unit}"))
 
     def _stopped(self, gear: Gear, driving: str, driven: str) -> Iterator[str]:
-        """Write 1 - U_13^(H) where wheel 3 is held and the carrier is driven, or drives."""
+        """Write the ratio by those with carriers stopped, where these lead from the driving link to the driven one."""
+        body = bodies(self.study.train.links, (*self.study.train.joined, *gear.locked))
+        ways, steps = {body[driving]: ("", "")}, [*self._steps(gear)]
+        for _ in steps:
+            for one, other, top, low in steps:
+                for a, b, over, under in ((body[one], body[other], top, low), (body[other], body[one], low, top)):
+                    if a in ways and b not in ways:
+                        ways[b] = ways[a][0] + over, ways[a][1] + under
+        top, low = ways.get(body[driven], ("", ""))
+        if top or low:
+            yield f"{top or 1}/[{low}]" if low.count("U") > 1 else f"{top or 1}/{low}" if low else top
+
+    def _steps(self, gear: Gear) -> Iterator[tuple[str, str, str, str]]:
+        """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
+        held = {link for link, one in bodies(self.study.train.links, [(FRAME, *gear.held)]).items() if one == FRAME}
         for one in self.study.train.willis:
-            for a, b in ((one.first, one.other), (one.other, one.first)):
-                if b.link in gear.held and {a.link, one.carrier} == {driving, driven}:
-                    text = f"1 − U_{{{pair_of(a.link, b.link)}}}^{{({one.carrier})}}"
-                    yield text if driving == a.link else f"1/({text})"
-                    return
+            a, b, name = one.first.link, one.other.link, ratio_letters(one)
+            if not one.carrier:
+                yield a, b, name, ""
+            elif b in held:
+                yield a, one.carrier, f"(1 − {name})", ""
+                for third in self.study.train.willis:
+                    if third.first is one.first and third is not one and third.other.link not in held:
+                        yield third.other.link, one.carrier, f"(1 − {name}/{ratio_letters(third)})", ""
+            elif a in held:
+                yield b, one.carrier, f"(1 − 1/{name})", ""
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""
@@ -129,6 +149,12 @@ class GearsNotes(NamedTuple):
 
     def _said(self, key: str, **parts: object) -> Phrase:
         return self.drafting.phrase(key, **parts)
+
+
+def ratio_letters(one: Willis) -> str:
+    """Letter a ratio with the carrier stopped: U_13^(H)."""
+    name = f"U_{{{pair_of(one.first.link, one.other.link)}}}"
+    return f"{name}^{{({one.carrier})}}" if one.carrier else name
 
 
 def _quantity(one: Willis) -> str:

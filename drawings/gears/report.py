@@ -11,6 +11,7 @@ from drawings.page.page import drafting_of
 from drawings.paper.strokes import Text
 from drawings.report.formula import Chapters, entry, plain
 from drawings.report.report import Report, TableSubject, chapter, header, row
+from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy
 from plans.study import Study
 
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
 
 
 def _notes(study: Study) -> GearsNotes:
-    found = study.of(GearsStudy)
-    return GearsNotes(found, drafting_of(study.scene), found.lacking)
+    return GearsNotes(study.of(GearsStudy), study.of(GearsComparison).analysis, drafting_of(study.scene))
 
 
 def headline(study: Study) -> str:
@@ -31,17 +31,17 @@ def headline(study: Study) -> str:
 def subject(study: Study) -> TableSubject:
     """Tell the train by its wheels and its ratios."""
     found = study.of(GearsStudy)
-    ratios = ((gear.name, found.ratio(gear)) for gear in found.train.gears)
+    ratios = ((gear.name, study.of(GearsComparison).analysis.ratio(gear)) for gear in found.train.gears)
     told = ", ".join(f"{name} {ratio}".strip() for name, ratio in ratios if ratio is not None) or "a differential"
     structure = f"gear train, {len(found.train.wheels)} wheels"
-    output = f"{found.ratio_name} = {told}" if found.single else told
+    output = f"{found.ratio_name} = {told}" if found.train.single else told
     return TableSubject(structure, output, f"A {structure}: {output}.")
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the train: what is given, how it fits, its ratios, the speeds of its links."""
     notes, drafting = _notes(study), drafting_of(study.scene)
-    table = speeds(study.of(GearsStudy), drafting)
+    table = speeds(study.of(GearsComparison).analysis, drafting)
     heads = [_plain(text) for text in (table.first, *table.heads)]
     rows = (row([_plain(line.name), *(_plain(str(cell)) for cell in line.cells)]) for line in table.lines)
     return Chapters(

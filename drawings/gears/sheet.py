@@ -10,7 +10,6 @@ from typing import Final
 from drawings.gears import angular, linear
 from drawings.gears.angular import ShownAngular
 from drawings.gears.due import expected
-from drawings.gears.letters import link_letters
 from drawings.gears.linear import ShownLinear
 from drawings.gears.notes import DIGITS, GearsNotes
 from drawings.gears.routing import routed
@@ -18,6 +17,7 @@ from drawings.gears.scheme import TrainScheme
 from drawings.layout.contents import Panel
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
+from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Field, drafting_of
@@ -25,7 +25,9 @@ from drawings.paper.strokes import Group, Leaf, Text
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
+from plans.analytic.gears import TrainSpeeds
 from plans.gears.kutzbach import ANGULAR, LINEAR
+from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy
 from plans.model.gears import Gear
 from plans.quantity import Comparison, Quantity, by_hand
@@ -37,16 +39,16 @@ NOTHING = "—"
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's gear train."""
-    train, comparison, drafting = study.of(GearsStudy), study.comparison(GEARS), drafting_of(study.scene)
+    train, comparison, drafting = study.of(GearsStudy), study.of(GearsComparison), drafting_of(study.scene)
     values = results(comparison, drafting)
     shows: tuple[Exhibit | Caption, ...] = (
         *_figures(train, drafting),
         Caption(Panel(values.block(RESULTS)), partial(_written, values, drafting), waits=True),
     )
-    said = GearsNotes(train, drafting, train.lacking).all
+    said = GearsNotes(train, comparison.analysis, drafting).all
     later = partial(by_hand, comparison.findings)
     title = drafting.word("gears sheet title")
-    size, tables = drafting.hand.text, (speeds(train, drafting),)
+    size, tables = drafting.hand.text, (speeds(comparison.analysis, drafting),)
     narrow = size + max(
         text_width(Text(0j, note, size)) for note in said if note.startswith("U")
     )  # no formula is broken
@@ -88,21 +90,21 @@ def label(one: Quantity, drafting: Drafting) -> str:
     return f"{with_index(one.name)}, {drafting.word(one.unit)}" if one.unit else with_index(one.name)
 
 
-def speeds(study: GearsStudy, drafting: Drafting) -> RuledTable:
+def speeds(found: TrainSpeeds, drafting: Drafting) -> RuledTable:
     """Tell the speeds of all links in each gear, as shares of the driving one exactly where there is one."""
-    drive = study.train.drives[0][0]
-    heads = ["gears n", "gears share"] if study.single else ["gears n"]
-    words = [(gear, drafting.word(key, drive=drive)) for gear in study.train.gears for key in heads]
+    drive = found.train.drives[0][0]
+    heads = ["gears n", "gears share"] if found.train.single else ["gears n"]
+    words = [(gear, drafting.word(key, drive=drive)) for gear in found.train.gears for key in heads]
     titles = tuple(drafting.word("gears of", gear=gear.name, head=head) if gear.name else head for gear, head in words)
-    lines = [TableRow(link_letters(link), tuple(_cells(study, link, drafting))) for link in study.train.links]
+    lines = [TableRow(link_letters(link), tuple(_cells(found, link, drafting))) for link in found.train.links]
     return table(lines, drafting.word("gears link"), titles, drafting.hand.text)._replace(name=SPEEDS)
 
 
-def _cells(study: GearsStudy, link: str, drafting: Drafting) -> Iterator[str]:
-    for gear in study.train.gears:
-        yield drafting.number(study.true(gear)[link] * 30 / math.pi, DIGITS)
-        if study.single:
-            yield str(study.shares(gear)[link][0]).replace("-", "−")
+def _cells(found: TrainSpeeds, link: str, drafting: Drafting) -> Iterator[str]:
+    for gear in found.train.gears:
+        yield drafting.number(found.true(gear)[link] * 30 / math.pi, DIGITS)
+        if found.train.single:
+            yield str(found.shares(gear)[link][0]).replace("-", "−")
 
 
 def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[[Later], str]) -> Group:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from geometry.board import Mark, Reading
 from geometry.precision import Error, errors
-from plans.analytic.gears import speeds, velocity
+from plans.analytic.gears import TrainSpeeds, speeds, velocity
 from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan
 from plans.gears.study import GEARS, GearsStudy, of_gear
 from plans.model.motion import Gap
@@ -21,16 +21,22 @@ DATA = 2.0  # times the bound of the record: heights and speeds that it is given
 
 
 class GearsRoad(NamedTuple):
-    """What a road found; a train that is read has no gaps."""
+    """What the construction found; a train that is read has no gaps."""
 
-    by: str
+    by: str = "construction"
     unanswered: tuple[Gap, ...] = ()
 
 
-def compare_gears(study: GearsStudy) -> Comparison:
+class GearsComparison(Comparison):
+    """A gear train by both roads; its analysis tells all speeds exactly."""
+
+    analysis: TrainSpeeds
+
+
+def compare_gears(study: GearsStudy) -> GearsComparison:
     """Find the speeds of all links and points, and the ratio of each gear, by both roads."""
     found = tuple(one for plan in study.plans for one in _gear(study, plan))
-    return Comparison(GearsRoad("construction"), GearsRoad("analysis"), found)
+    return GearsComparison(GearsRoad(), TrainSpeeds(study.train), found)
 
 
 def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
@@ -52,7 +58,7 @@ def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
     """Compare the ratio: on the plan it is that of two segments."""
-    true = study.ratio(plan.gear)
+    true = TrainSpeeds(study.train).ratio(plan.gear)
     if true is None:
         return
     driving, driven = (plan.speeds[link] for link in (study.train.drives[0][0], study.train.output))
@@ -69,7 +75,7 @@ def numbers(study: Study, by: str) -> Numbers:
     """Give the speeds of a train by a road; of its ratios the fractions too, which are exact."""
     found = study.of(GearsStudy)
     data = numbers_of(study.quantities(GEARS), by)
-    exact = {of_gear(found.ratio_name, gear): found.ratio(gear) for gear in found.train.gears} if found.single else {}
+    ratios = ((gear, TrainSpeeds(found.train).ratio(gear)) for gear in found.train.gears)
+    fractions = {of_gear(found.ratio_name, gear): str(ratio) for gear, ratio in ratios if ratio is not None}
     teeth = {name: abs(wheel.teeth) for name, wheel in found.train.wheels.items()}
-    fractions = {name: str(ratio) for name, ratio in exact.items() if ratio is not None}
     return Numbers({"scene": study.scene.heading(), "by": by, GEARS: data | {"teeth": teeth, "fractions": fractions}})

@@ -7,10 +7,10 @@ from collections.abc import Collection, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from plans.analytic.gears import mobility, shares
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
 from plans.gears.form import LEAST_TEETH, DriveTable, GearsForm, GearsTable, WheelTable
 from plans.model.gears import FRAME, Gear, Train, assembly, link_of
+from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Scene
 from plans.words.words import message
@@ -214,14 +214,14 @@ class _Reading:
                 self.report(path, "too_mobile", **parts, more=self._freed(gear, wanted))
             elif found < wanted:
                 self.report(path, "locked_train" if not found else "too_held", **parts)
-            elif shares(train, gear) is None:
+            elif not determined(train, gear):
                 self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
 
     def _freed(self, gear: Gear, wanted: int) -> str:
         """Name the links that, held too, leave the mobility that is wanted."""
         links = (link for link in self.train.links if link not in self.train.carrier_of and link not in gear.held)
         tried = ((link, gear._replace(held=(*gear.held, link))) for link in links)
-        good = [link for link, one in tried if mobility(self.train, one) == wanted and shares(self.train, one)]
+        good = [link for link, one in tried if mobility(self.train, one) == wanted and determined(self.train, one)]
         return ", ".join(good) or FRAME
 
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from fractions import Fraction
+from collections.abc import Collection
 from functools import cached_property
 
-from plans.analytic.gears import ratio_with, shares, speeds
 from plans.gears.form import GearsForm, WheelTable
 from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, Spot, plans_of, spots_of
 from plans.gears.reading import GearsSurvey
@@ -49,36 +47,6 @@ class GearsStudy:
     def spots(self) -> tuple[Spot, ...]:
         """The points of the train."""
         return spots_of(self.train)
-
-    def shares(self, gear: Gear) -> Mapping[str, tuple[Fraction, ...]]:
-        """Give the speed of each link as shares of those of the drives, by the analysis."""
-        found = shares(self.train, gear)
-        assert found is not None  # its reading has seen to that
-        return found
-
-    def exact(self, gear: Gear) -> Mapping[str, Fraction]:
-        """Give the speeds rad/s of all links in a gear, by the analysis."""
-        return speeds(self.train, gear)
-
-    def true(self, gear: Gear) -> Mapping[str, float]:
-        """Give the speeds rad/s of all links in a gear, by the analysis, each rounded once."""
-        return {link: float(speed) for link, speed in self.exact(gear).items()}
-
-    def stopped(self, first: str, other: str, carrier: str) -> Fraction:
-        """Give the ratio of two links with a carrier stopped, by the equations of the meshes alone."""
-        found = ratio_with(self.train, first, other, carrier)
-        assert found is not None  # the wheels mesh with planets of the carrier
-        return found
-
-    @property
-    def single(self) -> bool:
-        """Whether one link drives, so that there is a ratio."""
-        return len(self.train.drives) == 1
-
-    def ratio(self, gear: Gear) -> Fraction | None:
-        """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""
-        share = self.shares(gear)[self.train.output][0]
-        return 1 / share if self.single and share else None
 
     @property
     def ratio_name(self) -> str:

@@ -85,6 +85,11 @@ class Train:
     clutches: Mapping[str, tuple[str, str]]
     planets: int | None = None  # of each carrier, if it is given
 
+    @property
+    def single(self) -> bool:
+        """Whether one link drives, so that there is a ratio."""
+        return len(self.drives) == 1
+
     @cached_property
     def links(self) -> tuple[str, ...]:
         """The links in the order of their wheels, then the carriers."""
