@@ -101,7 +101,8 @@ class GearsNotes(NamedTuple):
 
     def _ratio(self, gear: Gear, ratio: Fraction) -> Phrase:
         driving, driven = self.study.train.drives[0][0], self.study.train.output
-        name = f"U_{{{pair_of(driving, driven)}}}" + (f"^{{{gear.name}}}" if gear.name else "")
+        name = f"U^{{{gear.name}}}_" if gear.name else "U_"
+        name += f"{{{pair_of(driving, driven)}}}"
         value = self.drafting.slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
         terms = [name, *self._stopped(gear, driving, driven)]
         terms += [_fraction(ratio)] if ratio.denominator != 1 else []
@@ -121,7 +122,8 @@ class GearsNotes(NamedTuple):
                         ways[b] = ways[a][0] + over, ways[a][1] + under
         top, low = ways.get(body[driven], ("", ""))
         if top or low:
-            yield f"{top or 1}/[{low}]" if low.count("U") > 1 else f"{top or 1}/{low}" if low else top
+            bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
+            yield f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare
 
     def _steps(self, gear: Gear) -> Iterator[tuple[str, str, str, str]]:
         """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
@@ -153,8 +155,8 @@ class GearsNotes(NamedTuple):
 
 def ratio_letters(one: Willis) -> str:
     """Letter a ratio with the carrier stopped: U_13^(H)."""
-    name = f"U_{{{pair_of(one.first.link, one.other.link)}}}"
-    return f"{name}^{{({one.carrier})}}" if one.carrier else name
+    carrier = f"^{{({one.carrier})}}" if one.carrier else ""
+    return f"U{carrier}_{{{pair_of(one.first.link, one.other.link)}}}"
 
 
 def _quantity(one: Willis) -> str:

@@ -44,12 +44,12 @@ def spots_of(train: Train) -> tuple[Spot, ...]:
     fixed = [link for link in train.links if link not in train.carrier_of]
     for height in dict.fromkeys(train.heights[link] for link in fixed):
         links = tuple(link for link in fixed if train.heights[link] == height)
-        found.append(Spot(AXIS if height == 0 else f"{AXIS}_{links[0]}", height, (FRAME, *links)))
+        found.append(Spot(AXIS if height == 0 else f"{AXIS}{links[0]}", height, (FRAME, *links)))
     for mesh in train.meshes:
         one, other = (train.wheels[name].link for name in mesh)
         found.append(Spot(next(letters), train.contact(mesh), (one, other)))
     for link, carrier in train.carrier_of.items():
-        found.append(Spot(f"{AXIS}_{link}", train.heights[link], (link, carrier)))
+        found.append(Spot(f"{AXIS}{link}", train.heights[link], (link, carrier)))
     return tuple(found)
 
 
