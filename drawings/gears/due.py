@@ -12,7 +12,7 @@ from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
 from plans.analytic.gears import TrainSpeeds, ratio_with, speeds, velocity
-from plans.gears.kutzbach import ANGULAR, LINEAR, board_of
+from plans.gears.kutzbach import ANGULAR, LINEAR, LINES, board_of
 from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy, of_gear
 from plans.model.gears import FRAME, Gear
@@ -43,7 +43,7 @@ def _linear(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Itera
     name, exact = board_of(LINEAR, gear), speeds(study.train, gear)
     for spot in (spot for spot in study.spots if spot.links[0] != FRAME):
         value = velocity(study.train, exact, spot.links[0], spot.height)
-        short = abs(value) * study.plans[0].tau < SHORT * 2 * scales[name]
+        short = abs(value) * study.plans[0].tau < SHORT * 2 * scales[board_of(LINES, gear)]
         yield Expected(Kind.VECTOR, name, f"v_{spot.letter}", complex(value), may_lack=short)
 
 

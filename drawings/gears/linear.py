@@ -15,7 +15,7 @@ from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.figure import Subject, around, heading, heading_width, vector
-from plans.gears.kutzbach import KutzbachPlan
+from plans.gears.kutzbach import LINEAR, KutzbachPlan, board_of
 from plans.gears.kutzbach import Spot as TrainSpot
 from plans.model.gears import FRAME
 
@@ -143,7 +143,12 @@ def _arrow(shown: ShownLinear, name: str, place: Place, drafting: Drafting) -> S
         return None
     here = Place(place.on(complex(shown.zero, image.imag)), 0j, scale)
     drawn = vector(
-        Subject(shown.name, "v", None), f"v_{name}", (0j, speed), here, drafting.hand.relative, drafting.hand.symbol
+        Subject(board_of(LINEAR, shown.plan.gear), "v", None),
+        f"v_{name}",
+        (0j, speed),
+        here,
+        drafting.hand.relative,
+        drafting.hand.symbol,
     )
     return drawn._replace(title=with_index(name.lower()))
 

@@ -26,7 +26,7 @@ from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from plans.analytic.gears import TrainSpeeds
-from plans.gears.kutzbach import ANGULAR, LINEAR
+from plans.gears.kutzbach import ANGULAR, LINEAR, LINES
 from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy
 from plans.model.gears import Gear
@@ -52,7 +52,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     narrow = size + max(
         text_width(Text(0j, note, size)) for note in said if note.startswith("U")
     )  # no formula is broken
-    return lay_out(study.scene, [Draft(GEARS, title, shows, tables, said, figures_facts, LINEAR, narrow, later=later)])
+    return lay_out(study.scene, [Draft(GEARS, title, shows, tables, said, figures_facts, LINES, narrow, later=later)])
 
 
 def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:
@@ -63,7 +63,7 @@ def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:
         over, under = (_title(key, plan.gear, drafting) for key in titles)
         triangles = ShownLinear(plan.linear.subject, over, plan, scheme, k == 0)
         together = plan.linear.subject
-        yield exhibit(linear, triangles, drafting, weight=1.5, scale=LINEAR, together=together)
+        yield exhibit(linear, triangles, drafting, weight=1.5, scale=LINES, together=together)
         speeds = ShownAngular(plan.angular.subject, under, plan)
         yield exhibit(angular, speeds, drafting, scale=ANGULAR, together=together)
 
@@ -111,6 +111,6 @@ def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[
     return table.filled(write).write(box, drafting)
 
 
-FORM: Final = {LINEAR: PLAN, ANGULAR: PLAN}
-SCALES: Final = {LINEAR: "gears", ANGULAR: "speeds"}
+FORM: Final = {LINES: PLAN, LINEAR: PLAN, ANGULAR: PLAN}
+SCALES: Final = {LINES: "gears", ANGULAR: "speeds"}
 SHEETS: Final = {GEARS: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(SPEEDS, RESULTS))}

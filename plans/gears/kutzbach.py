@@ -21,7 +21,8 @@ from plans.words.words import because, message
 
 POINTS = "ABCDEFGKLNPQRSUVWXYZ"  # letters of mesh points: O is an axis, H a carrier, T a brake, M a clutch
 AXIS = "O"
-LINEAR, ANGULAR = "linear", "angular"  # the boards: m, rad/s
+LINEAR, ANGULAR = "linear", "angular"  # the plans: m/s, rad/s
+LINES = "lines"  # the board of lines of velocities, m; that of angular velocities is named as their plan
 DEEPEST = 3  # assumed links within each other: of more closed loops than that no train is built
 
 
@@ -93,7 +94,7 @@ class _Drafter:
 
     def __init__(self, train: Train, gear: Gear, tau: float) -> None:
         self.train, self.gear, self.tau = train, gear, tau
-        self.board, self.angular = Board(board_of(LINEAR, gear)), Board(board_of(ANGULAR, gear))
+        self.board, self.angular = Board(board_of(LINES, gear)), Board(board_of(ANGULAR, gear))
         self.assumed: list[str] = []
         held = [(FRAME, link) for link in gear.held]
         self.body = bodies(train.links, (*train.joined, *gear.locked, *held))
