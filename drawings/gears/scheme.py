@@ -64,7 +64,7 @@ class TrainScheme:
         wheels = self.train.wheels.values()
         tops = [self.routing.outside(w) if w.internal else self._height(w) + float(w.radius) for w in wheels]
         lows = [self._height(w) - float(w.radius) for w in wheels if self._both(w)]
-        return min(0.0, *lows), max(tops)
+        return min(0.0, *lows, *map(float, self.train.heights.values())), max(tops)
 
     def _height(self, wheel: Wheel) -> float:
         return float(self.train.heights[wheel.link])
@@ -108,6 +108,8 @@ class TrainScheme:
                 yield from pen.planet(wheel)
         for link in self.train.carrier_of:
             yield from pen.hub(link)
+        for body in dict.fromkeys(self.train.body_of.values()):
+            yield from pen.idle(body)
 
     def letters(self, place: Place, hand: Hand, labels: Labels) -> Iterator[Stroke]:
         """Letter wheels, carriers, brakes and clutches."""
@@ -198,21 +200,15 @@ class _SchemePen:
         yield Line(centre - 1j * reach if both else foot, centre + 1j * reach, self.hand.result)
         yield from (self._bar(centre + 1j * side * reach) for side in ((1, -1) if both else (1,)))
         yield from self._cross(foot)
-        if self.routing.shaft(self.train.body_of[wheel.link]) is None or self._alone(wheel):
-            yield from self._idle(centre)
 
-    def _alone(self, wheel: Wheel) -> bool:
-        body = self.train.body_of[wheel.link]
-        return not any(p.kind in (INPUT, OUTPUT) for p in self.routing.posts if p.body == body) and bool(
-            self.train.heights[wheel.link]
-        )
-
-    def _idle(self, centre: complex) -> Iterator[Stroke]:
-        """Draw the axle of a wheel that no shaft bears, in bearings at both sides."""
-        half = 2.0 * self._face
-        yield Line(centre - half, centre + half, self.hand.result)
-        for side in (-half, half):
-            yield from self._bearing(centre + side)
+    def idle(self, body: str) -> Iterator[Stroke]:
+        """Draw the axle of wheels that nothing else holds, in bearings at both ends."""
+        posts = [post for post in self.routing.posts if post.body == body]
+        if posts and all(post.kind == SUN for post in posts):
+            y, half = self.routing.level(body), 2.0 * self._face
+            start, end = (self.on(pick(post.x for post in posts), y) for pick in (min, max))
+            yield Line(start - half, end + half, self.hand.result)
+            yield from (part for at in (start - half, end + half) for part in self._bearing(at))
 
     def _bar(self, middle: complex) -> Line:
         return Line(middle - self._face, middle + self._face, self.hand.result)

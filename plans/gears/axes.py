@@ -127,7 +127,8 @@ def heights(raw: RawTrain) -> tuple[Mapping[str, Fraction], Sequence[Unlike]]:
     """Give the height m of each link's axis over the main one, and meshes whose axes do not lie in one plane so.
 
     The main axis is that of the first carrier, of an ordinary train that of its first wheel. Planets stand above their
-    carriers' axis. An axis of its own comes back to one that is there where the distances allow it, else it goes on up.
+    carriers' axis, wheels within a ring above its axis. Any other axis comes back to one that is there where the
+    distances allow it, else it goes on up.
     """
     axes, planets = raw.axes(), {raw.axes()[link] for link in raw.planets}
     start = axes[next(iter(raw.carriers), raw.links[0])]
@@ -142,13 +143,14 @@ def heights(raw: RawTrain) -> tuple[Mapping[str, Fraction], Sequence[Unlike]]:
         here, there = (here, there) if here in found else (there, here)
         far = apart(raw, mesh).known
         if there not in found:
-            found[there] = _height(found, here, far, there in planets or here in planets)
+            ring = next((axes[link_of(name)] for name in mesh if name in raw.rings), "")
+            found[there] = _height(found, here, -far if ring == there else far, there in planets or here in planets)
         elif abs(found[there] - found[here]) != far:
             wrong.append(Unlike(mesh, far, mesh, abs(found[there] - found[here])))
     return {link: found.get(axes[link], Fraction(0)) for link in raw.links}, wrong
 
 
 def _height(found: Mapping[str, Fraction], here: str, far: Fraction, planet: bool) -> Fraction:
-    """Give the height of an axis so far from a known one: back on one that is there, else above."""
+    """Give the height of an axis so far above a known one: on the other side where an axis is there."""
     up, down = found[here] + far, found[here] - far
-    return down if not planet and down in found.values() else up
+    return down if not planet and far > 0 and down in found.values() else up
