@@ -60,7 +60,8 @@ def _angular(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Iter
 
 def _result(one: Quantity, slips: Mapping[tuple[str, int], float], drafting: Drafting) -> Iterator[Expected]:
     value = float(one.analysis[0]), float(one.allowed[0])
-    label = f"{with_index(one.name)}, {drafting.word(one.unit)}" if one.unit else with_index(one.name)
+    letters = drafting.letter(with_index(one.name))
+    label = f"{letters}, {drafting.word(one.unit)}" if one.unit else letters
     yield from cells(
         "results", label, (value, value, by_hand(slips.get((one.name, 0), math.nan), one.largest)), digits=DIGITS
     )
@@ -90,6 +91,9 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
         if (ratio := TrainSpeeds(train).ratio(gear)) is not None:
             numbers[of_gear(study.ratio_name, gear)] = float(ratio)
             numbers[of_gear(f"n_{train.output}", gear)] = TrainSpeeds(train).true(gear)[train.output] * 30 / math.pi
+    if train.single:
+        numbers |= {f"given J_{link}": size for link, size in train.inertia.items()}
+        numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
     for name, value in numbers.items():
         yield Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS)
     yield from _ratios(study)

@@ -28,7 +28,7 @@ class GearsNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, how it fits, what Willis gives, how the plans are read."""
-        return *self.given(), *self.fit(), *self.willis(), *self.ratios(), *self.read()
+        return *self.given(), *self.fit(), *self.willis(), *self.ratios(), *self.inertia(), *self.read()
 
     def given(self) -> Iterator[str]:
         """Tell teeth, module and speeds."""
@@ -139,6 +139,18 @@ class GearsNotes(NamedTuple):
                         yield third.other.link, one.carrier, f"(1 − {name}/{ratio_letters(third)})", ""
             elif a in held:
                 yield b, one.carrier, f"(1 − 1/{name})", ""
+
+    def inertia(self) -> Iterator[str]:
+        """Tell the inertia of links, and how that of all is reduced."""
+        train, slot = self.study.train, self.drafting.slot
+        if train.single and (train.inertia or train.masses):
+            parts = [self._equal(f"J_{{{one}}}", Slot(f"given J_{one}", size)) for one, size in train.inertia.items()]
+            said = [joined("", (part, f" {self.drafting.word('kg*m2')}")) for part in parts]
+            masses = ((f"m_{{{one}}} = ", slot(Slot(f"given m_{one}", size))) for one, size in train.masses.items())
+            said += [joined("", (*pair, f" {self.drafting.word('kg')}")) for pair in masses]
+            yield self._said(
+                "gears inertia", drive=train.drives[0][0], parts=joined(",  ", said), count=train.planets or 1
+            )
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""

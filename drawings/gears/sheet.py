@@ -87,7 +87,8 @@ def told(comparison: Comparison) -> list[Quantity]:
 
 def label(one: Quantity, drafting: Drafting) -> str:
     """Name a quantity with its unit."""
-    return f"{with_index(one.name)}, {drafting.word(one.unit)}" if one.unit else with_index(one.name)
+    letters = drafting.letter(with_index(one.name))
+    return f"{letters}, {drafting.word(one.unit)}" if one.unit else letters
 
 
 def speeds(found: TrainSpeeds, drafting: Drafting) -> RuledTable:

@@ -69,6 +69,19 @@ class TrainSpeeds:
         """Give the speeds rad/s of all links, each rounded once."""
         return {link: float(speed) for link, speed in speeds(self.train, gear).items()}
 
+    def inertia(self, gear: Gear, link: str) -> float | None:
+        """Give the moment of inertia kg*m2 of all links, reduced to one; nothing where it rests or none is given."""
+        train, shares = self.train, self.shares(gear)
+        if not (train.inertia or train.masses) or not train.single or not shares[link][0]:
+            return None
+        turns = {name: (share[0] / shares[link][0]) for name, share in shares.items()}
+        total = sum(train.count(one) * size * float(turns[one]) ** 2 for one, size in train.inertia.items())
+        for one, mass in train.masses.items():
+            carrier = train.carrier_of[one]
+            arm = turns[carrier] * (train.heights[one] - train.heights[carrier])
+            total += train.count(one) * mass * float(arm) ** 2
+        return total
+
     def ratio(self, gear: Gear) -> Fraction | None:
         """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""
         share = self.shares(gear)[self.train.output][0]

@@ -113,6 +113,14 @@ class GearsTable(Table):
         meaning="The driving link and its speed; of a differential a list of them.",
         missing=Missing("drive", 'drive = { link = "1", speed = "1000 rpm" }', {"link": "1", "speed": 1}),
     )
+    inertia: Mapping[str, Decimal] = key(
+        named(PART, f.INERTIA, first=f.FEW),
+        {},
+        meaning="Moments of inertia of links about their own axes, kg*m2, of one planet; that of all is reduced.",
+    )
+    masses: Mapping[str, Decimal] = key(
+        named(PART, f.MASS, first=f.FEW), {}, meaning="Masses of planets, kg, each of one, for the reduced inertia."
+    )
     output: str = key(PART, meaning="The driven link.", missing=Missing("driven link", 'output = "H"', "1"))
     planets: int | None = key(
         one(f.whole, lambda: forms.whole(1), "number", least=1),

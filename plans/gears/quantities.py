@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from geometry.board import Mark, Reading
 from geometry.precision import Error, errors
 from plans.analytic.gears import TrainSpeeds, speeds, velocity
-from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan
+from plans.gears.kutzbach import ANGULAR, AXIS, LINEAR, KutzbachPlan
 from plans.gears.study import GEARS, GearsStudy, of_gear
 from plans.model.motion import Gap
 from plans.quantity import Comparison, Numbers, Quantity, numbers_of
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 DATA = 2.0  # times the bound of the record: heights and speeds that it is given are rounded themselves
+ROUNDED = 16 * 2.0**-52  # of a sum of some squares
 
 
 class GearsRoad(NamedTuple):
@@ -48,12 +49,32 @@ def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
             pair = complex(mark.point).real, float(true[link])
             yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
     yield from _ratio(study, plan, bound)
+    yield from _inertia(study, plan, bound)
     spots = {spot.letter: spot for spot in study.spots}
     values = {name: velocity(study.train, true, spots[name].links[0], spots[name].height) for name in plan.velocities}
     most = max(map(abs, values.values()))
     for name, mark in plan.velocities.items():
         named, pair = (LINEAR, of_gear(f"v_{name}", plan.gear), "m/s"), (complex(mark.point).real, values[name])
         yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
+
+
+def _inertia(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
+    """Compare the inertia reduced to the driving and to the driven link: by speeds and velocities read off the plan."""
+    train, found = study.train, TrainSpeeds(study.train)
+    for link in dict.fromkeys((train.drives[0][0], train.output)):
+        true, over = found.inertia(plan.gear, link), plan.speeds[link]
+        if true is None:
+            continue
+        parts = [(size, plan.speeds[one], one) for one, size in train.inertia.items()]
+        parts += [(mass, plan.velocities[f"{AXIS}{one}"], one) for one, mass in train.masses.items()]
+        total, off = 0.0, 0.0
+        for size, mark, one in parts:
+            ratio = (complex(mark.point) / complex(over.point)).real
+            out = bound[mark].place.max() + abs(ratio) * bound[over].place.max()
+            total += train.count(one) * size * ratio**2
+            off += train.count(one) * size * 2 * abs(ratio) * float(out) / abs(complex(over.point))
+        named = ANGULAR, of_gear(f"J_red,{link}", plan.gear), "kg*m2"
+        yield Quantity.of(named, (total, true), DATA * off + ROUNDED * true, true)
 
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:

@@ -67,6 +67,10 @@ class _Reading:
         rows += [(self._drive(k), (drive.link,)) for k, drive in enumerate(form.drives)]
         for path, named in rows:
             self._know(path, named, central, "no_central")
+        for name in form.inertia:
+            self._know(("inertia", name), (name,), links, "no_link")
+        for name in form.masses:
+            self._know(("masses", name), (name,), [link for link in links if link not in central], "no_planet")
         for name, some in form.engaged.items():
             self._know(("engaged", name), some, (*form.brakes, *form.clutches), "no_brake")
 
@@ -172,6 +176,8 @@ class _Reading:
             brakes=form.brakes,
             clutches=form.clutches,
             planets=form.planets,
+            inertia={link: float(size) for link, size in form.inertia.items()},
+            masses={link: float(size) for link, size in form.masses.items()},
         )
 
     def _gear(self, name: str, engaged: tuple[str, ...]) -> Gear:

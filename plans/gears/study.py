@@ -9,6 +9,7 @@ from plans.gears.form import GearsForm, WheelTable
 from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, Spot, plans_of, spots_of
 from plans.gears.reading import GearsSurvey
 from plans.model.gears import Gear
+from plans.scene.faults import SceneError
 from plans.study import Study
 
 GEARS = "gears"  # the technique, and its sheet
@@ -18,8 +19,10 @@ class GearsStudy:
     """A gear train and its plans."""
 
     def __init__(self, study: Study) -> None:
+        if faults := study.scene.meaning.faults:
+            raise SceneError(faults)
         train = study.scene.meaning.of(GearsSurvey).train
-        assert train is not None  # a scene with faults is not studied
+        assert train is not None  # it is without faults
         self.train, self.made, self._form = train, set[str](), study.scene.of(GearsForm).gears
 
     @property

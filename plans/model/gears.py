@@ -7,7 +7,7 @@ Numbers of teeth, modules and heights are exact: a ratio is a quotient of whole 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from typing import NamedTuple
@@ -84,6 +84,8 @@ class Train:
     brakes: Mapping[str, str]
     clutches: Mapping[str, tuple[str, str]]
     planets: int | None = None  # of each carrier, if it is given
+    inertia: Mapping[str, float] = field(default_factory=dict)  # kg*m2 of links about their own axes, of one planet
+    masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
 
     @property
     def single(self) -> bool:
@@ -115,6 +117,10 @@ class Train:
         one, other = (self.wheels[name] for name in mesh)
         y_one, y_other = self.heights[one.link], self.heights[other.link]
         return (y_one * other.teeth + y_other * one.teeth) / (one.teeth + other.teeth)
+
+    def count(self, link: str) -> int:
+        """Give how many of a link there are: of a planet as many as each carrier has."""
+        return self.planets or 1 if link in self.carrier_of else 1
 
     def meshes_of(self, link: str) -> Iterator[tuple[Wheel, Wheel]]:
         """Give the meshes of a link's wheels, its own wheel first."""
