@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.gears.notes import GearsNotes
-from drawings.gears.sheet import speeds
+from drawings.gears.sheet import results, speeds
+from drawings.layout.table import Later, RuledTable
 from drawings.page.page import drafting_of
 from drawings.paper.strokes import Text
 from drawings.report.formula import Chapters, entry, plain
@@ -41,13 +42,21 @@ def subject(study: Study) -> TableSubject:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the train: what is given, how it fits, its ratios, the speeds of its links."""
     notes, drafting = _notes(study), drafting_of(study.scene)
-    table = speeds(study.of(GearsComparison).analysis, drafting)
-    heads = [_plain(text) for text in (table.first, *table.heads)]
-    rows = (row([_plain(line.name), *(_plain(str(cell)) for cell in line.cells)]) for line in table.lines)
+    comparison = study.of(GearsComparison)
+    told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
+    tables = [line for each in told for line in ("", *_table(each))]
     return Chapters(
         subject=[chapter(drafting.language, GEARS).lstrip(), *map(entry, (*notes.given(), *notes.fit()))],
-        values=["", *map(entry, (*notes.willis(), *notes.ratios())), "", *header(heads), *rows],
+        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia())), *tables],
     )
+
+
+def _table(told: RuledTable) -> Iterator[str]:
+    """Write a table without what a hand may be out, which the sheet tells."""
+    kept = [k for k in range(len(told.heads)) if not any(isinstance(line.cells[k], Later) for line in told.lines)]
+    yield from header([_plain(text) for text in (told.first, *(told.heads[k] for k in kept))])
+    for line in told.lines:
+        yield row([_plain(line.name), *(_plain(str(line.cells[k])) for k in kept)])
 
 
 def _plain(text: str) -> str:

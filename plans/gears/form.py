@@ -94,7 +94,9 @@ class GearsTable(Table):
         meaning="Carriers (водила), each with the links that turn on it (сателлиты).",
     )
     joined: tuple[tuple[str, ...], ...] = key(
-        many(many(PART, f.NO_REPEATS, first=f.FEW), first=f.FEW), (), meaning='Shafts that are one: [["H1", "4"]].'
+        many(many(PART, f.NOT_EMPTY, f.NO_REPEATS, first=f.FEW), first=f.FEW),
+        (),
+        meaning='Shafts that are one: [["H1", "4"]].',
     )
     fixed: tuple[str, ...] = key(NAMES, (), meaning="Links that are held in all gears.")
     brakes: Mapping[str, str] = key(

@@ -60,6 +60,9 @@ class _Reading:
             self._know(("meshes", k), mesh, self.wheels, "no_wheel")
         for carrier, some in form.carriers.items():
             self._know(("carriers", carrier), some, [link for link in links if link not in form.carriers], "no_planet")
+            for link in some:
+                if carrier != (first := next(one for one, of in form.carriers.items() if link in of)):
+                    self.report(("carriers", carrier), "planet_twice", name=link, first=first)
         rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed), (("output",), (form.output,))]
         rows += [(("joined", k), some) for k, some in enumerate(form.joined)]
         rows += [(("brakes", name), (link,)) for name, link in form.brakes.items()]
@@ -86,6 +89,8 @@ class _Reading:
     def rings(self) -> None:
         """See that no two rings mesh, that wheels that mesh have one module, that every wheel meshes."""
         for k, mesh in enumerate(self.form.meshes):
+            if link_of(mesh[0]) == link_of(mesh[1]):
+                self.report(("meshes", k), "own_mesh", first=mesh[0], second=mesh[1])
             if all(self.wheels[name].internal for name in mesh):
                 self.report(("meshes", k), "two_rings", first=mesh[0], second=mesh[1])
             one, other = (self._module(name) for name in mesh)
