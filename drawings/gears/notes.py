@@ -28,7 +28,15 @@ class GearsNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, how it fits, what Willis gives, how the plans are read."""
-        return *self.given(), *self.fit(), *self.willis(), *self.ratios(), *self.inertia(), *self.read()
+        return (
+            *self.given(),
+            *self.fit(),
+            *self.willis(),
+            *self.ratios(),
+            *self.inertia(),
+            *self.moments(),
+            *self.read(),
+        )
 
     def given(self) -> Iterator[str]:
         """Tell teeth, module and speeds."""
@@ -151,6 +159,14 @@ class GearsNotes(NamedTuple):
             yield self._said(
                 "gears inertia", drive=train.drives[0][0], parts=joined(",  ", said), count=train.planets or 1
             )
+
+    def moments(self) -> Iterator[str]:
+        """Tell the load, and how the moments that balance it are found."""
+        train = self.study.train
+        if train.load is not None:
+            yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
+            if not all(map(self.speeds.moments, train.gears)):
+                yield self._said("gears unbalanced")
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from plans.model.gears import FRAME, Gear, Train
 from plans.model.motion import Gap
-from plans.model.trains import Row, matrix, reduced
+from plans.model.trains import Row, equations, matrix, reduced
 
 
 def shares(train: Train, gear: Gear) -> Mapping[str, tuple[Fraction, ...]]:
@@ -53,6 +54,24 @@ def velocity(train: Train, speeds: Mapping[str, Fraction], link: str, height: Fr
     return float(centre + speeds[link] * (height - train.heights[link]))
 
 
+def moments(train: Train, gear: Gear, load: float) -> Mapping[str, float]:
+    """Give the moments N*m on the driving link and on those that are held, by the equilibrium of each link.
+
+    Each equation of speeds has a multiplier: of a mesh half the module times its force, of what is held its moment.
+    Nothing where more conditions hold than are independent: then the moments hang on how stiff the links are.
+    """
+    driving, rows = train.drives[0][0], [*equations(train, gear)]
+    matrix = []
+    for link in train.links:
+        own = [Fraction(row.get(link, 0)) for row in rows]
+        matrix.append([*own, Fraction(link == driving), -Fraction(load) * (link == train.output)])
+    found = reduced(matrix, len(rows) + 1)
+    if len(found) < len(rows) + 1:
+        return {}
+    held = {link: found[k][-1] for k, row in enumerate(rows) for link in gear.held if row == {link: 1}}
+    return {link: float(moment) for link, moment in ({driving: found[-1][-1]} | held).items()}
+
+
 @dataclass(frozen=True)
 class TrainSpeeds:
     """The speeds of a train by the analysis; a train that is read has no gaps."""
@@ -81,6 +100,13 @@ class TrainSpeeds:
             arm = turns[carrier] * (train.heights[one] - train.heights[carrier])
             total += train.count(one) * mass * float(arm) ** 2
         return total
+
+    def moments(self, gear: Gear) -> Mapping[str, float]:
+        """Give the moments N*m on the driving and the held links that balance the load, which resists the motion."""
+        speed = self.true(gear)[self.train.output]
+        if self.train.load is None or not speed:
+            return {}
+        return moments(self.train, gear, -math.copysign(self.train.load, speed))
 
     def ratio(self, gear: Gear) -> Fraction | None:
         """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""

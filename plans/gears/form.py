@@ -123,6 +123,11 @@ class GearsTable(Table):
     masses: Mapping[str, Decimal] = key(
         named(PART, f.MASS, first=f.FEW), {}, meaning="Masses of planets, kg, each of one, for the reduced inertia."
     )
+    load: Decimal | None = key(
+        f.not_negative(units.MOMENT),
+        None,
+        meaning="Moment that resists the driven link, N*m: those that balance it are found.",
+    )
     output: str = key(PART, meaning="The driven link.", missing=Missing("driven link", 'output = "H"', "1"))
     planets: int | None = key(
         one(f.whole, lambda: forms.whole(1), "number", least=1),
@@ -134,6 +139,8 @@ class GearsTable(Table):
         """See that something turns."""
         if not any(drive.speed for drive in self.drives):
             raise wrong("zero", kind="angular speed", at=("drive",))
+        if self.load is not None and len(self.drives) > 1:
+            raise wrong("load_of_differential", at=("load",))
 
     @property
     def drives(self) -> tuple[DriveTable, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -50,6 +51,7 @@ def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
             yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
     yield from _ratio(study, plan, bound)
     yield from _inertia(study, plan, bound)
+    yield from _moments(study, plan)
     spots = {spot.letter: spot for spot in study.spots}
     values = {name: velocity(study.train, true, spots[name].links[0], spots[name].height) for name in plan.velocities}
     most = max(map(abs, values.values()))
@@ -75,6 +77,22 @@ def _inertia(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error])
             off += train.count(one) * size * 2 * abs(ratio) * float(out) / abs(complex(over.point))
         named = ANGULAR, of_gear(f"J_red,{link}", plan.gear), "kg*m2"
         yield Quantity.of(named, (total, true), DATA * off + ROUNDED * true, true)
+
+
+def _moments(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
+    """Compare the moments that balance the load: by virtual speeds, of the plan itself or with a held link let go."""
+    train, true = study.train, TrainSpeeds(study.train).moments(plan.gear)
+    plans = {train.drives[0][0]: plan, **study.released(plan.gear)} if true else {}
+    most = max(map(abs, true.values()), default=0.0)
+    for link, one in plans.items():
+        over, driven = one.speeds[link], one.speeds[train.output]
+        bound = errors(over, driven)
+        load = -math.copysign(train.load or 0.0, complex(plan.speeds[train.output].point).real)
+        ratio, size = (complex(driven.point) / complex(over.point)).real, abs(complex(over.point))
+        off = abs(load) * float((bound[driven].place + abs(ratio) * bound[over].place).max()) / size
+        named = ANGULAR, of_gear(f"M_{link}", plan.gear), "N*m"
+        turned = one.angular.turn(f"M{link}", driven, -load * 1j, because("gear_virtual", link=link))
+        yield Quantity.of(named, (-load * ratio, true[link]), DATA * off + ROUNDED * most, most, Reading(over, turned))
 
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:

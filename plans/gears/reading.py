@@ -182,6 +182,7 @@ class _Reading:
             clutches=form.clutches,
             planets=form.planets,
             inertia={link: float(size) for link, size in form.inertia.items()},
+            load=None if form.load is None else float(form.load),
             masses={link: float(size) for link, size in form.masses.items()},
         )
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from dataclasses import replace
 from functools import cached_property
 
 from plans.gears.form import GearsForm, WheelTable
 from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, Spot, plans_of, spots_of
 from plans.gears.reading import GearsSurvey
-from plans.model.gears import Gear
+from plans.model.gears import Gear, bare
+from plans.model.trains import determined, mobility
 from plans.scene.faults import SceneError
 from plans.study import Study
 
@@ -45,6 +47,16 @@ class GearsStudy:
         """The plan of each gear."""
         self.made |= {LINEAR, ANGULAR}
         return plans_of(self.train)
+
+    def released(self, gear: Gear) -> Mapping[str, KutzbachPlan]:
+        """Give for each held link the plan of what moves where it is let go and the driving link held instead."""
+        found, driving = dict[str, KutzbachPlan](), self.train.drives[0][0]
+        for link in gear.held:
+            other = bare(gear, link, driving)
+            train = replace(self.train, drives=((link, 1.0),), gears=(other,))
+            if mobility(train, other) == 1 and determined(train, other):
+                found[link] = plans_of(train)[0]
+        return found
 
     @cached_property
     def spots(self) -> tuple[Spot, ...]:

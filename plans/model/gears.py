@@ -55,6 +55,11 @@ class Gear(NamedTuple):
     locked: tuple[tuple[str, str], ...]
 
 
+def bare(gear: Gear, link: str, instead: str) -> Gear:
+    """Give a gear with a held link let go and another one held instead, under a name of its own."""
+    return Gear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
+
+
 class Willis(NamedTuple):
     """Two wheels of fixed axes joined by planets of a carrier: the wheels driven and driving on the way, and the ratio.
 
@@ -84,6 +89,7 @@ class Train:
     brakes: Mapping[str, str]
     clutches: Mapping[str, tuple[str, str]]
     planets: int | None = None  # of each carrier, if it is given
+    load: float | None = None  # N*m, that resists the driven link
     inertia: Mapping[str, float] = field(default_factory=dict)  # kg*m2 of links about their own axes, of one planet
     masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
 

@@ -122,22 +122,28 @@ def chance(rng: random.Random) -> tuple[str, ...]:
         (f"1={sun} 2={planet} {ring} 4={again} 5={block} 6=-{again + 2 * block}", "1-2 2-3 4-5 5-6", "3", WINCH)
     )
     kinds.append((f"{twice} 3={again}", "1-2 2'-3", "3", "", ""))
-    return rng.choice(kinds)
+    wheels, meshes, driven, more, *rest = rng.choice(kinds)
+    return wheels, meshes, driven, f'{more}\nload = "100 N*m"', *rest
 
 
 def test_plans_of_random_trains_agree_with_exact_ratios_within_their_own_roundings() -> None:
     """The bound is twice what the record's conditions give; no plan may be out by more, and not all be exact."""
-    rng, worst = random.Random(31), 0.0
+    rng, worst, loaded = random.Random(31), 0.0, 0
     for _ in range(300):
         asked = chance(rng)
         study, comparison = compared(train(*asked))
         assert comparison.worst <= 1.0, (asked, comparison.foremost)
+        moments = comparison.analysis.moments(study.train.gears[0])
+        coaxial = not any(study.train.heights[link] for link in study.train.links if link not in study.train.carrier_of)
+        if moments and coaxial:  # no bearing of a fixed axis takes a moment about the main one
+            assert abs(sum(moments.values())) == pytest.approx(100, rel=1e-12)
         worst = max(worst, comparison.worst)
+        loaded += any(one.name.startswith("M_") for one in comparison.findings)
         loose = [
             one for one in comparison.findings if one.name == study.ratio_name and one.allowed[0] > 1e-9 * one.largest
         ]
         assert not loose or abs(loose[0].analysis[0]) > 1e3, asked
-    assert worst > 1e-3
+    assert worst > 1e-3 and loaded > 250
 
 
 def test_ratios_of_random_rows_are_those_of_willis() -> None:
