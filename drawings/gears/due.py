@@ -15,7 +15,7 @@ from plans.analytic.gears import TrainSpeeds, ratio_with, speeds, velocity
 from plans.gears.kutzbach import ANGULAR, LINEAR, LINES, board_of
 from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy, of_gear
-from plans.model.gears import FRAME, Gear
+from plans.model.gears import FRAME, BoxGear
 from plans.quantity import Quantity
 from plans.quantity import by_hand as slipping
 from plans.study import Study
@@ -38,7 +38,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from chain(plans, results, _speeds(study.of(GearsComparison).analysis), _notes(found))
 
 
-def _linear(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Iterator[Expected]:
+def _linear(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> Iterator[Expected]:
     """Give the velocities of mesh points and of planets' centres, m/s."""
     name, exact = board_of(LINEAR, gear), speeds(study.train, gear)
     for spot in (spot for spot in study.spots if spot.links[0] != FRAME):
@@ -47,7 +47,7 @@ def _linear(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Itera
         yield Expected(Kind.VECTOR, name, f"v_{spot.letter}", complex(value), may_lack=short)
 
 
-def _angular(study: GearsStudy, gear: Gear, scales: Mapping[str, float]) -> Iterator[Expected]:
+def _angular(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> Iterator[Expected]:
     """Give the ends of the segments of links, rad/s; of links that turn alike the first may stand for all."""
     name, every = board_of(ANGULAR, gear), TrainSpeeds(study.train).true(gear)
     largest = max(map(abs, every.values()))

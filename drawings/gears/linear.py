@@ -15,8 +15,7 @@ from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.figure import Subject, around, heading, heading_width, vector
-from plans.gears.kutzbach import LINEAR, KutzbachPlan, board_of
-from plans.gears.kutzbach import Spot as TrainSpot
+from plans.gears.kutzbach import LINEAR, KutzbachPlan, TrainPoint, board_of
 from plans.model.gears import FRAME
 
 MARGINS = Margins(3.0, 3.0, 2.6)  # paper around it for letters, in their sizes
@@ -124,7 +123,7 @@ def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> L
     return LetteredFigure(shown.name, drawn, partial(_letters, shown, place, drafting))
 
 
-def _level(shown: ShownLinear, spot: TrainSpot, place: Place, drafting: Drafting) -> Stroke:
+def _level(shown: ShownLinear, spot: TrainPoint, place: Place, drafting: Drafting) -> Stroke:
     """Carry a height over from the scheme to the triangles."""
     start = shown.scheme.beyond(spot) if shown.schemed else complex(_left(shown), float(spot.height))
     end = max(shown.zero, shown.zero + shown.images[spot.letter].real) if spot.letter in shown.images else shown.zero

@@ -12,7 +12,7 @@ from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy, of_gear, pair_of
-from plans.model.gears import FRAME, Gear, Wheel, Willis, assembly, bodies
+from plans.model.gears import FRAME, BoxGear, ToothedWheel, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
 DIGITS = 5
@@ -107,7 +107,7 @@ class GearsNotes(NamedTuple):
             if ratio is not None:
                 yield self._ratio(gear, ratio)
 
-    def _ratio(self, gear: Gear, ratio: Fraction) -> Phrase:
+    def _ratio(self, gear: BoxGear, ratio: Fraction) -> Phrase:
         driving, driven = self.study.train.drives[0][0], self.study.train.output
         name = f"U^{{{gear.name}}}_" if gear.name else "U_"
         name += f"{{{pair_of(driving, driven)}}}"
@@ -119,7 +119,7 @@ class GearsNotes(NamedTuple):
         unit = self.drafting.word("rpm")
         return joined("", (joined(" = ", (*terms, value)), f";  n_{{{driven}}} = ", n, f" {unit}"))
 
-    def _stopped(self, gear: Gear, driving: str, driven: str) -> Iterator[str]:
+    def _stopped(self, gear: BoxGear, driving: str, driven: str) -> Iterator[str]:
         """Write the ratio by those with carriers stopped, where these lead from the driving link to the driven one."""
         body = bodies(self.study.train.links, (*self.study.train.joined, *gear.locked))
         ways, steps = {body[driving]: ("", "")}, [*self._steps(gear)]
@@ -133,7 +133,7 @@ class GearsNotes(NamedTuple):
             bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
             yield f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare
 
-    def _steps(self, gear: Gear) -> Iterator[tuple[str, str, str, str]]:
+    def _steps(self, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:
         """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
         held = {link for link, one in bodies(self.study.train.links, [(FRAME, *gear.held)]).items() if one == FRAME}
         for one in self.study.train.willis:
@@ -191,7 +191,7 @@ def _quantity(one: Willis) -> str:
     return f"U_{one.first.name}{one.other.name}^{one.carrier}"
 
 
-def _kept(one: Willis) -> tuple[list[Wheel], list[Wheel]]:
+def _kept(one: Willis) -> tuple[list[ToothedWheel], list[ToothedWheel]]:
     """Leave out wheels that are driven and drive: an idler changes the sign alone."""
     driven, driving = [*one.driven], [*one.driving]
     for wheel in one.driven:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Final, NamedTuple
 
-from plans.model.gears import Train, Wheel
+from plans.model.gears import ToothedWheel, Train
 
 SUN, ARM, DISC, PLATE, BRAKE, HELD, INPUT, OUTPUT = "sun", "arm", "disc", "plate", "brake", "held", "input", "output"
 RIM, LEVEL, STUB = 0.07, 0.05, 0.16  # of the height of the train: a ring's thickness, hollow shafts apart, short posts
@@ -62,11 +62,11 @@ class Routing:
         """Give the height m of the shaft of a body over the main axis."""
         return self.height(body) + LEVEL * self.size * self.levels.get(body, 0)
 
-    def rings(self, body: str) -> list[Wheel]:
+    def rings(self, body: str) -> list[ToothedWheel]:
         """Give the rings of a body."""
         return [wheel for wheel in self.train.wheels.values() if wheel.internal and self.bodies[wheel.link] == body]
 
-    def outside(self, wheel: Wheel) -> float:
+    def outside(self, wheel: ToothedWheel) -> float:
         """Give the height m of the outside of a ring."""
         return float(self.train.heights[wheel.link] + wheel.radius) + RIM * self.size
 

@@ -16,8 +16,8 @@ from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import arrowhead, fit, ground
-from plans.gears.kutzbach import Spot
-from plans.model.gears import FRAME, Train, Wheel
+from plans.gears.kutzbach import TrainPoint
+from plans.model.gears import FRAME, ToothedWheel, Train
 
 STEP = 0.11  # of the height of the train: from one place across to the next
 CLOSE: Final = 0.22  # steps between the plates of a clutch
@@ -34,7 +34,7 @@ class TrainScheme:
 
     train: Train
     routing: Routing
-    spots: tuple[Spot, ...]
+    spots: tuple[TrainPoint, ...]
 
     @cached_property
     def across(self) -> Mapping[float, float]:
@@ -66,17 +66,17 @@ class TrainScheme:
         lows = [self._height(w) - float(w.radius) for w in wheels if self._both(w)]
         return min(0.0, *lows, *map(float, self.train.heights.values())), max(tops)
 
-    def _height(self, wheel: Wheel) -> float:
+    def _height(self, wheel: ToothedWheel) -> float:
         return float(self.train.heights[wheel.link])
 
-    def _both(self, wheel: Wheel) -> bool:
+    def _both(self, wheel: ToothedWheel) -> bool:
         return not wheel.internal and (self.whole or wheel.link in self.train.carrier_of or self._height(wheel) != 0)
 
     def at(self, x: float, y: float) -> complex:
         """Give a true place from the place across and the height."""
         return complex(self.across[x], y)
 
-    def contact(self, spot: Spot) -> complex:
+    def contact(self, spot: TrainPoint) -> complex:
         """Give where a point of the train is in the scheme: a mesh in its column, a planet's centre at its wheel."""
         names = [w.name for w in self.train.wheels.values() if w.link in spot.links]
         for mesh in self.train.meshes:
@@ -84,7 +84,7 @@ class TrainScheme:
                 return self.at(self.routing.columns[mesh[0]], float(spot.height))
         return self.at(max(self.routing.columns[name] for name in names), float(spot.height))
 
-    def beyond(self, spot: Spot) -> complex:
+    def beyond(self, spot: TrainPoint) -> complex:
         """Give where the level of a point begins: past the faces of a mesh, at the end of an axle, of the scheme."""
         if spot.links[0] == FRAME:
             return complex(self.right, float(spot.height))
@@ -193,7 +193,7 @@ class _SchemePen:
             case _:
                 yield Line(foot, top, hand.result)
 
-    def _sun(self, wheel: Wheel, foot: complex) -> Iterator[Stroke]:
+    def _sun(self, wheel: ToothedWheel, foot: complex) -> Iterator[Stroke]:
         reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol
         centre = self.on(self.routing.columns[wheel.name], float(self.train.heights[wheel.link]))
         both = self.scheme.whole or self.train.heights[wheel.link] != 0
@@ -243,7 +243,7 @@ class _SchemePen:
             foot = top + side * off
             yield from ground(foot - 1j * high, foot, complex(side), self.hand)
 
-    def planet(self, wheel: Wheel) -> Iterator[Stroke]:
+    def planet(self, wheel: ToothedWheel) -> Iterator[Stroke]:
         """Draw a wheel of a planet at both sides of its hub."""
         centre = self.on(self.routing.columns[wheel.name], float(self.train.heights[wheel.link]))
         reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol
@@ -260,7 +260,7 @@ class _SchemePen:
         if min(some) == max(some):
             yield Line(start, end, self.hand.result)
 
-    def ring(self, wheel: Wheel) -> Iterator[Stroke]:
+    def ring(self, wheel: ToothedWheel) -> Iterator[Stroke]:
         """Draw a ring: its face inside, its side up to its outside, there what holds it."""
         x, hand = self.routing.columns[wheel.name], self.hand
         face = self.on(x, float(self.train.heights[wheel.link] + wheel.radius)) + 1j * MESHED * hand.symbol

@@ -29,7 +29,7 @@ from plans.analytic.gears import TrainSpeeds
 from plans.gears.kutzbach import ANGULAR, LINEAR, LINES
 from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy
-from plans.model.gears import Gear
+from plans.model.gears import BoxGear
 from plans.quantity import Comparison, Quantity, by_hand
 from plans.study import Study
 
@@ -68,7 +68,7 @@ def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:
         yield exhibit(angular, speeds, drafting, scale=ANGULAR, together=together)
 
 
-def _title(key: str, gear: Gear, drafting: Drafting) -> str:
+def _title(key: str, gear: BoxGear, drafting: Drafting) -> str:
     title = drafting.word(key)
     return drafting.word("gears in gear", title=title, gear=gear.name) if gear.name else title
 

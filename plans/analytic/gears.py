@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from plans.model.gears import FRAME, Gear, Train
+from plans.model.gears import FRAME, BoxGear, Train
 from plans.model.motion import Gap
 from plans.model.trains import Row, equations, matrix, reduced
 
 
-def shares(train: Train, gear: Gear) -> Mapping[str, tuple[Fraction, ...]]:
+def shares(train: Train, gear: BoxGear) -> Mapping[str, tuple[Fraction, ...]]:
     """Give the speed of each link as shares of those of the drives."""
     count, links = len(train.drives), train.links
     rows = [*matrix(train, gear, count), *_drives(train)]
@@ -29,7 +29,7 @@ def _drives(train: Train) -> list[Row]:
     return found
 
 
-def speeds(train: Train, gear: Gear) -> Mapping[str, Fraction]:
+def speeds(train: Train, gear: BoxGear) -> Mapping[str, Fraction]:
     """Give the speeds rad/s of all links, exact for the speeds that the drives are given."""
     given = [Fraction(speed) for _, speed in train.drives]
     return {
@@ -41,7 +41,7 @@ def speeds(train: Train, gear: Gear) -> Mapping[str, Fraction]:
 def ratio_with(train: Train, first: str, other: str, carrier: str) -> Fraction:
     """Give the ratio of two links where a carrier is held and nothing else, brakes, clutches or joined shafts."""
     bare, place, last = replace(train, joined=()), train.links.index(first), len(train.links)
-    rows = matrix(bare, Gear("", () if carrier == FRAME else (carrier,), ()), 1)
+    rows = matrix(bare, BoxGear("", () if carrier == FRAME else (carrier,), ()), 1)
     drive = [Fraction(0)] * (last + 1)
     drive[train.links.index(other)] = drive[last] = Fraction(1)
     return next(row for row in reduced([*rows, drive], last) if row[place])[last]
@@ -54,7 +54,7 @@ def velocity(train: Train, speeds: Mapping[str, Fraction], link: str, height: Fr
     return float(centre + speeds[link] * (height - train.heights[link]))
 
 
-def moments(train: Train, gear: Gear, load: float) -> Mapping[str, float]:
+def moments(train: Train, gear: BoxGear, load: float) -> Mapping[str, float]:
     """Give the moments N*m on the driving link and on those that are held, by the equilibrium of each link.
 
     Each equation of speeds has a multiplier: of a mesh half the module times its force, of what is held its moment.
@@ -80,15 +80,15 @@ class TrainSpeeds:
     by: str = "analysis"
     unanswered: tuple[Gap, ...] = ()
 
-    def shares(self, gear: Gear) -> Mapping[str, tuple[Fraction, ...]]:
+    def shares(self, gear: BoxGear) -> Mapping[str, tuple[Fraction, ...]]:
         """Give the speed of each link as shares of those of the drives."""
         return shares(self.train, gear)
 
-    def true(self, gear: Gear) -> Mapping[str, float]:
+    def true(self, gear: BoxGear) -> Mapping[str, float]:
         """Give the speeds rad/s of all links, each rounded once."""
         return {link: float(speed) for link, speed in speeds(self.train, gear).items()}
 
-    def inertia(self, gear: Gear, link: str) -> float | None:
+    def inertia(self, gear: BoxGear, link: str) -> float | None:
         """Give the moment of inertia kg*m2 of all links, reduced to one; nothing where it rests or none is given."""
         train, shares = self.train, self.shares(gear)
         if not (train.inertia or train.masses) or not train.single or not shares[link][0]:
@@ -101,14 +101,14 @@ class TrainSpeeds:
             total += train.count(one) * mass * float(arm) ** 2
         return total
 
-    def moments(self, gear: Gear) -> Mapping[str, float]:
+    def moments(self, gear: BoxGear) -> Mapping[str, float]:
         """Give the moments N*m on the driving and the held links that balance the load, which resists the motion."""
         speed = self.true(gear)[self.train.output]
         if self.train.load is None or not speed:
             return {}
         return moments(self.train, gear, -math.copysign(self.train.load, speed))
 
-    def ratio(self, gear: Gear) -> Fraction | None:
+    def ratio(self, gear: BoxGear) -> Fraction | None:
         """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""
         share = self.shares(gear)[self.train.output][0]
         return 1 / share if self.train.single and share else None

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from plans.model.gears import FRAME, Wheel, bodies, link_of
+from plans.model.gears import FRAME, ToothedWheel, bodies, link_of
 
 Teeth = Mapping[str, int | None]
 Mesh = tuple[str, str]
@@ -41,9 +41,9 @@ class RawTrain(NamedTuple):
                     groups.append((planets[link_of(one)], link_of(other)))
         return bodies(self.links, groups)
 
-    def wheel(self, name: str) -> Wheel:
+    def wheel(self, name: str) -> ToothedWheel:
         """Give a wheel whose teeth are known."""
-        return Wheel(name, self.teeth[name] or 0, self.modules[name])
+        return ToothedWheel(name, self.teeth[name] or 0, self.modules[name])
 
 
 class Apart(NamedTuple):

@@ -62,7 +62,7 @@ class WheelTable(Table):
     module: Decimal | None = key(MODULE, None, meaning="Module of its own, mm.")
 
 
-class DriveTable(Table):
+class DrivingLinkTable(Table):
     """A driving link and its speed."""
 
     link: str = key(PART, meaning="The driving link.", missing=Missing("driving link", 'link = "1"'))
@@ -110,8 +110,8 @@ class GearsTable(Table):
         {},
         meaning="Gears of a box (передачи), each with its brakes and clutches; default: one with all of them.",
     )
-    drive: tuple[DriveTable, ...] = key(
-        either(list, many(table(DriveTable), f.NOT_EMPTY, first=f.FEW), table(DriveTable)),
+    drive: tuple[DrivingLinkTable, ...] = key(
+        either(list, many(table(DrivingLinkTable), f.NOT_EMPTY, first=f.FEW), table(DrivingLinkTable)),
         meaning="The driving link and its speed; of a differential a list of them.",
         missing=Missing("drive", 'drive = { link = "1", speed = "1000 rpm" }', {"link": "1", "speed": 1}),
     )
@@ -143,9 +143,9 @@ class GearsTable(Table):
             raise wrong("load_of_differential", at=("load",))
 
     @property
-    def drives(self) -> tuple[DriveTable, ...]:
+    def drives(self) -> tuple[DrivingLinkTable, ...]:
         """The drives."""
-        return (self.drive,) if isinstance(self.drive, DriveTable) else self.drive
+        return (self.drive,) if isinstance(self.drive, DrivingLinkTable) else self.drive
 
 
 class GearsForm(TechniqueForm):

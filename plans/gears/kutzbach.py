@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from geometry.board import Board, Mark
 from geometry.errors import DraftError
-from plans.model.gears import FRAME, Gear, Train, bodies
+from plans.model.gears import FRAME, BoxGear, Train, bodies
 from plans.words.words import because, message
 
 POINTS = "ABCDEFGKLNPQRSUVWXYZ"  # letters of mesh points: O is an axis, H a carrier, T a brake, M a clutch
@@ -26,7 +26,7 @@ LINES = "lines"  # the board of lines of velocities, m; that of angular velociti
 DEEPEST = 3  # assumed links within each other: of more closed loops than that no train is built
 
 
-class Spot(NamedTuple):
+class TrainPoint(NamedTuple):
     """A point of the train in the plane of its axes: its letter, its height m over the main axis, its links."""
 
     letter: str
@@ -39,31 +39,31 @@ class Spot(NamedTuple):
         return self.letter.lower()
 
 
-def spots_of(train: Train) -> tuple[Spot, ...]:
+def spots_of(train: Train) -> tuple[TrainPoint, ...]:
     """Give the axes, then the mesh points, then the centres of planets, each with the links that move as one there."""
-    found, letters = list[Spot](), iter([*POINTS, *(f"{one}{k}" for k in range(1, 10) for one in POINTS)])
+    found, letters = list[TrainPoint](), iter([*POINTS, *(f"{one}{k}" for k in range(1, 10) for one in POINTS)])
     fixed = [link for link in train.links if link not in train.carrier_of]
     for height in dict.fromkeys(train.heights[link] for link in fixed):
         links = tuple(link for link in fixed if train.heights[link] == height)
-        found.append(Spot(AXIS if height == 0 else f"{AXIS}{links[0]}", height, (FRAME, *links)))
+        found.append(TrainPoint(AXIS if height == 0 else f"{AXIS}{links[0]}", height, (FRAME, *links)))
     for mesh in train.meshes:
         one, other = (train.wheels[name].link for name in mesh)
-        found.append(Spot(next(letters), train.contact(mesh), (one, other)))
+        found.append(TrainPoint(next(letters), train.contact(mesh), (one, other)))
     for link, carrier in train.carrier_of.items():
-        found.append(Spot(f"{AXIS}{link}", train.heights[link], (link, carrier)))
+        found.append(TrainPoint(f"{AXIS}{link}", train.heights[link], (link, carrier)))
     return tuple(found)
 
 
 @dataclass
-class _Drawing:
+class _KnownMotion:
     """What is known while a plan is drawn: the velocity of each point, the line of each link, where two disagree."""
 
     velocities: dict[str, Mark]
     lines: dict[str, Mark]
     misfits: list[tuple[str, Mark, Mark]] = field(default_factory=list)
 
-    def copy(self) -> _Drawing:
-        return _Drawing({**self.velocities}, {**self.lines})
+    def copy(self) -> _KnownMotion:
+        return _KnownMotion({**self.velocities}, {**self.lines})
 
 
 class KutzbachPlan(NamedTuple):
@@ -72,7 +72,7 @@ class KutzbachPlan(NamedTuple):
     `tau` s makes lengths of velocities: the pole of the angular ones is 1/tau rad/s under their line.
     """
 
-    gear: Gear
+    gear: BoxGear
     linear: Board
     angular: Board
     images: Mapping[str, Mark]
@@ -92,7 +92,7 @@ class KutzbachPlan(NamedTuple):
 class _Drafter:
     """Draws the plan of one gear."""
 
-    def __init__(self, train: Train, gear: Gear, tau: float) -> None:
+    def __init__(self, train: Train, gear: BoxGear, tau: float) -> None:
         self.train, self.gear, self.tau = train, gear, tau
         self.board, self.angular = Board(board_of(LINES, gear)), Board(board_of(ANGULAR, gear))
         self.assumed: list[str] = []
@@ -111,14 +111,14 @@ class _Drafter:
             self.places[spot.letter] = place
             self.levels[spot.letter] = board.parallel(f"h_{spot.letter}", place, self.across, because("gear_level"))
 
-    def of(self, body: str) -> list[Spot]:
+    def of(self, body: str) -> list[TrainPoint]:
         """Give the points of a body, from the lowest."""
         some = (spot for spot in self.spots if any(self.body[link] == body for link in spot.links))
         return sorted(some, key=lambda spot: spot.height)
 
-    def start(self) -> _Drawing:
+    def start(self) -> _KnownMotion:
         """Give what is known of itself: what is held rests, a driving link has the speed that it is given."""
-        drawing = _Drawing({}, {self.body[FRAME]: self.axis})
+        drawing = _KnownMotion({}, {self.body[FRAME]: self.axis})
         for spot in self.of(self.body[FRAME]):
             drawing.velocities[spot.letter] = self.places[spot.letter]
         for link, speed in self.train.drives:
@@ -126,7 +126,7 @@ class _Drafter:
                 self._drive(drawing, link, speed)
         return drawing
 
-    def _drive(self, drawing: _Drawing, link: str, speed: float) -> None:
+    def _drive(self, drawing: _KnownMotion, link: str, speed: float) -> None:
         """Lay off the velocity of a driving link at its farthest point: v = omega r."""
         far = self.farthest(link)
         length = speed * float(far.height - self.train.heights[link]) * self.tau
@@ -134,19 +134,19 @@ class _Drafter:
         self.known(drawing, far, self.board.lay_off(far.image, self.places[far.letter], vector, because("gear_laid")))
         self.run(drawing, "")
 
-    def farthest(self, link: str) -> Spot:
+    def farthest(self, link: str) -> TrainPoint:
         """Give the point of a body that is farthest from its axis."""
         axis = self.train.heights[link]
         return max(self.of(self.body[link]), key=lambda spot: abs(spot.height - axis))
 
-    def known(self, drawing: _Drawing, spot: Spot, mark: Mark) -> None:
+    def known(self, drawing: _KnownMotion, spot: TrainPoint, mark: Mark) -> None:
         """Put down the velocity of a point, or that another link has it otherwise."""
         if spot.letter in drawing.velocities:
             drawing.misfits.append((spot.letter, drawing.velocities[spot.letter], mark))
         else:
             drawing.velocities[spot.letter] = mark
 
-    def run(self, drawing: _Drawing, suffix: str) -> None:
+    def run(self, drawing: _KnownMotion, suffix: str) -> None:
         """Draw the line of each link that has two known points, and read its other points off it."""
         while body := next(self._ready(drawing), ""):
             known = [spot for spot in self.of(body) if spot.letter in drawing.velocities]
@@ -164,14 +164,14 @@ class _Drafter:
     def _named(self, body: str) -> str:
         return " = ".join(link for link in self.train.links if self.body[link] == body)
 
-    def _ready(self, drawing: _Drawing) -> Iterator[str]:
+    def _ready(self, drawing: _KnownMotion) -> Iterator[str]:
         for body in dict.fromkeys(self.body.values()):
             if body not in drawing.lines:
                 heights = {spot.height for spot in self.of(body) if spot.letter in drawing.velocities}
                 if len(heights) > 1:
                     yield body
 
-    def solve(self, drawing: _Drawing, suffix: str = "", depth: int = 0) -> _Drawing:
+    def solve(self, drawing: _KnownMotion, suffix: str = "", depth: int = 0) -> _KnownMotion:
         """Draw all lines; where none can be drawn on, assume the speed of a link, twice, and find the true one."""
         self.run(drawing, suffix)
         left = [link for link in self._assumable() if self.body[link] not in drawing.lines]
@@ -190,9 +190,9 @@ class _Drafter:
         central = [link for link in self.train.links if link not in self.train.carrier_of]
         return (link for link in sorted(central, key=lambda link: link not in self.train.carriers))
 
-    def _false_position(self, drawing: _Drawing, link: str, suffix: str, depth: int) -> Mark | None:
+    def _false_position(self, drawing: _KnownMotion, link: str, suffix: str, depth: int) -> Mark | None:
         """Assume that a link rests, then that it moves as fast as what is fastest; nothing where no misfit tells."""
-        spot, tried, ends = self.farthest(link), list[_Drawing](), list[Mark]()
+        spot, tried, ends = self.farthest(link), list[_KnownMotion](), list[Mark]()
         largest = max(abs(complex(mark.point).real) for mark in drawing.velocities.values())
         for k, length in enumerate((0.0, largest), 1):
             mine, trial = f"{suffix}{'°' * k}", drawing.copy()
@@ -207,7 +207,7 @@ class _Drafter:
         return self._closed(spot, [one.misfits for one in tried], ends, suffix)
 
     def _closed(
-        self, spot: Spot, misfits: Sequence[Sequence[tuple[str, Mark, Mark]]], ends: Sequence[Mark], suffix: str
+        self, spot: TrainPoint, misfits: Sequence[Sequence[tuple[str, Mark, Mark]]], ends: Sequence[Mark], suffix: str
     ) -> Mark | None:
         """Lay the misfits off square to the assumed velocities; the line of their ends meets the level in the true."""
         rows = [pair for pair in zip(*misfits, strict=False) if abs(_off(pair[0]) - _off(pair[1])) > 0]
@@ -272,10 +272,10 @@ def rounded(value: float) -> float:
     return float(f"{max(step for step in STEPS if step <= float(digits)):g}e{power}")
 
 
-def board_of(plan: str, gear: Gear) -> str:
+def board_of(plan: str, gear: BoxGear) -> str:
     """Name the board and the figure of a plan in a gear.
 
-    >>> board_of("linear", Gear("II", (), ()))
+    >>> board_of("linear", BoxGear("II", (), ()))
     'linear-II'
     """
     return f"{plan}-{gear.name}" if gear.name else plan

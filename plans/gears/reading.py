@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
-from plans.gears.form import LEAST_TEETH, DriveTable, GearsForm, GearsTable, WheelTable
-from plans.model.gears import FRAME, Gear, Train, assembly, link_of
+from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
+from plans.model.gears import FRAME, BoxGear, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Scene
@@ -27,7 +27,7 @@ class GearsSurvey(NamedTuple):
 
 def survey_of(scene: Scene) -> GearsSurvey:
     """Examine a train: its names, its axes, its planets, its mobility; all faults that do not follow from others."""
-    reading = _Reading(scene, scene.of(GearsForm).gears, [])
+    reading = _TrainReading(scene, scene.of(GearsForm).gears, [])
     for step in (reading.names, reading.rings, reading.axes, reading.room, reading.mobilities):
         step()
         if reading.faults:
@@ -40,7 +40,7 @@ def millimetres(length: Fraction) -> str:
     return f"{float(1000 * length):.6g}"
 
 
-class _Reading:
+class _TrainReading:
     """A train while it is examined."""
 
     def __init__(self, scene: Scene, form: GearsTable, faults: list[Fault]) -> None:
@@ -78,7 +78,7 @@ class _Reading:
             self._know(("engaged", name), some, (*form.brakes, *form.clutches), "no_brake")
 
     def _drive(self, k: int) -> Path:
-        return ("drive", "link") if isinstance(self.form.drive, DriveTable) else ("drive", k, "link")
+        return ("drive", "link") if isinstance(self.form.drive, DrivingLinkTable) else ("drive", k, "link")
 
     def _know(self, path: Path, names: Collection[str], known: Collection[str], kind: str) -> None:
         for name in names:
@@ -186,10 +186,10 @@ class _Reading:
             masses={link: float(size) for link, size in form.masses.items()},
         )
 
-    def _gear(self, name: str, engaged: tuple[str, ...]) -> Gear:
+    def _gear(self, name: str, engaged: tuple[str, ...]) -> BoxGear:
         held = (*self.form.fixed, *(self.form.brakes[one] for one in engaged if one in self.form.brakes))
         locked = tuple(self.form.clutches[one] for one in engaged if one in self.form.clutches)
-        return Gear(name, tuple(dict.fromkeys(held)), locked)
+        return BoxGear(name, tuple(dict.fromkeys(held)), locked)
 
     def room(self) -> None:
         """See that so many planets stand beside each other and can be put in."""
@@ -229,7 +229,7 @@ class _Reading:
             elif not determined(train, gear):
                 self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
 
-    def _freed(self, gear: Gear, wanted: int) -> str:
+    def _freed(self, gear: BoxGear, wanted: int) -> str:
         """Name the links that, held too, leave the mobility that is wanted."""
         links = (link for link in self.train.links if link not in self.train.carrier_of and link not in gear.held)
         tried = ((link, gear._replace(held=(*gear.held, link))) for link in links)

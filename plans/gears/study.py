@@ -7,9 +7,9 @@ from dataclasses import replace
 from functools import cached_property
 
 from plans.gears.form import GearsForm, WheelTable
-from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, Spot, plans_of, spots_of
+from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, TrainPoint, plans_of, spots_of
 from plans.gears.reading import GearsSurvey
-from plans.model.gears import Gear, bare
+from plans.model.gears import BoxGear, bare
 from plans.model.trains import determined, mobility
 from plans.scene.faults import SceneError
 from plans.study import Study
@@ -33,7 +33,7 @@ class GearsStudy:
         wheels = self._form.wheels.items()
         return tuple(name for name, wheel in wheels if isinstance(wheel, WheelTable) and wheel.teeth is None)
 
-    def engaged(self, gear: Gear) -> tuple[str, ...]:
+    def engaged(self, gear: BoxGear) -> tuple[str, ...]:
         """Name the brakes and clutches of a gear."""
         return self._form.engaged.get(gear.name, ())
 
@@ -48,7 +48,7 @@ class GearsStudy:
         self.made |= {LINEAR, ANGULAR}
         return plans_of(self.train)
 
-    def released(self, gear: Gear) -> Mapping[str, KutzbachPlan]:
+    def released(self, gear: BoxGear) -> Mapping[str, KutzbachPlan]:
         """Give for each held link the plan of what moves where it is let go and the driving link held instead."""
         found, driving = dict[str, KutzbachPlan](), self.train.drives[0][0]
         for link in gear.held:
@@ -59,7 +59,7 @@ class GearsStudy:
         return found
 
     @cached_property
-    def spots(self) -> tuple[Spot, ...]:
+    def spots(self) -> tuple[TrainPoint, ...]:
         """The points of the train."""
         return spots_of(self.train)
 
@@ -78,10 +78,10 @@ def pair_of(one: str, other: str) -> str:
     return f"{one},{other}" if len(one) + len(other) > 2 and (one + other).isdigit() else f"{one}{other}"
 
 
-def of_gear(name: str, gear: Gear) -> str:
+def of_gear(name: str, gear: BoxGear) -> str:
     """Name a quantity in a gear of a box.
 
-    >>> of_gear("ω_H", Gear("II", (), ()))
+    >>> of_gear("ω_H", BoxGear("II", (), ()))
     'ω_H,II'
     """
     return f"{name},{gear.name}" if gear.name else name

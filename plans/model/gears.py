@@ -24,7 +24,7 @@ def link_of(wheel: str) -> str:
     return wheel.rstrip("'′")
 
 
-class Wheel(NamedTuple):
+class ToothedWheel(NamedTuple):
     """A wheel: its name, the number of its teeth, negative of a ring, and its module m."""
 
     name: str
@@ -47,7 +47,7 @@ class Wheel(NamedTuple):
         return self.teeth < 0
 
 
-class Gear(NamedTuple):
+class BoxGear(NamedTuple):
     """A gear of a box (передача, ступень): its name, the links that are held, the pairs of links that turn as one."""
 
     name: str
@@ -55,9 +55,9 @@ class Gear(NamedTuple):
     locked: tuple[tuple[str, str], ...]
 
 
-def bare(gear: Gear, link: str, instead: str) -> Gear:
+def bare(gear: BoxGear, link: str, instead: str) -> BoxGear:
     """Give a gear with a held link let go and another one held instead, under a name of its own."""
-    return Gear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
+    return BoxGear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
 
 
 class Willis(NamedTuple):
@@ -66,11 +66,11 @@ class Willis(NamedTuple):
     `ratio` is U_ab^H: of the first to the other with the carrier stopped; without a carrier it is that of the links.
     """
 
-    first: Wheel
-    other: Wheel
+    first: ToothedWheel
+    other: ToothedWheel
     carrier: str
-    driven: tuple[Wheel, ...]
-    driving: tuple[Wheel, ...]
+    driven: tuple[ToothedWheel, ...]
+    driving: tuple[ToothedWheel, ...]
     ratio: Fraction
 
 
@@ -78,11 +78,11 @@ class Willis(NamedTuple):
 class Train:
     """A gear train; by the names of wheels and links. Heights m are of the axes and mesh points over the main axis."""
 
-    wheels: Mapping[str, Wheel]
+    wheels: Mapping[str, ToothedWheel]
     meshes: tuple[tuple[str, str], ...]
     carriers: Mapping[str, tuple[str, ...]]  # each with the links that turn on it
     joined: tuple[tuple[str, ...], ...]  # shafts that are one
-    gears: tuple[Gear, ...]
+    gears: tuple[BoxGear, ...]
     drives: tuple[tuple[str, float], ...]  # links and their speeds rad/s
     output: str
     heights: Mapping[str, Fraction]  # of the axis of each link
@@ -114,7 +114,7 @@ class Train:
         return bodies(self.links, self.joined)
 
     @property
-    def pairs(self) -> Iterator[tuple[Wheel, Wheel]]:
+    def pairs(self) -> Iterator[tuple[ToothedWheel, ToothedWheel]]:
         """The wheels that mesh."""
         return ((self.wheels[one], self.wheels[other]) for one, other in self.meshes)
 
@@ -128,7 +128,7 @@ class Train:
         """Give how many of a link there are: of a planet as many as each carrier has."""
         return self.planets or 1 if link in self.carrier_of else 1
 
-    def meshes_of(self, link: str) -> Iterator[tuple[Wheel, Wheel]]:
+    def meshes_of(self, link: str) -> Iterator[tuple[ToothedWheel, ToothedWheel]]:
         """Give the meshes of a link's wheels, its own wheel first."""
         for one, other in self.pairs:
             if one.link == link:
@@ -136,7 +136,7 @@ class Train:
             elif other.link == link:
                 yield other, one
 
-    def carrier_between(self, one: Wheel, other: Wheel) -> str:
+    def carrier_between(self, one: ToothedWheel, other: ToothedWheel) -> str:
         """Give the carrier of the planet of a mesh; the frame where both axes are fixed."""
         return self.carrier_of.get(one.link) or self.carrier_of.get(other.link) or FRAME
 
@@ -153,7 +153,7 @@ class Train:
         fixed = ((a, b) for a, b in self.pairs if self.carrier_between(a, b) == FRAME)
         return *found.values(), *(Willis(a, b, "", (b,), (a,), Fraction(-b.teeth, a.teeth)) for a, b in fixed)
 
-    def _ways(self, link: str, seen: frozenset[str]) -> Iterator[tuple[tuple[Wheel, Wheel], ...]]:
+    def _ways(self, link: str, seen: frozenset[str]) -> Iterator[tuple[tuple[ToothedWheel, ToothedWheel], ...]]:
         """Give the meshes on the ways from a planet to the wheels of fixed axes, by itself or through other planets."""
         for own, other in self.meshes_of(link):
             if other.link not in self.carrier_of:
@@ -162,7 +162,9 @@ class Train:
                 yield from (((own, other), *rest) for rest in self._ways(other.link, seen | {link}))
 
 
-def _willis(first: Wheel, own: Wheel, way: tuple[tuple[Wheel, Wheel], ...], carrier: str) -> Willis:
+def _willis(
+    first: ToothedWheel, own: ToothedWheel, way: tuple[tuple[ToothedWheel, ToothedWheel], ...], carrier: str
+) -> Willis:
     driving, driven = (first, *(one for one, _ in way)), (own, *(other for _, other in way))
     ratio = Fraction(1)
     for one, other in zip(driven, driving, strict=True):
@@ -183,7 +185,7 @@ def bodies(links: Collection[str], joined: Collection[tuple[str, ...]]) -> Mappi
     return found
 
 
-def assembly(train: Train, link: str) -> Iterator[tuple[Wheel, Wheel, Fraction]]:
+def assembly(train: Train, link: str) -> Iterator[tuple[ToothedWheel, ToothedWheel, Fraction]]:
     """Give the central wheels that a planet of one wheel meshes with, and what must be whole: (z_1 + z_3)/k.
 
     The two wheels of a block may be fixed to each other at any angle, so that blocks can always be put in.

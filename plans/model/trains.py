@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
-from plans.model.gears import FRAME, Gear, Train
+from plans.model.gears import FRAME, BoxGear, Train
 
 Row: TypeAlias = list[Fraction]
 
 
-def equations(train: Train, gear: Gear) -> Iterator[Mapping[str, int]]:
+def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, int]]:
     """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y."""
     for one, other in train.pairs:
         carrier = train.carrier_between(one, other)
@@ -21,18 +21,18 @@ def equations(train: Train, gear: Gear) -> Iterator[Mapping[str, int]]:
     yield from ({one: 1, other: -1} for one, other in pairs)
 
 
-def mobility(train: Train, gear: Gear) -> int:
+def mobility(train: Train, gear: BoxGear) -> int:
     """Give the mobility of a train in a gear: its links less the equations that are independent."""
     return len(train.links) - len(reduced(matrix(train, gear, 0), len(train.links)))
 
 
-def determined(train: Train, gear: Gear) -> bool:
+def determined(train: Train, gear: BoxGear) -> bool:
     """Tell whether the speeds of the drives give all links theirs."""
     rows = [*matrix(train, gear, 0), *([Fraction(link == one) for link in train.links] for one, _ in train.drives)]
     return len(reduced(rows, len(train.links))) == len(train.links)
 
 
-def matrix(train: Train, gear: Gear, more: int) -> list[Row]:
+def matrix(train: Train, gear: BoxGear, more: int) -> list[Row]:
     """Put the equations in rows, a column a link, and more columns of zeros for what stands on the right."""
     found = []
     for factors in equations(train, gear):

@@ -11,7 +11,7 @@ import pytest
 
 from plans.gears.quantities import GearsComparison, compare_gears
 from plans.gears.study import GearsStudy
-from plans.model.gears import Gear
+from plans.model.gears import BoxGear
 from plans.scene.faults import SceneError
 from plans.scene.scene import Scene, parse_scene
 from plans.study import Study
@@ -152,7 +152,7 @@ def test_ratios_of_random_rows_are_those_of_willis() -> None:
         sun, planet, block = (rng.randint(12, 60) for _ in range(3))
         ring = sun + planet + block
         _, comparison = compared(train(f"1={sun} 2={planet} 2'={block} 3=-0", "1-2 2'-3", "H", FIXED))
-        assert comparison.analysis.ratio(Gear("", ("3",), ())) == 1 + Fraction(planet * ring, sun * block)
+        assert comparison.analysis.ratio(BoxGear("", ("3",), ())) == 1 + Fraction(planet * ring, sun * block)
 
 
 # A train, and words of what is said of it.
