@@ -14,8 +14,9 @@ from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Line, Stroke
-from drawings.symbols.figure import Subject, around, heading, heading_width, vector
-from plans.gears.kutzbach import LINEAR, KutzbachPlan, TrainPoint, board_of
+from drawings.symbols.figure import Subject, around, heading, heading_width, point, vector
+from drawings.symbols.symbols import pole
+from plans.gears.kutzbach import AXIS, LINEAR, KutzbachPlan, TrainPoint, board_of
 from plans.model.gears import FRAME
 
 MARGINS = Margins(3.0, 3.0, 2.6)  # paper around it for letters, in their sizes
@@ -103,7 +104,7 @@ def _velocity(shown: ShownLinear, scale: Scale) -> Scale:
 
 
 def _scales(shown: ShownLinear, scale: Scale, drafting: Drafting) -> str:
-    return drafting.scale(scale, _velocity(shown, scale))
+    return drafting.scale(_velocity(shown, scale), scale)
 
 
 def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -119,7 +120,9 @@ def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> L
     lines = [Line(one, other, hand.result) for one, other in ends]
     lines.append(Line(foot, head, hand.result))
     arrows = (_arrow(shown, name, place, drafting) for name in shown.plan.velocities)
-    drawn = (title, *levels, *scheme, *lines, *(arrow for arrow in arrows if arrow is not None))
+    subject, zero = Subject(board_of(LINEAR, shown.plan.gear), "v", None), pole(place.on(complex(shown.zero)))
+    origin = point(subject, AXIS, 0j, Place(zero.centre, 0j, _velocity(shown, spot.scale)), zero, "pole")
+    drawn = (title, *levels, *scheme, *lines, origin, *(arrow for arrow in arrows if arrow is not None))
     return LetteredFigure(shown.name, drawn, partial(_letters, shown, place, drafting))
 
 
@@ -160,9 +163,11 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
     for spot in shown.scheme.spots:
         if shown.schemed and spot.links[0] != FRAME:
             yield labels.beside(place.on(shown.scheme.contact(spot)), with_index(spot.letter), hand.letter, BESIDE, 0.6)
+        elif not spot.height:
+            yield labels.beside(place.on(complex(shown.zero)), spot.letter, hand.letter, BESIDE, -2.6)
         elif shown.schemed:
-            at = shown.scheme.contact(spot) if spot.height else complex(shown.scheme.right)
-            yield labels.beside(place.on(at), with_index(spot.letter), hand.letter, BESIDE, -0.8)
+            at = place.on(shown.scheme.contact(spot))
+            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, -0.8)
         else:
             at = place.on(complex(_left(shown), float(spot.height)))
             yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, math.pi)
