@@ -47,7 +47,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     tables = [line for each in told for line in ("", *_table(each))]
     return Chapters(
         subject=[chapter(drafting.language, GEARS).lstrip(), *map(entry, (*notes.given(), *notes.fit()))],
-        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia())), *tables],
+        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia(), *notes.moments())), *tables],
     )
 
 
