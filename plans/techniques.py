@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 TECHNIQUES: Final = (
     "linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "structure",
-    "transfer", "centres", "involute",
+    "transfer", "centres", "gears", "involute",
 )  # fmt: skip
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")

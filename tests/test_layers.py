@@ -82,6 +82,8 @@ SHARED = (
     "plans.model.diagrams",
     "plans.model.structure",
     "plans.model.involute",
+    "plans.model.gears",
+    "plans.model.trains",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen

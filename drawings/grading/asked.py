@@ -77,6 +77,7 @@ RECORDS: Final[Mapping[str, str]] = {
     "balance": "drawings.grading.techniques.rotor:record_of_balance",
     "bank": "drawings.grading.techniques.rotor:record_of_bank",
     "rotor": "drawings.grading.techniques.rotor:record_of_rotor",
+    "gears": "drawings.grading.techniques.gears:record_of_gears",
 }
 # By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
 CURVES: Final[Mapping[str, str]] = {

@@ -1,0 +1,120 @@
+"""What must stand on the sheet of a gear train, by exact equations alone: velocities, speeds, ratios (лист)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+
+from drawings.checks.expected import NOTES, Expected, by_hand, cells
+from drawings.lettering.gear_letters import link_letters
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Kind, Leaf
+from plans.analytic.gears import TrainSpeeds, ratio_with, speeds, velocity
+from plans.gears.kutzbach import ANGULAR, LINEAR, LINES, board_of
+from plans.gears.quantities import GearsComparison
+from plans.gears.study import GEARS, GearsStudy, of_gear
+from plans.model.gears import FRAME, BoxGear
+from plans.quantity import Quantity
+from plans.quantity import by_hand as slipping
+from plans.study import Study
+
+DIGITS = 5
+SHORT = 0.6  # mm: a shorter velocity is a point
+SAME = 1e-9  # of the largest: ends that are one
+
+
+def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's gear train."""
+    found, drafting = study.of(GearsStudy), drafting_of(study.scene)
+    scales = {name: mu for leaf in leaves for name, mu in leaf.metadata["scales"].items()}
+    plans = (
+        one for gear in found.train.gears for one in (*_linear(found, gear, scales), *_angular(found, gear, scales))
+    )
+    findings = study.comparison(GEARS).of(ANGULAR)
+    slips = slipping(study.comparison(GEARS).findings, scales)
+    results = (row for one in findings if one.analysis[0] for row in _result(one, slips, drafting))
+    yield from chain(plans, results, _speeds(study.of(GearsComparison).analysis), _notes(found))
+
+
+def _linear(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> Iterator[Expected]:
+    """Give the velocities of mesh points and of planets' centres, m/s."""
+    name, exact = board_of(LINEAR, gear), speeds(study.train, gear)
+    for spot in (spot for spot in study.spots if spot.links[0] != FRAME):
+        value = velocity(study.train, exact, spot.links[0], spot.height)
+        short = abs(value) * study.plans[0].tau < SHORT * 2 * scales[board_of(LINES, gear)]
+        yield Expected(Kind.VECTOR, name, f"v_{spot.letter}", complex(value), may_lack=short)
+
+
+def _angular(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> Iterator[Expected]:
+    """Give the ends of the segments of links, rad/s; of links that turn alike the first may stand for all."""
+    name, every = board_of(ANGULAR, gear), TrainSpeeds(study.train).true(gear)
+    largest = max(map(abs, every.values()))
+    for k, (link, speed) in enumerate(every.items()):
+        others = (0.0, *[*every.values()][:k])
+        near = any(abs(speed - other) < SAME * largest + scales[name] for other in others)
+        yield Expected(Kind.POINT, name, f"ω_{link}", complex(speed), SAME * largest, may_lack=near)
+    yield Expected(Kind.PHRASE, name, f"K {name}", 1 / study.plans[0].tau / scales[name])
+
+
+def _result(one: Quantity, slips: Mapping[tuple[str, int], float], drafting: Drafting) -> Iterator[Expected]:
+    value = float(one.analysis[0]), float(one.allowed[0])
+    letters = drafting.letter(with_index(one.name))
+    label = f"{letters}, {drafting.word(one.unit)}" if one.unit else letters
+    yield from cells(
+        "results", label, (value, value, by_hand(slips.get((one.name, 0), math.nan), one.largest)), digits=DIGITS
+    )
+
+
+def _speeds(found: TrainSpeeds) -> Iterator[Expected]:
+    for link in found.train.links:
+        row: list[tuple[float, float] | str] = []
+        for gear in found.train.gears:
+            row.append((found.true(gear)[link] * 30 / math.pi, 0.0))
+            row += [str(found.shares(gear)[link][0]).replace("-", "−")] if found.train.single else []
+        yield from cells("speeds", link_letters(link), row, digits=DIGITS)
+
+
+def _notes(study: GearsStudy) -> Iterator[Expected]:
+    """Give the numbers of the notes by the names of their quantities."""
+    train, numbers = study.train, dict[str, float]()
+    numbers |= {f"z_{name}": float(abs(wheel.teeth)) for name, wheel in train.wheels.items()}
+    for module in {wheel.module for wheel in train.wheels.values()}:
+        first = next(wheel for wheel in train.wheels.values() if wheel.module == module)
+        numbers[f"m {first.name}"] = 1000 * float(module)
+    for link, speed in train.drives:
+        numbers |= {f"n_{link}": speed * 30 / math.pi, f"given ω_{link}": speed}
+    for one, other in train.pairs:
+        numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
+    for gear in train.gears:
+        if (ratio := TrainSpeeds(train).ratio(gear)) is not None:
+            numbers[of_gear(study.ratio_name, gear)] = float(ratio)
+            numbers[of_gear(f"n_{train.output}", gear)] = TrainSpeeds(train).true(gear)[train.output] * 30 / math.pi
+    if train.single:
+        numbers |= {f"given J_{link}": size for link, size in train.inertia.items()}
+        numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
+    for gear in filter(study.closed, train.gears):
+        numbers |= {of_gear(f"P_{one}", gear): power for one, power in TrainSpeeds(train).powers(gear).items()}
+    numbers |= {"load": train.load} if train.load is not None else {}
+    for name, value in numbers.items():
+        yield Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS)
+    yield from _ratios(study)
+    yield from _planets(study)
+
+
+def _ratios(study: GearsStudy) -> Iterator[Expected]:
+    """Give the ratios with a carrier stopped: speeds of the analysis over that of the carrier."""
+    for one in study.train.willis:
+        value = float(ratio_with(study.train, one.first.link, one.other.link, one.carrier or FRAME))
+        yield Expected(Kind.PHRASE, NOTES, f"U_{one.first.name}{one.other.name}^{one.carrier}", value, digits=DIGITS)
+
+
+def _planets(study: GearsStudy) -> Iterator[Expected]:
+    train = study.train
+    for link, carrier in train.carrier_of.items() if (train.planets or 0) > 1 else ():
+        far = float(train.heights[link] - train.heights[carrier])
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+            chord = 2000 * far * math.sin(math.pi / (train.planets or 1))
+            yield Expected(Kind.PHRASE, NOTES, f"chord {wheel.name}", chord)
+            yield Expected(Kind.PHRASE, NOTES, f"tips {wheel.name}", 1000 * float(wheel.module) * (wheel.teeth + 2))

@@ -1,0 +1,189 @@
+"""The scheme of a train beside the triangles of its velocities, heights on one level (картина линейных скоростей)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import partial
+from typing import NamedTuple
+
+from drawings.gears.scheme import BESIDE, TrainScheme
+from drawings.layout.labels import Labels
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.gear_letters import link_letters
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting, Scale
+from drawings.paper.strokes import Line, Stroke
+from drawings.symbols.figure import Subject, around, heading, heading_width, point, vector
+from drawings.symbols.symbols import pole
+from plans.gears.kutzbach import AXIS, LINEAR, KutzbachPlan, board_of
+from plans.model.gears import FRAME
+
+MARGINS = Margins(3.0, 3.0, 2.6)  # paper around it for letters, in their sizes
+LETTERS = 24.0  # it is drawn at least so many letters large
+BETWEEN = 0.12  # of the height: from the scheme to the triangles
+PAST = 0.06  # of the height: how far lines go past their points
+ALIKE = 1e-6  # of the height: lines so near each other are one
+SHORT = 0.6  # mm: a shorter velocity is a point
+
+
+class ShownLinear(NamedTuple):
+    """The triangles of velocities of a gear, with the scheme beside them, or alone."""
+
+    name: str
+    title: str
+    plan: KutzbachPlan
+    scheme: TrainScheme
+    schemed: bool
+
+    @property
+    def high(self) -> float:
+        """The height of all, m."""
+        low, top = self.scheme.reach
+        return top - low
+
+    @property
+    def zero(self) -> float:
+        """Where the line of zero velocities stands, m across."""
+        beside = self.scheme.right + BETWEEN * self.high if self.schemed else 0.0
+        return beside - min(0.0, *(image.real for image in self.images.values()))
+
+    @property
+    def images(self) -> dict[str, complex]:
+        """The ends of the velocities, as lengths m over the heights."""
+        return {name: complex(mark.point) for name, mark in self.plan.images.items()}
+
+    @property
+    def lines(self) -> dict[str, tuple[complex, complex]]:
+        """The lines of links between their outermost points, a little longer; links of one line share it."""
+        found, past = dict[tuple[float, float], tuple[list[str], list[complex]]](), PAST * self.high
+        for link in self.scheme.train.links:
+            ends = [self.images[spot.letter] for spot in self.scheme.spots if link in spot.links]
+            speed = complex(self.plan.speeds[link].point).real * self.plan.tau
+            foot = ends[-1].real - speed * ends[-1].imag
+            key = round(speed / ALIKE) * ALIKE, round(foot / self.high / ALIKE) * ALIKE
+            links, spots = found.setdefault(key, ([], []))
+            links.append(link)
+            spots += ends
+        rows = (
+            (", ".join(map(link_letters, links)), sorted(ends, key=lambda end: end.imag))
+            for key, (links, ends) in found.items()
+            if any(key)
+        )
+        return {name: _longer(ends[0], ends[-1], past) for name, ends in rows}
+
+    @property
+    def resting(self) -> str:
+        """The links that rest, after the frame."""
+        lines = self.plan.lines
+        return ", ".join((FRAME, *(link_letters(link) for link, line in lines.items() if line.name == FRAME)))
+
+
+def _longer(start: complex, end: complex, past: float) -> tuple[complex, complex]:
+    along = (end - start) / abs(end - start) * past
+    return start - along, end + along
+
+
+def measure(shown: ShownLinear, drafting: Drafting) -> Picture:
+    """Measure the room that it needs."""
+    hand, (low, top) = drafting.hand, shown.scheme.reach
+    past = PAST * shown.high
+    ends = [*shown.images.values(), *(end for line in shown.lines.values() for end in line)]
+    across = [shown.zero + end.real for end in ends]
+    left = 0.0 if shown.schemed else min(across) - past
+    corners = [complex(left, min(low, -past)), complex(max(across), top + past)]
+    title = max(
+        heading_width(shown.title, hand), heading_width(_scales(shown, Scale(0.002, "l", "m"), drafting), hand) * 0.7
+    )
+    room = picture(shown.name, corners, ("l", "m"), around(MARGINS, hand), title, LETTERS * hand.letter)
+    return room
+
+
+def _velocity(shown: ShownLinear, scale: Scale) -> Scale:
+    return Scale(float(f"{scale.mu / shown.plan.tau:.12g}"), "v", "m/s")
+
+
+def _scales(shown: ShownLinear, scale: Scale, drafting: Drafting) -> str:
+    return drafting.scale(_velocity(shown, scale), scale)
+
+
+def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw the scheme, the levels of its points, the lines of links and the velocities of points."""
+    place, hand = room.place(*spot), drafting.hand
+    title = heading(spot.box, shown.title, _scales(shown, spot.scale, drafting), hand)
+    scheme = shown.scheme.draw(place, hand) if shown.schemed else ()
+    low, top = shown.scheme.reach
+    past = PAST * shown.high
+    foot, head = (place.on(complex(shown.zero, y)) for y in (min(low, -past), top + past))
+    ends = ((place.on(shown.zero + one), place.on(shown.zero + other)) for one, other in shown.lines.values())
+    lines = [Line(one, other, hand.result) for one, other in ends]
+    lines.append(Line(foot, head, hand.result))
+    arrows = (_arrow(shown, name, place, drafting) for name in shown.plan.velocities)
+    subject, zero = Subject(board_of(LINEAR, shown.plan.gear), "v", None), pole(place.on(complex(shown.zero)))
+    origin = point(subject, AXIS, 0j, Place(zero.centre, 0j, _velocity(shown, spot.scale)), zero, "pole")
+    drawn = (
+        title,
+        *_levels(shown, place, drafting),
+        *scheme,
+        *lines,
+        origin,
+        *(arrow for arrow in arrows if arrow is not None),
+    )
+    return LetteredFigure(shown.name, drawn, partial(_letters, shown, place, drafting))
+
+
+def _levels(shown: ShownLinear, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Carry each height over from the last of its points in the scheme to the triangles."""
+    for height in dict.fromkeys(spot.height for spot in shown.scheme.spots):
+        spots = [spot for spot in shown.scheme.spots if spot.height == height]
+        start = max(shown.scheme.beyond(spot).real for spot in spots) if shown.schemed else _left(shown)
+        end = shown.zero + max(0.0, *(shown.images[spot.letter].real for spot in spots))
+        first, last = (place.on(complex(x, float(height))) for x in (start, end))
+        yield Line(first, last, drafting.hand.drafted)
+
+
+def _left(shown: ShownLinear) -> float:
+    return shown.zero + min(0.0, *(image.real for image in shown.images.values())) - PAST * shown.high
+
+
+def _arrow(shown: ShownLinear, name: str, place: Place, drafting: Drafting) -> Stroke | None:
+    """Draw the velocity of a point from the line of zero velocities to its image."""
+    image, scale = shown.images[name], _velocity(shown, place.scale)
+    speed = complex(shown.plan.velocities[name].point)
+    if abs(speed) / scale.mu < SHORT:
+        return None
+    here = Place(place.on(complex(shown.zero, image.imag)), 0j, scale)
+    drawn = vector(
+        Subject(board_of(LINEAR, shown.plan.gear), "v", None),
+        f"v_{name}",
+        (0j, speed),
+        here,
+        drafting.hand.relative,
+        drafting.hand.symbol,
+    )
+    return drawn._replace(title=with_index(name.lower()))
+
+
+def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Letter the train, its points, their images, the lines of links."""
+    hand = drafting.hand
+    if shown.schemed:
+        yield from shown.scheme.letters(place, hand, labels)
+    for spot in shown.scheme.spots:
+        if shown.schemed and spot.links[0] != FRAME:
+            yield labels.beside(place.on(shown.scheme.contact(spot)), with_index(spot.letter), hand.letter, BESIDE, 0.6)
+        elif not spot.height:
+            yield labels.beside(place.on(complex(shown.zero)), spot.letter, hand.letter, BESIDE, -2.6)
+        elif shown.schemed:
+            at = place.on(shown.scheme.contact(spot))
+            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, -0.8)
+        else:
+            at = place.on(complex(_left(shown), float(spot.height)))
+            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, math.pi)
+        if spot.links[0] != FRAME:
+            image = place.on(shown.zero + shown.images[spot.letter])
+            yield labels.beside(image, with_index(spot.image), hand.letter, BESIDE, -0.6)
+    for name, (_, end) in shown.lines.items():
+        yield labels.beside(place.on(shown.zero + end), name, hand.number, BESIDE, math.pi / 2)
+    top = place.on(complex(shown.zero, shown.scheme.reach[1] + PAST * shown.high))
+    yield labels.beside(top, shown.resting, hand.number, BESIDE, math.pi / 2)

@@ -1,0 +1,220 @@
+"""A gear train in words: what is given, coaxiality, Willis's formula with numbers, ratios (пояснения)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from drawings.lettering.gear_letters import link_letters, teeth_letters
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting
+from plans.analytic.gears import TrainSpeeds
+from plans.gears.study import GearsStudy, of_gear, pair_of
+from plans.model.gears import FRAME, BoxGear, ToothedWheel, Willis, assembly, bodies
+
+MILLIMETRES = 1000.0
+DIGITS, ROUNDED = 5, 1e-9
+
+
+class GearsNotes(NamedTuple):
+    """The notes on a gear train."""
+
+    study: GearsStudy
+    speeds: TrainSpeeds
+    drafting: Drafting
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """What is given, how it fits, what Willis gives, how the plans are read."""
+        return (
+            *self.given(),
+            *self.fit(),
+            *self.willis(),
+            *self.ratios(),
+            *self.inertia(),
+            *self.moments(),
+            *self.read(),
+        )
+
+    def given(self) -> Iterator[str]:
+        """Tell teeth, module and speeds."""
+        train, slot = self.study.train, self.drafting.slot
+        for module in dict.fromkeys(wheel.module for wheel in train.wheels.values()):
+            some = [wheel for wheel in train.wheels.values() if wheel.module == module]
+            teeth = joined(",  ", (self._equal(teeth_letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
+            size = Slot(f"m {some[0].name}", MILLIMETRES * float(module))
+            yield self._said("gears teeth", module=slot(size), teeth=teeth)
+        if self.study.lacking:
+            yield self._said("gears found", names=", ".join(map(teeth_letters, self.study.lacking)))
+        for link, speed in train.drives:
+            n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
+            yield self._said("gears drive", link=link, n=n, omega=omega)
+        if train.joined:
+            yield self._said(
+                "gears joined", links=";  ".join(" – ".join(map(link_letters, group)) for group in train.joined)
+            )
+        for gear in train.gears:
+            if gear.name:
+                names = ", ".join(map(link_letters, self.study.engaged(gear)))
+                yield self._said("gears engaged", gear=gear.name, names=names)
+
+    def fit(self) -> Iterator[str]:
+        """Tell the distances of axes, and the conditions of neighbourhood and of assembly."""
+        train = self.study.train
+        for one, other in train.pairs:
+            sign = "−" if one.internal or other.internal else "+"
+            large, small = (other, one) if other.internal else (one, other)
+            formula = f"m({teeth_letters(large.name)} {sign} {teeth_letters(small.name)})/2"
+            far = Slot(f"a_{one.name}{other.name}", MILLIMETRES * float(one.module * abs(one.teeth + other.teeth) / 2))
+            yield self._said("gears distance", pair=f"{one.name}{other.name}", formula=formula, far=far)
+        for link in train.carrier_of if (train.planets or 0) > 1 else ():
+            yield from self._planets(link)
+
+    def _planets(self, link: str) -> Iterator[str]:
+        train, count = self.study.train, self.study.train.planets or 1
+        far = train.heights[link] - train.heights[train.carrier_of[link]]
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+            chord = Slot(f"chord {wheel.name}", MILLIMETRES * 2 * float(far) * math.sin(math.pi / count))
+            tips = Slot(f"tips {wheel.name}", MILLIMETRES * float(wheel.module * (wheel.teeth + 2)))
+            yield self._said("gears chord", wheel=wheel.name, count=count, chord=chord, tips=tips)
+        for one, other, share in assembly(train, link):
+            parts = {"sum": share * count, "count": count, "share": str(share)}
+            yield self._said("gears whole", one=one.name, other=other.name, **parts)
+
+    def willis(self) -> Iterator[str]:
+        """Write Willis's formula of each two wheels about a planet, in letters and in numbers."""
+        for one in self.study.train.willis:
+            yield self._formula(one)
+
+    def _formula(self, one: Willis) -> Phrase:
+        first, other, carrier = one.first.link, one.other.link, one.carrier
+        name = ratio_letters(one)
+        top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
+        speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
+        driven, driving = _kept(one)
+        sign = "−" if one.ratio < 0 else ""
+        product = "·".join(teeth_letters(w.name) for w in driven), "·".join(teeth_letters(w.name) for w in driving)
+        numbers = "·".join(str(abs(w.teeth)) for w in driven), "·".join(str(abs(w.teeth)) for w in driving)
+        terms = [name, speeds, f"{sign}{_over(*product, len(driving))}", f"{sign}{_over(*numbers, len(driving))}"]
+        return joined(" = ", (*terms, self.drafting.slot(Slot(_quantity(one), float(one.ratio), DIGITS))))
+
+    def ratios(self) -> Iterator[str]:
+        """Tell the ratio of each gear, by Willis's formula where one of its wheels is held, and the driven speed."""
+        for gear in self.study.train.gears:
+            ratio = self.speeds.ratio(gear)
+            if ratio is not None:
+                yield self._ratio(gear, ratio)
+
+    def _ratio(self, gear: BoxGear, ratio: Fraction) -> Phrase:
+        driving, driven = self.study.train.drives[0][0], self.study.train.output
+        name = f"U^{{{gear.name}}}_" if gear.name else "U_"
+        name += f"{{{pair_of(driving, driven)}}}"
+        value = self.drafting.slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
+        terms = [name, *self._stopped(gear, driving, driven)]
+        terms += [_fraction(ratio)] if ratio.denominator != 1 else []
+        speed = self.study.train.drives[0][1] * float(1 / ratio) * 30 / math.pi
+        n = self.drafting.slot(Slot(of_gear(f"n_{driven}", gear), speed, DIGITS))
+        unit = self.drafting.word("rpm")
+        return joined("", (joined(" = ", (*terms, value)), f";  n_{{{driven}}} = ", n, f" {unit}"))
+
+    def _stopped(self, gear: BoxGear, driving: str, driven: str) -> Iterator[str]:
+        """Write the ratio by those with carriers stopped, where these lead from the driving link to the driven one."""
+        body = bodies(self.study.train.links, (*self.study.train.joined, *gear.locked))
+        ways, steps = {body[driving]: ("", "")}, [*self._steps(gear)]
+        for _ in steps:
+            for one, other, top, low in steps:
+                for a, b, over, under in ((body[one], body[other], top, low), (body[other], body[one], low, top)):
+                    if a in ways and b not in ways:
+                        ways[b] = ways[a][0] + over, ways[a][1] + under
+        top, low = ways.get(body[driven], ("", ""))
+        if top or low:
+            bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
+            yield f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare
+
+    def _steps(self, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:
+        """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
+        held = {link for link, one in bodies(self.study.train.links, [(FRAME, *gear.held)]).items() if one == FRAME}
+        for one in self.study.train.willis:
+            a, b, name = one.first.link, one.other.link, ratio_letters(one)
+            if not one.carrier:
+                yield a, b, name, ""
+            elif b in held:
+                yield a, one.carrier, f"(1 − {name})", ""
+                for third in self.study.train.willis:
+                    if third.first is one.first and third is not one and third.other.link not in held:
+                        yield third.other.link, one.carrier, f"(1 − {name}/{ratio_letters(third)})", ""
+            elif a in held:
+                yield b, one.carrier, f"(1 − 1/{name})", ""
+
+    def inertia(self) -> Iterator[str]:
+        """Tell the inertia of links, and how that of all is reduced."""
+        train, slot = self.study.train, self.drafting.slot
+        if train.single and (train.inertia or train.masses):
+            parts = [self._equal(f"J_{{{one}}}", Slot(f"given J_{one}", size)) for one, size in train.inertia.items()]
+            said = [joined("", (part, f" {self.drafting.word('kg*m2')}")) for part in parts]
+            masses = ((f"m_{{{one}}} = ", slot(Slot(f"given m_{one}", size))) for one, size in train.masses.items())
+            said += [joined("", (*pair, f" {self.drafting.word('kg')}")) for pair in masses]
+            yield self._said(
+                "gears inertia", drive=train.drives[0][0], parts=joined(",  ", said), count=train.planets or 1
+            )
+
+    def moments(self) -> Iterator[str]:
+        """Tell the load, and how the moments that balance it are found."""
+        train = self.study.train
+        if train.load is not None:
+            yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
+            for gear in filter(self.study.closed, train.gears):
+                yield from self._powers(gear)
+            if not all(map(self.speeds.moments, train.gears)):
+                yield self._said("gears unbalanced")
+
+    def _powers(self, gear: BoxGear) -> Iterator[str]:
+        """Tell the power that is put in and what flows through joints; what is more than that circulates."""
+        powers, drive = self.speeds.powers(gear), self.study.train.drives[0][0]
+        if powers:
+            told = ((f"P_{{{of_gear(name, gear)}}}", of_gear(f"P_{name}", gear), size) for name, size in powers.items())
+            parts = [self._equal(letter, Slot(name, size, DIGITS)) for letter, name, size in told]
+            circulates = any(abs(power) > abs(powers[drive]) * (1 + ROUNDED) for power in powers.values())
+            yield self._said("gears circulating" if circulates else "gears powers", powers=joined(",  ", parts))
+
+    def read(self) -> Iterator[str]:
+        """Say how the plans are read, and on what assumed speed they rest."""
+        yield self._said("gears read")
+        for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
+            yield self._said("gears assumed", link=link_letters(link))
+
+    def _equal(self, letter: str, slot: Slot) -> Phrase:
+        return joined(" = ", (letter, self.drafting.slot(slot)))
+
+    def _said(self, key: str, **parts: object) -> Phrase:
+        return self.drafting.phrase(key, **parts)
+
+
+def ratio_letters(one: Willis) -> str:
+    """Letter a ratio with the carrier stopped: U_13^(H)."""
+    carrier = f"^{{({one.carrier})}}" if one.carrier else ""
+    return f"U{carrier}_{{{pair_of(one.first.link, one.other.link)}}}"
+
+
+def _quantity(one: Willis) -> str:
+    return f"U_{one.first.name}{one.other.name}^{one.carrier}"
+
+
+def _kept(one: Willis) -> tuple[list[ToothedWheel], list[ToothedWheel]]:
+    """Leave out wheels that are driven and drive: an idler changes the sign alone."""
+    driven, driving = [*one.driven], [*one.driving]
+    for wheel in one.driven:
+        if wheel in driving:
+            driven.remove(wheel)
+            driving.remove(wheel)
+    return driven, driving
+
+
+def _over(top: str, low: str, count: int) -> str:
+    return f"{top}/({low})" if count > 1 else f"{top}/{low}"
+
+
+def _fraction(value: Fraction) -> str:
+    return str(value).replace("-", "−")

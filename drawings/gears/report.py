@@ -1,0 +1,71 @@
+"""A gear train in the report: what is given, how it fits, ratios, speeds of all links (зубчатый механизм в отчёте)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from drawings.gears.notes import GearsNotes
+from drawings.gears.sheet import results, speeds
+from drawings.layout.table import Later, RuledTable
+from drawings.page.page import drafting_of
+from drawings.paper.strokes import Text
+from drawings.report.formula import Chapters, entry, plain
+from drawings.report.report import Report, TableSubject, chapter, header, row
+from plans.gears.quantities import GearsComparison
+from plans.gears.study import GEARS, GearsStudy
+from plans.study import Study
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+
+def _notes(study: Study) -> GearsNotes:
+    return GearsNotes(study.of(GearsStudy), study.of(GearsComparison).analysis, drafting_of(study.scene))
+
+
+def headline(study: Study) -> str:
+    """Say the ratio of each gear."""
+    return "; ".join(map(plain, _notes(study).ratios()))
+
+
+def subject(study: Study) -> TableSubject:
+    """Tell the train by its wheels and its ratios."""
+    found = study.of(GearsStudy)
+    ratios = ((gear.name, study.of(GearsComparison).analysis.ratio(gear)) for gear in found.train.gears)
+    given = (f"{name} {ratio}".strip().replace("-", "\N{MINUS SIGN}") for name, ratio in ratios if ratio is not None)
+    told = ", ".join(given) or "a differential"
+    structure = f"gear train, {len(found.train.wheels)} wheels"
+    output = f"{found.ratio_name} = {told}" if found.train.single else told
+    return TableSubject(structure, output, f"A {structure}: {output}.")
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the train: what is given, how it fits, its ratios, the speeds of its links."""
+    notes, drafting = _notes(study), drafting_of(study.scene)
+    comparison = study.of(GearsComparison)
+    told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
+    tables = [line for each in told for line in ("", *_table(each))]
+    return Chapters(
+        subject=[chapter(drafting.language, GEARS).lstrip(), *map(entry, (*notes.given(), *notes.fit()))],
+        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia(), *notes.moments())), *tables],
+    )
+
+
+def _table(told: RuledTable) -> Iterator[str]:
+    """Write a table without what a hand may be out, which the sheet tells."""
+    kept = [k for k in range(len(told.heads)) if not any(isinstance(line.cells[k], Later) for line in told.lines)]
+    yield from header([_plain(text) for text in (told.first, *(told.heads[k] for k in kept))])
+    for line in told.lines:
+        yield row([_plain(line.name), *(_plain(str(line.cells[k])) for k in kept)])
+
+
+def _plain(text: str) -> str:
+    return Text(0j, text).plain
+
+
+def _concluded(study: Study) -> Iterator[str]:
+    yield from map(entry, _notes(study).ratios())
+
+
+REPORT = Report(chapters, headline, subject=subject, conclusion=_concluded)

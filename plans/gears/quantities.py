@@ -1,0 +1,122 @@
+"""A gear train by both roads: speeds of links and points by Kutzbach's plan and by exact equations (сравнение)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from geometry.board import Mark, Reading
+from geometry.precision import Error, errors
+from plans.analytic.gears import TrainSpeeds, speeds, velocity
+from plans.gears.kutzbach import ANGULAR, AXIS, LINEAR, KutzbachPlan
+from plans.gears.study import GEARS, GearsStudy, of_gear
+from plans.model.motion import Gap
+from plans.quantity import Comparison, Numbers, Quantity, numbers_of
+from plans.words.words import because
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+DATA = 2.0  # times the bound of the record: heights and speeds that it is given are rounded themselves
+ROUNDED = 16 * 2.0**-52  # of a sum of some squares
+
+
+class GearsRoad(NamedTuple):
+    """What the construction found; a train that is read has no gaps."""
+
+    by: str = "construction"
+    unanswered: tuple[Gap, ...] = ()
+
+
+class GearsComparison(Comparison):
+    """A gear train by both roads; its analysis tells all speeds exactly."""
+
+    analysis: TrainSpeeds
+
+
+def compare_gears(study: GearsStudy) -> GearsComparison:
+    """Find the speeds of all links and points, and the ratio of each gear, by both roads."""
+    found = tuple(one for plan in study.plans for one in _gear(study, plan))
+    return GearsComparison(GearsRoad(), TrainSpeeds(study.train), found)
+
+
+def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
+    true, bound = speeds(study.train, plan.gear), errors(*plan.speeds.values(), *plan.velocities.values())
+    most = float(max(map(abs, true.values())))
+    for link, mark in plan.speeds.items():
+        if study.train.body_of[link] == link:  # shafts that are one have one speed
+            named = ANGULAR, of_gear(f"ω_{link}", plan.gear), "rad/s"
+            pair = complex(mark.point).real, float(true[link])
+            yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
+    yield from _ratio(study, plan, bound)
+    yield from _inertia(study, plan, bound)
+    yield from _moments(study, plan)
+    spots = {spot.letter: spot for spot in study.spots}
+    values = {name: velocity(study.train, true, spots[name].links[0], spots[name].height) for name in plan.velocities}
+    most = max(map(abs, values.values()))
+    for name, mark in plan.velocities.items():
+        named, pair = (LINEAR, of_gear(f"v_{name}", plan.gear), "m/s"), (complex(mark.point).real, values[name])
+        yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
+
+
+def _inertia(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
+    """Compare the inertia reduced to the driving and to the driven link: by speeds and velocities read off the plan."""
+    train, found = study.train, TrainSpeeds(study.train)
+    for link in dict.fromkeys((train.drives[0][0], train.output)):
+        true, over = found.inertia(plan.gear, link), plan.speeds[link]
+        if true is None:
+            continue
+        parts = [(size, plan.speeds[one], one) for one, size in train.inertia.items()]
+        parts += [(mass, plan.velocities[f"{AXIS}{one}"], one) for one, mass in train.masses.items()]
+        total, off = 0.0, 0.0
+        for size, mark, one in parts:
+            ratio = (complex(mark.point) / complex(over.point)).real
+            out = bound[mark].place.max() + abs(ratio) * bound[over].place.max()
+            total += train.count(one) * size * ratio**2
+            off += train.count(one) * size * 2 * abs(ratio) * float(out) / abs(complex(over.point))
+        named = ANGULAR, of_gear(f"J_red,{link}", plan.gear), "kg*m2"
+        yield Quantity.of(named, (total, true), DATA * off + ROUNDED * true, true)
+
+
+def _moments(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
+    """Compare the moments that balance the load: by virtual speeds, of the plan itself or with a held link let go."""
+    train, true = study.train, TrainSpeeds(study.train).moments(plan.gear)
+    drive, most = train.drives[0][0], max(map(abs, true.values()), default=0.0)
+    load = -math.copysign(train.load or 0.0, complex(plan.speeds[train.output].point).real)
+    for name, links, one in ((drive, (drive,), plan), *study.released(plan.gear)) if true else ():
+        driven, over = one.speeds[train.output], one.speeds[links[0]]
+        if len(links) > 1:  # the shafts of a joint turn against each other
+            first, last = (one.angular[link] for link in links)
+            over = one.angular.join(f"ω_{name}", last, first, because("gear_apart"))
+        bound, size = errors(over, driven), abs(complex(over.point))
+        ratio = (complex(driven.point) / complex(over.point)).real
+        off = abs(load) * float((bound[driven].place + abs(ratio) * bound[over].place).max()) / size
+        named = ANGULAR, of_gear(f"M_{name}", plan.gear), "N*m"
+        turned = one.angular.turn(f"M{name}", driven, -load * 1j, because("gear_virtual", link=name))
+        yield Quantity.of(named, (-load * ratio, true[name]), DATA * off + ROUNDED * most, most, Reading(over, turned))
+
+
+def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
+    """Compare the ratio: on the plan it is that of two segments."""
+    true = TrainSpeeds(study.train).ratio(plan.gear)
+    if true is None:
+        return
+    driving, driven = (plan.speeds[link] for link in (study.train.drives[0][0], study.train.output))
+    ratio = (complex(driving.point) / complex(driven.point)).real
+    off = (float(bound[mark].place.max() / abs(complex(mark.point))) for mark in (driving, driven))
+    turned = plan.angular.turn(f"j{driving.name}", driving, 1j, because("gear_quotient"))
+    named = ANGULAR, of_gear(study.ratio_name, plan.gear), ""
+    yield Quantity.of(
+        named, (ratio, float(true)), DATA * abs(ratio) * sum(off), abs(float(true)), Reading(driven, turned)
+    )
+
+
+def numbers(study: Study, by: str) -> Numbers:
+    """Give the speeds of a train by a road; of its ratios the fractions too, which are exact."""
+    found = study.of(GearsStudy)
+    data = numbers_of(study.quantities(GEARS), by)
+    ratios = ((gear, TrainSpeeds(found.train).ratio(gear)) for gear in found.train.gears)
+    fractions = {of_gear(found.ratio_name, gear): str(ratio) for gear, ratio in ratios if ratio is not None}
+    teeth = {name: abs(wheel.teeth) for name, wheel in found.train.wheels.items()}
+    return Numbers({"scene": study.scene.heading(), "by": by, GEARS: data | {"teeth": teeth, "fractions": fractions}})

@@ -1,0 +1,234 @@
+"""The train that a scene gives, made with all its faults: names, axes, planets, mobility (по исходным данным)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from plans.gears.axes import RawTrain, completed, heights, sought, unlike
+from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
+from plans.model.gears import FRAME, BoxGear, Train, assembly, link_of
+from plans.model.trains import determined, mobility
+from plans.scene.faults import Fault, Path, suggestion
+from plans.scene.scene import Scene
+from plans.words.words import message
+
+TIP = 2  # modules by which the tips of a planet stand beyond its pitch circle, both sides
+
+
+class GearsSurvey(NamedTuple):
+    """What the examination of a train found: the train where it is sound, or its faults."""
+
+    train: Train | None
+    faults: list[Fault]
+
+
+def survey_of(scene: Scene) -> GearsSurvey:
+    """Examine a train: its names, its axes, its planets, its mobility; all faults that do not follow from others."""
+    reading = _TrainReading(scene, scene.of(GearsForm).gears, [])
+    for step in (reading.names, reading.rings, reading.axes, reading.room, reading.mobilities):
+        step()
+        if reading.faults:
+            return GearsSurvey(None, reading.faults)
+    return GearsSurvey(reading.train, [])
+
+
+def millimetres(length: Fraction) -> str:
+    """Write a length m in millimetres for a message."""
+    return f"{float(1000 * length):.6g}"
+
+
+class _TrainReading:
+    """A train while it is examined."""
+
+    def __init__(self, scene: Scene, form: GearsTable, faults: list[Fault]) -> None:
+        self.scene, self.form, self.faults = scene, form, faults
+        self.wheels = {name: w if isinstance(w, WheelTable) else WheelTable(teeth=w) for name, w in form.wheels.items()}
+
+    def report(self, path: Path, kind: str, **details: object) -> None:
+        """Tell a fault at a key of the train."""
+        self.faults.append(self.scene.fault(("gears", *path), kind, **details))
+
+    def names(self) -> None:
+        """See that what is named is there: wheels, links, brakes, clutches."""
+        form = self.form
+        links = [*dict.fromkeys((*map(link_of, self.wheels), *form.carriers))]
+        central = [link for link in links if link not in {p for some in form.carriers.values() for p in some}]
+        for k, mesh in enumerate(form.meshes):
+            self._know(("meshes", k), mesh, self.wheels, "no_wheel")
+        for carrier, some in form.carriers.items():
+            self._know(("carriers", carrier), some, [link for link in links if link not in form.carriers], "no_planet")
+            for link in some:
+                if carrier != (first := next(one for one, of in form.carriers.items() if link in of)):
+                    self.report(("carriers", carrier), "planet_twice", name=link, first=first)
+        rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed), (("output",), (form.output,))]
+        rows += [(("joined", k), some) for k, some in enumerate(form.joined)]
+        rows += [(("brakes", name), (link,)) for name, link in form.brakes.items()]
+        rows += [(("clutches", name), pair) for name, pair in form.clutches.items()]
+        rows += [(self._drive(k), (drive.link,)) for k, drive in enumerate(form.drives)]
+        for path, named in rows:
+            self._know(path, named, central, "no_central")
+        for name in form.inertia:
+            self._know(("inertia", name), (name,), links, "no_link")
+        for name in form.masses:
+            self._know(("masses", name), (name,), [link for link in links if link not in central], "no_planet")
+        for name, some in form.engaged.items():
+            self._know(("engaged", name), some, (*form.brakes, *form.clutches), "no_brake")
+
+    def _drive(self, k: int) -> Path:
+        return ("drive", "link") if isinstance(self.form.drive, DrivingLinkTable) else ("drive", k, "link")
+
+    def _know(self, path: Path, names: Collection[str], known: Collection[str], kind: str) -> None:
+        for name in names:
+            if name not in known:
+                advice = suggestion(name, known)
+                self.report(path, kind, name=name, known=", ".join(known) or "-", suggestion=advice)
+
+    def rings(self) -> None:
+        """See that no two rings mesh, that wheels that mesh have one module, that every wheel meshes."""
+        for k, mesh in enumerate(self.form.meshes):
+            if link_of(mesh[0]) == link_of(mesh[1]):
+                self.report(("meshes", k), "own_mesh", first=mesh[0], second=mesh[1])
+            if all(self.wheels[name].internal for name in mesh):
+                self.report(("meshes", k), "two_rings", first=mesh[0], second=mesh[1])
+            one, other = (self._module(name) for name in mesh)
+            if one != other:
+                sizes = {"module": millimetres(one), "other": millimetres(other)}
+                self.report(("meshes", k), "unlike_modules", first=mesh[0], second=mesh[1], **sizes)
+        meshing = {name for mesh in self.form.meshes for name in mesh}
+        for name in self.wheels:
+            if name not in meshing:
+                self.report(("wheels", name), "idle_wheel", name=name)
+
+    def _module(self, name: str) -> Fraction:
+        own = self.wheels[name].module
+        return Fraction(own if own is not None else self.form.module)
+
+    @property
+    def raw(self) -> RawTrain:
+        """The train with the teeth that it is given."""
+        form = self.form
+        return RawTrain(
+            {name: -w.teeth if w.teeth and w.internal else w.teeth for name, w in self.wheels.items()},
+            frozenset(name for name, wheel in self.wheels.items() if wheel.internal),
+            {name: self._module(name) for name in self.wheels},
+            form.meshes,
+            form.carriers,
+            (*form.joined, *form.clutches.values()),
+        )
+
+    def axes(self) -> None:
+        """Find the missing teeth, and see that the axes of all meshes are coaxial where they must be."""
+        whole = completed(self.raw)
+        fractions = dict(sought(whole))
+        for name, teeth in whole.teeth.items():
+            if teeth is None and name in fractions:
+                self.report(("wheels", name), "part_of_tooth", name=name, teeth=f"{float(fractions[name]):.6g}")
+            elif teeth is None:
+                self.report(("wheels", name), "no_teeth", name=name)
+        if self.faults:
+            return
+        for mesh, far, other, wanted in unlike(whole):
+            self._not_coaxial(whole, mesh, far, other, wanted)
+        for mesh in whole.meshes:
+            ring = next((name for name in mesh if name in whole.rings), None)
+            if ring and sum(whole.teeth[name] or 0 for name in mesh) >= 0:
+                inner = next(name for name in mesh if name != ring)
+                self.report(("wheels", ring), "small_ring", ring=ring, inner=inner, teeth=whole.teeth[inner])
+        if not self.faults:
+            found, wrong_axes = heights(whole)
+            for mesh, far, _, wanted in wrong_axes:
+                sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
+                self.report(
+                    ("meshes", whole.meshes.index(mesh)), "not_in_plane", first=mesh[0], second=mesh[1], **sizes
+                )
+            self.train = self._train(whole, found)
+
+    def _not_coaxial(
+        self, raw: RawTrain, mesh: tuple[str, str], far: Fraction, other: tuple[str, str], wanted: Fraction
+    ) -> None:
+        name = mesh[1]
+        rest = raw._replace(teeth={**raw.teeth, name: None})
+        would = next((teeth for one, teeth in sought(rest) if one == name), Fraction(0))
+        sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
+        pairs = {"first": "-".join(mesh), "second": "-".join(other), "name": name}
+        kind = "not_coaxial" if would.denominator == 1 and would >= LEAST_TEETH else "not_coaxial_whole"
+        self.report(("meshes", raw.meshes.index(mesh)), kind, **pairs, **sizes, teeth=f"{float(would):.6g}")
+
+    def _train(self, raw: RawTrain, found: Mapping[str, Fraction]) -> Train:
+        form = self.form
+        engaged: Mapping[str, tuple[str, ...]] = form.engaged or {"": (*form.brakes, *form.clutches)}
+        return Train(
+            wheels={name: raw.wheel(name) for name in raw.teeth},
+            meshes=raw.meshes,
+            carriers=form.carriers,
+            joined=form.joined,
+            gears=tuple(self._gear(name, some) for name, some in engaged.items()),
+            drives=tuple((drive.link, float(drive.speed)) for drive in form.drives),
+            output=form.output,
+            heights=found,
+            brakes=form.brakes,
+            clutches=form.clutches,
+            planets=form.planets,
+            inertia={link: float(size) for link, size in form.inertia.items()},
+            load=None if form.load is None else float(form.load),
+            masses={link: float(size) for link, size in form.masses.items()},
+        )
+
+    def _gear(self, name: str, engaged: tuple[str, ...]) -> BoxGear:
+        held = (*self.form.fixed, *(self.form.brakes[one] for one in engaged if one in self.form.brakes))
+        locked = tuple(self.form.clutches[one] for one in engaged if one in self.form.clutches)
+        return BoxGear(name, tuple(dict.fromkeys(held)), locked)
+
+    def room(self) -> None:
+        """See that so many planets stand beside each other and can be put in."""
+        train, count = self.train, self.form.planets
+        if count is None or count < 2:
+            return
+        for link, carrier in train.carrier_of.items():
+            for own in (wheel for wheel in train.wheels.values() if wheel.link == link):
+                self._neighbours(own.name, float(train.heights[link] - train.heights[carrier]), count)
+            for first, second, share in assembly(train, link):
+                if share.denominator != 1:
+                    whole, part = share * count, f"{float(share):.6g}"
+                    parts = {"count": count, "sum": whole, "share": part, "likely": _dividing(whole)}
+                    self.report(("planets",), "not_put_in", first=first.name, second=second.name, **parts)
+
+    def _neighbours(self, name: str, far: float, count: int) -> None:
+        """See that 2 a sin(pi/k) > d_a = m(z + 2)."""
+        wheel = self.train.wheels[name]
+        tips, chord = float(wheel.module) * (wheel.teeth + TIP), 2 * far * math.sin(math.pi / count)
+        if chord <= tips:
+            most = math.ceil(math.pi / math.asin(min(tips / (2 * far), 1.0))) - 1
+            sizes = {"chord": f"{1000 * chord:.6g}", "tips": f"{1000 * tips:.6g}", "most": max(most, 1)}
+            self.report(("planets",), "touching", name=name, count=count, **sizes)
+
+    def mobilities(self) -> None:
+        """See that each gear leaves as many mobilities as there are drives, and that these determine all links."""
+        train = self.train
+        for gear in train.gears:
+            found, wanted = mobility(train, gear), len(train.drives)
+            path: Path = ("engaged", gear.name) if gear.name else ("drive",)
+            parts: dict[str, Any] = {"links": len(train.links), "equations": len(train.links) - found, "found": found}
+            parts |= {"where": message("gears.in_gear", gear=gear.name) if gear.name else "", "wanted": wanted}
+            if found > wanted:
+                self.report(path, "too_mobile", **parts, more=self._freed(gear, wanted))
+            elif found < wanted:
+                self.report(path, "locked_train" if not found else "too_held", **parts)
+            elif not determined(train, gear):
+                self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
+
+    def _freed(self, gear: BoxGear, wanted: int) -> str:
+        """Name the links that, held too, leave the mobility that is wanted."""
+        links = (link for link in self.train.links if link not in self.train.carrier_of and link not in gear.held)
+        tried = ((link, gear._replace(held=(*gear.held, link))) for link in links)
+        good = [link for link, one in tried if mobility(self.train, one) == wanted and determined(self.train, one)]
+        return ", ".join(good) or FRAME
+
+
+def _dividing(whole: Fraction) -> str:
+    """Name the numbers of planets that divide a sum."""
+    numbers = [k for k in range(2, 9) if (whole / k).denominator == 1]
+    return ", ".join(map(str, numbers)) or "1"

@@ -1,0 +1,210 @@
+"""Gear trains (зубчатые механизмы): wheels, links, carriers, what is held and engaged, where the axes lie.
+
+Numbers of teeth, modules and heights are exact: a ratio is a quotient of whole numbers. The teeth of a ring (колесо с
+внутренними зубьями) count negative, so that one equation is of all meshes: (w_a - w_H) z_a + (w_b - w_H) z_b = 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import NamedTuple
+
+FRAME = "0"
+
+
+def link_of(wheel: str) -> str:
+    """Name the link of a wheel: wheels of one block differ by primes.
+
+    >>> link_of("2''")
+    '2'
+    """
+    return wheel.rstrip("'′")
+
+
+class ToothedWheel(NamedTuple):
+    """A wheel: its name, the number of its teeth, negative of a ring, and its module m."""
+
+    name: str
+    teeth: int
+    module: Fraction
+
+    @property
+    def link(self) -> str:
+        """Its link."""
+        return link_of(self.name)
+
+    @property
+    def radius(self) -> Fraction:
+        """The radius m of its pitch circle."""
+        return self.module * abs(self.teeth) / 2
+
+    @property
+    def internal(self) -> bool:
+        """Whether it is a ring."""
+        return self.teeth < 0
+
+
+class BoxGear(NamedTuple):
+    """A gear of a box (передача, ступень): its name, the links that are held, the pairs of links that turn as one."""
+
+    name: str
+    held: tuple[str, ...]
+    locked: tuple[tuple[str, str], ...]
+
+
+def bare(gear: BoxGear, link: str, instead: str) -> BoxGear:
+    """Give a gear with a held link let go and another one held instead, under a name of its own."""
+    return BoxGear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
+
+
+def joint_name(pair: tuple[str, str]) -> str:
+    """Name the joint of two shafts.
+
+    >>> joint_name(("H", "4"))
+    'H–4'
+    """
+    return "\N{EN DASH}".join(pair)
+
+
+class Willis(NamedTuple):
+    """Two wheels of fixed axes joined by planets of a carrier: the wheels driven and driving on the way, and the ratio.
+
+    `ratio` is U_ab^H: of the first to the other with the carrier stopped; without a carrier it is that of the links.
+    """
+
+    first: ToothedWheel
+    other: ToothedWheel
+    carrier: str
+    driven: tuple[ToothedWheel, ...]
+    driving: tuple[ToothedWheel, ...]
+    ratio: Fraction
+
+
+@dataclass(frozen=True)
+class Train:
+    """A gear train; by the names of wheels and links. Heights m are of the axes and mesh points over the main axis."""
+
+    wheels: Mapping[str, ToothedWheel]
+    meshes: tuple[tuple[str, str], ...]
+    carriers: Mapping[str, tuple[str, ...]]  # each with the links that turn on it
+    joined: tuple[tuple[str, ...], ...]  # shafts that are one
+    gears: tuple[BoxGear, ...]
+    drives: tuple[tuple[str, float], ...]  # links and their speeds rad/s
+    output: str
+    heights: Mapping[str, Fraction]  # of the axis of each link
+    brakes: Mapping[str, str]
+    clutches: Mapping[str, tuple[str, str]]
+    planets: int | None = None  # of each carrier, if it is given
+    load: float | None = None  # N*m, that resists the driven link
+    inertia: Mapping[str, float] = field(default_factory=dict)  # kg*m2 of links about their own axes, of one planet
+    masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
+
+    @property
+    def single(self) -> bool:
+        """Whether one link drives, so that there is a ratio."""
+        return len(self.drives) == 1
+
+    @cached_property
+    def links(self) -> tuple[str, ...]:
+        """The links in the order of their wheels, then the carriers."""
+        return tuple(dict.fromkeys((*(wheel.link for wheel in self.wheels.values()), *self.carriers)))
+
+    @cached_property
+    def carrier_of(self) -> Mapping[str, str]:
+        """The carriers of the links that turn on one: the planets (сателлиты)."""
+        return {link: carrier for carrier, links in self.carriers.items() for link in links}
+
+    @cached_property
+    def body_of(self) -> Mapping[str, str]:
+        """The first link of the shafts that are one, of each link."""
+        return bodies(self.links, self.joined)
+
+    @property
+    def joints(self) -> tuple[tuple[str, str], ...]:
+        """The pairs of links whose shafts are one."""
+        return tuple((group[0], other) for group in self.joined for other in group[1:])
+
+    @property
+    def pairs(self) -> Iterator[tuple[ToothedWheel, ToothedWheel]]:
+        """The wheels that mesh."""
+        return ((self.wheels[one], self.wheels[other]) for one, other in self.meshes)
+
+    def contact(self, mesh: tuple[str, str]) -> Fraction:
+        """Give the height m of the mesh point of two wheels: it divides the line of centres as their teeth."""
+        one, other = (self.wheels[name] for name in mesh)
+        y_one, y_other = self.heights[one.link], self.heights[other.link]
+        return (y_one * other.teeth + y_other * one.teeth) / (one.teeth + other.teeth)
+
+    def count(self, link: str) -> int:
+        """Give how many of a link there are: of a planet as many as each carrier has."""
+        return self.planets or 1 if link in self.carrier_of else 1
+
+    def meshes_of(self, link: str) -> Iterator[tuple[ToothedWheel, ToothedWheel]]:
+        """Give the meshes of a link's wheels, its own wheel first."""
+        for one, other in self.pairs:
+            if one.link == link:
+                yield one, other
+            elif other.link == link:
+                yield other, one
+
+    def carrier_between(self, one: ToothedWheel, other: ToothedWheel) -> str:
+        """Give the carrier of the planet of a mesh; the frame where both axes are fixed."""
+        return self.carrier_of.get(one.link) or self.carrier_of.get(other.link) or FRAME
+
+    @cached_property
+    def willis(self) -> tuple[Willis, ...]:
+        """The formulas of Willis: of the wheels of fixed axes about each planet, then of those that mesh themselves."""
+        found: dict[frozenset[str], Willis] = {}
+        for link, carrier in self.carrier_of.items():
+            first, *others = sorted(self._ways(link, frozenset()), key=len)
+            for way in others if len(first) == 1 else ():
+                one = _willis(first[0][1], first[0][0], way, carrier)
+                found.setdefault(frozenset((one.first.name, one.other.name)), one)
+        fixed = ((a, b) for a, b in self.pairs if self.carrier_between(a, b) == FRAME)
+        return *found.values(), *(Willis(a, b, "", (b,), (a,), Fraction(-b.teeth, a.teeth)) for a, b in fixed)
+
+    def _ways(self, link: str, seen: frozenset[str]) -> Iterator[tuple[tuple[ToothedWheel, ToothedWheel], ...]]:
+        """Give the meshes on the ways from a planet to the wheels of fixed axes, by itself or through other planets."""
+        for own, other in self.meshes_of(link):
+            if other.link not in self.carrier_of:
+                yield ((own, other),)
+            elif other.link not in seen:
+                yield from (((own, other), *rest) for rest in self._ways(other.link, seen | {link}))
+
+
+def _willis(
+    first: ToothedWheel, own: ToothedWheel, way: tuple[tuple[ToothedWheel, ToothedWheel], ...], carrier: str
+) -> Willis:
+    driving, driven = (first, *(one for one, _ in way)), (own, *(other for _, other in way))
+    ratio = Fraction(1)
+    for one, other in zip(driven, driving, strict=True):
+        ratio *= Fraction(-one.teeth, other.teeth)
+    return Willis(first, way[-1][1], carrier, driven, driving, ratio)
+
+
+def bodies(links: Collection[str], joined: Collection[tuple[str, ...]]) -> Mapping[str, str]:
+    """Give the first named of the links that are one, of each link; the frame where that is among them.
+
+    >>> bodies(["1", "2", "3", "4"], [("2", "4"), ("3", "2")])["3"]
+    '2'
+    """
+    found = {link: link for link in (*links, FRAME)}
+    for group in joined:
+        same = [link for link in found if found[link] in {found[one] for one in group}]
+        found |= dict.fromkeys(same, FRAME if FRAME in same else found[group[0]])
+    return found
+
+
+def assembly(train: Train, link: str) -> Iterator[tuple[ToothedWheel, ToothedWheel, Fraction]]:
+    """Give the central wheels that a planet of one wheel meshes with, and what must be whole: (z_1 + z_3)/k.
+
+    The two wheels of a block may be fixed to each other at any angle, so that blocks can always be put in.
+    """
+    ends = [(own, other) for own, other in train.meshes_of(link) if other.link not in train.carrier_of]
+    for own, other in ends[1:]:
+        first, central = ends[0]
+        if own == first:
+            yield central, other, Fraction(central.teeth - other.teeth, train.planets or 1)
