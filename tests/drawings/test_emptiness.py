@@ -25,8 +25,8 @@ LARGEST, LAST, SMALLEST = 0.15, 0.25, 0.30  # shares that an empty rectangle may
 # one scheme with its centres (0.204), of a cam under a spring its diagrams and its main sizes (0.174, 0.216). A load
 # diagram, no longer than twenty letters, stands alone between a pump's lever and its graph (0.231). Of a linkage at a
 # scale that was asked for the plan alone is shown. Beside the loop in projection a pump has two tables (0.201). Beside
-# turned plans a strip is left: of a slider-crank (0.155), a tangent mechanism (0.169), a slotted link upright (0.180). Of a box of
-# gears each plan of velocities stands alone with its plan of angular ones (0.231).
+# turned plans a strip is left: of a slider-crank (0.155), a tangent mechanism (0.169), a slotted link upright (0.180).
+# Of a box of gears each plan of velocities stands alone with its plan of angular ones (0.231).
 NARROW, ALONE, SMALL, FEW = 0.17, 0.22, 0.24, 0.31
 STRIPS = {
     ("automaton", "A3"): NARROW,
