@@ -14,6 +14,7 @@ from drawings.gears.linear import ShownLinear
 from drawings.gears.notes import DIGITS, GearsNotes
 from drawings.gears.routing import routed
 from drawings.gears.scheme import TrainScheme
+from drawings.gears.synthesis import SOLUTIONS, solutions
 from drawings.layout.contents import Panel
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
@@ -49,6 +50,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     later = partial(by_hand, comparison.findings)
     title = drafting.word("gears sheet title")
     size, tables = drafting.hand.text, (speeds(comparison.analysis, drafting),)
+    tables += (solutions(train.searched, drafting),) if train.searched else ()
     narrow = size + max(
         text_width(Text(0j, note, size)) for note in said if note.startswith("U")
     )  # no formula is broken
@@ -114,4 +116,4 @@ def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[
 
 FORM: Final = {LINES: PLAN, LINEAR: PLAN, ANGULAR: PLAN}
 SCALES: Final = {LINES: "gears", ANGULAR: "speeds"}
-SHEETS: Final = {GEARS: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(SPEEDS, RESULTS))}
+SHEETS: Final = {GEARS: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(SPEEDS, RESULTS, SOLUTIONS))}

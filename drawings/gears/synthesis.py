@@ -1,0 +1,146 @@
+"""The synthesis of a train on its sheet: what was wanted, what each condition left, the solutions (подбор зубьев)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import combinations
+
+from drawings.checks.expected import NOTES, Expected, cells
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.gear_letters import teeth_letters
+from drawings.lettering.words import Phrase, Slot, joined
+from drawings.page.page import Drafting
+from drawings.paper.strokes import Kind
+from plans.analytic.gears import TrainSpeeds
+from plans.gears.study import GearsStudy, pair_of
+from plans.gears.synthesis import CLEAR, Searched, Solution, Wanted, share_of
+from plans.model.gears import Train
+
+SOLUTIONS = "solutions"  # the table
+SHOWN = 12  # solutions on the sheet
+DIGITS, OFF = 5, 3
+MILLIMETRES = 1000.0
+
+
+def solutions(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> RuledTable:
+    """Tell the teeth of the solutions, the smallest first, with planets, ratio, how far it is off, and size."""
+    wheels = map(teeth_letters, found.wanted.raw.teeth)
+    heads = *wheels, drafting.word("gears planets"), _ratio(found.wanted)
+    heads += drafting.word("gears off"), drafting.word("gears across")
+    rows = enumerate(found.solutions[:most], 1)
+    lines = [TableRow(str(k), tuple(_cells(found.wanted, one, drafting))) for k, one in rows]
+    return table(lines, drafting.word("gears solutions"), heads, drafting.hand.text)._replace(name=SOLUTIONS, least=6)
+
+
+def _ratio(wanted: Wanted) -> str:
+    return f"U_{{{pair_of(*wanted.ends[1:])}}}"
+
+
+def _cells(wanted: Wanted, one: Solution, drafting: Drafting) -> Iterator[str]:
+    yield from (str(abs(teeth)) for teeth in one.teeth.values())
+    yield str(one.planets)
+    yield drafting.number(float(one.ratio), DIGITS)
+    yield drafting.number(_off(wanted, float(one.ratio)), OFF)
+    yield drafting.number(MILLIMETRES * float(one.across), DIGITS)
+
+
+def _off(wanted: Wanted, ratio: float) -> float:
+    """Give by how many per cent a ratio is more than the wanted one."""
+    return 100 * (ratio - float(wanted.ratio)) / abs(float(wanted.ratio))
+
+
+def notes(found: Searched, drafting: Drafting) -> Iterator[Phrase]:
+    """Tell what was wanted, what each condition left, and how the train that is drawn meets them."""
+    wanted, best = found.wanted, found.solutions[0]
+    bounds = {
+        name: Slot(f"U {name}", float(one), DIGITS) for name, one in zip(("lo", "hi"), wanted.bounds, strict=True)
+    }
+    given = {"ratio": Slot("wanted U", float(wanted.ratio), DIGITS), "tolerance": Slot("tolerance", _tolerance(wanted))}
+    yield drafting.phrase("gears wanted", name=_ratio(wanted), **given, **bounds)
+    counts = {"coaxial": found.coaxial, "clear": found.clear, "whole": found.whole, "count": len(found.solutions)}
+    across = Slot("D", MILLIMETRES * float(best.across), DIGITS)
+    sizes = {"across": across, "off": Slot("ΔU", _off(wanted, float(best.ratio)), OFF), "planets": best.planets}
+    parts = {"greatest": wanted.greatest, "widest": _widest(wanted, best)}
+    yield drafting.phrase("gears chosen", **parts, **counts, **sizes)
+    if len(found.solutions) > SHOWN:
+        yield drafting.phrase("gears more", shown=SHOWN, count=len(found.solutions))
+    yield drafting.phrase("gears undercut", parts=joined(",  ", tuple(_undercut(wanted, best))))
+    yield from _alike(wanted, best, drafting)
+
+
+def _tolerance(wanted: Wanted) -> float:
+    return 100 * float(wanted.tolerance)
+
+
+def _widest(wanted: Wanted, best: Solution) -> str:
+    """Name the largest wheel of the block."""
+    planets = dict.fromkeys(planet for _, planet in wanted.rows)
+    return max(planets, key=lambda name: wanted.raw.modules[name] * best.teeth[name])
+
+
+def _undercut(wanted: Wanted, best: Solution) -> Iterator[str]:
+    """Write the least teeth of external wheels and of rings, and how many more a ring has than the wheel within it."""
+    kinds = {True: wanted.ring, False: wanted.least}
+    for ring, least in kinds.items():
+        sought = [
+            name for name, teeth in wanted.raw.teeth.items() if teeth is None and (name in wanted.raw.rings) == ring
+        ]
+        if sought:
+            name = min(sought, key=lambda name: abs(best.teeth[name]))
+            yield f"{teeth_letters(name)} = {abs(best.teeth[name])} ≥ {least}"
+    for one, planet in wanted.rows:
+        if one in wanted.raw.rings:
+            more = -best.teeth[one] - best.teeth[planet]
+            yield f"{teeth_letters(one)} − {teeth_letters(planet)} = {more} ≥ {CLEAR}"
+
+
+def _alike(wanted: Wanted, best: Solution, drafting: Drafting) -> Iterator[Phrase]:
+    """Tell the condition of assembly of each two central wheels of different rows."""
+    for (one, first), (other, second) in combinations(wanted.rows, 2):
+        if first == second or best.planets == 1:
+            continue
+        ends = (best.teeth[one], best.teeth[first]), (best.teeth[other], best.teeth[second])
+        share, divisor = share_of(*ends, best.planets), math.gcd(ends[0][1], ends[1][1])
+        whole, unlike = share * best.planets * divisor, (ends[0][0] < 0) != (ends[1][0] < 0)
+        z1, z2, z3, z4 = map(teeth_letters, (one, first, other, second))
+        parts = {"one": f"{z1}·{z4}", "sign": "+" if unlike else "−", "other": f"{z3}·{z2}", "first": z2, "second": z4}
+        numbers = {"sum": abs(whole), "planets": best.planets, "divisor": divisor, "share": abs(share)}
+        yield drafting.phrase("gears alike", **parts, **numbers)
+
+
+def expected(study: GearsStudy) -> Iterator[Expected]:
+    """Give the rows of solutions and the numbers of the notes: each ratio by the linear system of its train."""
+    found = study.searched
+    if found is None:
+        return
+    wanted = float(found.wanted.ratio)
+    for k, one in enumerate(found.solutions[:SHOWN], 1):
+        ratio, across = _found(study.train, one)
+        off = 100 * (ratio - wanted) / abs(wanted)
+        told = [str(abs(teeth)) for teeth in one.teeth.values()]
+        numbers: list[tuple[float, float] | str] = [*told, str(one.planets), (ratio, 0.0), (off, 0.0), (across, 0.0)]
+        yield from cells(SOLUTIONS, str(k), numbers, digits=DIGITS)
+        if k == 1:
+            yield from _noted(found.wanted, off, across)
+
+
+def _noted(wanted: Wanted, off: float, across: float) -> Iterator[Expected]:
+    ratio, part = float(wanted.ratio), float(wanted.tolerance)
+    numbers = {"wanted U": ratio, "tolerance": 100 * part, "D": across, "ΔU": off}
+    numbers |= {"U lo": ratio - abs(ratio) * part, "U hi": ratio + abs(ratio) * part}
+    for name, value in numbers.items():
+        yield Expected(Kind.PHRASE, NOTES, name, value, digits={"ΔU": OFF, "tolerance": 4}.get(name, DIGITS))
+
+
+def _found(train: Train, one: Solution) -> tuple[float, float]:
+    """Give the ratio of a train with other teeth, and the diameter mm of the circle about its pitch circles."""
+    wheels = {name: train.wheels[name]._replace(teeth=teeth) for name, teeth in one.teeth.items()}
+    other = replace(train, wheels=wheels)
+    ratio = TrainSpeeds(other).ratio(train.gears[0])
+    assert ratio is not None  # it was sought by it
+    planets = [name for name in wheels if wheels[name].link in train.carrier_of]
+    a, b = next((wheels[a], wheels[b]) for a, b in train.meshes)
+    far = a.module * abs(a.teeth + b.teeth) / 2
+    return float(ratio), 2 * MILLIMETRES * float(far + max(wheels[name].radius for name in planets))
