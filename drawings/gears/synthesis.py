@@ -22,6 +22,7 @@ SOLUTIONS = "solutions"  # the table
 SHOWN = 12  # solutions on the sheet
 DIGITS, OFF = 5, 3
 MILLIMETRES = 1000.0
+USUAL_LEAST = {False: 17, True: 85}  # teeth without undercut of a wheel cut by a rack, of a ring (К. В. Фролов)
 
 
 def solutions(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> RuledTable:
@@ -66,7 +67,8 @@ def notes(found: Searched, drafting: Drafting) -> Iterator[Phrase]:
     yield drafting.phrase("gears chosen", **parts, **counts, **sizes)
     if len(found.solutions) > SHOWN:
         yield drafting.phrase("gears more", shown=SHOWN, count=len(found.solutions))
-    yield drafting.phrase("gears undercut", parts=joined(",  ", tuple(_undercut(wanted, best))))
+    sound = all(abs(teeth) >= USUAL_LEAST[teeth < 0] for teeth in best.teeth.values())
+    yield drafting.phrase("gears undercut" if sound else "gears least", parts=joined(",  ", tuple(_undercut(wanted, best))))
     yield from _alike(wanted, best, drafting)
 
 
