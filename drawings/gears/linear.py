@@ -14,12 +14,13 @@ from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Line, Stroke
-from drawings.symbols.figure import Subject, around, heading, heading_width, vector
-from plans.gears.kutzbach import LINEAR, KutzbachPlan, TrainPoint, board_of
+from drawings.symbols.figure import Subject, around, heading, heading_width, point, vector
+from drawings.symbols.symbols import pole
+from plans.gears.kutzbach import AXIS, LINEAR, KutzbachPlan, board_of
 from plans.model.gears import FRAME
 
 MARGINS = Margins(3.0, 3.0, 2.6)  # paper around it for letters, in their sizes
-LETTERS = 16.0  # it is drawn at least so many letters high
+LETTERS = 28.0  # it is drawn at least so many letters large
 BETWEEN = 0.12  # of the height: from the scheme to the triangles
 PAST = 0.06  # of the height: how far lines go past their points
 ALIKE = 1e-6  # of the height: lines so near each other are one
@@ -103,7 +104,7 @@ def _velocity(shown: ShownLinear, scale: Scale) -> Scale:
 
 
 def _scales(shown: ShownLinear, scale: Scale, drafting: Drafting) -> str:
-    return drafting.scale(scale, _velocity(shown, scale))
+    return drafting.scale(_velocity(shown, scale), scale)
 
 
 def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -111,7 +112,6 @@ def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> L
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, shown.title, _scales(shown, spot.scale, drafting), hand)
     scheme = shown.scheme.draw(place, hand) if shown.schemed else ()
-    levels = (_level(shown, one, place, drafting) for one in shown.scheme.spots)
     low, top = shown.scheme.reach
     past = PAST * shown.high
     foot, head = (place.on(complex(shown.zero, y)) for y in (min(low, -past), top + past))
@@ -119,15 +119,27 @@ def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> L
     lines = [Line(one, other, hand.result) for one, other in ends]
     lines.append(Line(foot, head, hand.result))
     arrows = (_arrow(shown, name, place, drafting) for name in shown.plan.velocities)
-    drawn = (title, *levels, *scheme, *lines, *(arrow for arrow in arrows if arrow is not None))
+    subject, zero = Subject(board_of(LINEAR, shown.plan.gear), "v", None), pole(place.on(complex(shown.zero)))
+    origin = point(subject, AXIS, 0j, Place(zero.centre, 0j, _velocity(shown, spot.scale)), zero, "pole")
+    drawn = (
+        title,
+        *_levels(shown, place, drafting),
+        *scheme,
+        *lines,
+        origin,
+        *(arrow for arrow in arrows if arrow is not None),
+    )
     return LetteredFigure(shown.name, drawn, partial(_letters, shown, place, drafting))
 
 
-def _level(shown: ShownLinear, spot: TrainPoint, place: Place, drafting: Drafting) -> Stroke:
-    """Carry a height over from the scheme to the triangles."""
-    start = shown.scheme.beyond(spot) if shown.schemed else complex(_left(shown), float(spot.height))
-    end = max(shown.zero, shown.zero + shown.images[spot.letter].real) if spot.letter in shown.images else shown.zero
-    return Line(place.on(start), place.on(complex(end, float(spot.height))), drafting.hand.drafted)
+def _levels(shown: ShownLinear, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Carry each height over from the last of its points in the scheme to the triangles."""
+    for height in dict.fromkeys(spot.height for spot in shown.scheme.spots):
+        spots = [spot for spot in shown.scheme.spots if spot.height == height]
+        start = max(shown.scheme.beyond(spot).real for spot in spots) if shown.schemed else _left(shown)
+        end = shown.zero + max(0.0, *(shown.images[spot.letter].real for spot in spots))
+        first, last = (place.on(complex(x, float(height))) for x in (start, end))
+        yield Line(first, last, drafting.hand.drafted)
 
 
 def _left(shown: ShownLinear) -> float:
@@ -160,9 +172,11 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
     for spot in shown.scheme.spots:
         if shown.schemed and spot.links[0] != FRAME:
             yield labels.beside(place.on(shown.scheme.contact(spot)), with_index(spot.letter), hand.letter, BESIDE, 0.6)
+        elif not spot.height:
+            yield labels.beside(place.on(complex(shown.zero)), spot.letter, hand.letter, BESIDE, -2.6)
         elif shown.schemed:
-            at = shown.scheme.contact(spot) if spot.height else complex(shown.scheme.right)
-            yield labels.beside(place.on(at), with_index(spot.letter), hand.letter, BESIDE, -0.8)
+            at = place.on(shown.scheme.contact(spot))
+            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, -0.8)
         else:
             at = place.on(complex(_left(shown), float(spot.height)))
             yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, math.pi)

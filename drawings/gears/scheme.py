@@ -21,7 +21,7 @@ from plans.model.gears import FRAME, ToothedWheel, Train
 
 STEP = 0.11  # of the height of the train: from one place across to the next
 CLOSE: Final = 0.22  # steps between the plates of a clutch
-FACE = 0.32  # steps, half of the width of a wheel
+FACE, BORNE = 0.32, 0.8  # steps, half of the width of a wheel, and of an axle that stands in two bearings
 # Millimetres, by the factor of the hand: half the gap between two faces, half a hub, half the cross of a wheel that is
 # fixed on its shaft, a bearing and its distance from the shaft, a shoe of a brake, an arrow at the end of a shaft.
 MESHED, HUB, CROSS, BEARING, OFF, SHOE, ARROW = 0.5, 1.5, 1.1, 6.0, 1.1, 4.0, 9.0
@@ -86,11 +86,12 @@ class TrainScheme:
 
     def beyond(self, spot: TrainPoint) -> complex:
         """Give where the level of a point begins: past the faces of a mesh, at the end of an axle, of the scheme."""
-        if spot.links[0] == FRAME:
-            return complex(self.right, float(spot.height))
+        if spot.links[0] == FRAME and not spot.height:
+            return complex(self.right, 0.0)
         if spot.links[0] in self.train.carrier_of and spot.links[1] == self.train.carrier_of[spot.links[0]]:
             return self.at(self.routing.axle(spot.links[0]).right, float(spot.height))
-        return self.contact(spot) + FACE * STEP * self.routing.size
+        past = BORNE if spot.links[0] == FRAME else FACE
+        return self.contact(spot) + past * STEP * self.routing.size
 
     def draw(self, place: Place, hand: Hand) -> Iterator[Stroke]:
         """Draw axes, shafts, then what stands on them."""
@@ -164,11 +165,8 @@ class _SchemePen:
         for height in dict.fromkeys(self.train.heights[link] for link in self.train.links if self._fixed(link)):
             start, end = (self.on(x, float(height)) for x in ends)
             if height:
-                some = [
-                    self.routing.columns[w.name]
-                    for w in self.train.wheels.values()
-                    if self.train.heights[w.link] == height
-                ]
+                wheels = (w for w in self.train.wheels.values() if self._fixed(w.link))
+                some = [self.routing.columns[w.name] for w in wheels if self.train.heights[w.link] == height]
                 start, end = self.on(min(some), float(height)), self.on(max(some), float(height))
                 past = 2.2 * self._face
             yield Line(start - past, end + past, fit(self.hand.axis, abs(end - start) + 2 * past))

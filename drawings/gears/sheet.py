@@ -35,7 +35,7 @@ from plans.quantity import Comparison, Quantity, by_hand
 from plans.study import Study
 
 SPEEDS, RESULTS = "speeds", "results"  # the tables
-NOTHING = "—"
+LARGEST = 3.2  # times its least size that a plan of angular velocities may be drawn
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -67,7 +67,7 @@ def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:
         together = plan.linear.subject
         yield exhibit(linear, triangles, drafting, weight=1.5, scale=LINES, together=together)
         speeds = ShownAngular(plan.angular.subject, under, plan)
-        yield exhibit(angular, speeds, drafting, scale=ANGULAR, together=together)
+        yield exhibit(angular, speeds, drafting, LARGEST, scale=ANGULAR, together=together)
 
 
 def _title(key: str, gear: BoxGear, drafting: Drafting) -> str:

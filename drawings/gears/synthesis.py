@@ -10,7 +10,7 @@ from itertools import combinations
 from drawings.checks.expected import NOTES, Expected, cells
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.gear_letters import teeth_letters
-from drawings.lettering.words import Phrase, Slot, joined
+from drawings.lettering.words import Phrase, Slot, fixed, joined
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Kind
 from plans.analytic.gears import TrainSpeeds
@@ -20,8 +20,9 @@ from plans.model.gears import Train
 
 SOLUTIONS = "solutions"  # the table
 SHOWN = 12  # solutions on the sheet
-DIGITS, OFF = 5, 3
+DIGITS, OFF, PLACES = 5, 3, 2
 MILLIMETRES = 1000.0
+ROUNDED = 0.5 * 10.0**-PLACES
 USUAL_LEAST = {False: 17, True: 85}  # teeth without undercut of a wheel cut by a rack, of a ring (К. В. Фролов)
 
 
@@ -43,7 +44,7 @@ def _cells(wanted: Wanted, one: Solution, drafting: Drafting) -> Iterator[str]:
     yield from (str(abs(teeth)) for teeth in one.teeth.values())
     yield str(one.planets)
     yield drafting.number(float(one.ratio), DIGITS)
-    yield drafting.number(_off(wanted, float(one.ratio)), OFF)
+    yield fixed(_off(wanted, float(one.ratio)), drafting.language, PLACES)
     yield drafting.number(MILLIMETRES * float(one.across), DIGITS)
 
 
@@ -84,7 +85,7 @@ def _widest(wanted: Wanted, best: Solution) -> str:
 
 def _undercut(wanted: Wanted, best: Solution) -> Iterator[str]:
     """Write the least teeth of external wheels and of rings, and how many more a ring has than the wheel within it."""
-    kinds = {True: wanted.ring, False: wanted.least}
+    kinds = {False: wanted.least, True: wanted.ring}
     for ring, least in kinds.items():
         sought = [
             name for name, teeth in wanted.raw.teeth.items() if teeth is None and (name in wanted.raw.rings) == ring
@@ -122,7 +123,7 @@ def expected(study: GearsStudy) -> Iterator[Expected]:
         ratio, across = _found(study.train, one)
         off = 100 * (ratio - wanted) / abs(wanted)
         told = [str(abs(teeth)) for teeth in one.teeth.values()]
-        numbers: list[tuple[float, float] | str] = [*told, str(one.planets), (ratio, 0.0), (off, 0.0), (across, 0.0)]
+        numbers: list[tuple[float, float] | str] = [*told, str(one.planets), (ratio, 0.0), (off, ROUNDED), (across, 0.0)]
         yield from cells(SOLUTIONS, str(k), numbers, digits=DIGITS)
         if k == 1:
             yield from _noted(found.wanted, off, across)

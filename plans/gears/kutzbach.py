@@ -228,13 +228,9 @@ class _Drafter:
         """Draw the triangles, then through a pole the parallels to the lines of all links."""
         drawing, velocities = self.solve(self.start()), dict[str, Mark]()
         for spot in (spot for spot in self.spots if spot.links[0] != FRAME):
-            image = drawing.velocities[spot.letter]
-            length = self.board.join(
-                f"{spot.letter}{spot.image}", self.places[spot.letter], image, because("gear_span")
-            )
-            velocities[spot.letter] = self.board.turn(
-                f"v_{spot.letter}", length, 1 / self.tau, because("gear_velocity")
-            )
+            name, ends = spot.letter, (self.places[spot.letter], drawing.velocities[spot.letter])
+            length = self.board.join(f"{name}{spot.image}", *ends, because("gear_span"))
+            velocities[name] = self.board.turn(f"v_{name}", length, 1 / self.tau, because("gear_velocity"))
         lines = {link: drawing.lines[self.body[link]] for link in self.train.links}
         boards, found = (self.board, self.angular), (drawing.velocities, lines, velocities, self._speeds(lines))
         return KutzbachPlan(self.gear, *boards, *found, self.tau, tuple(self.assumed))
@@ -244,9 +240,8 @@ class _Drafter:
         board, speeds, far = self.angular, dict[str, Mark](), 1 / self.tau
         zero = board.given("0", 0j, because("gear_zero_speed"))
         pole = board.given("P", complex(0, -far), because("gear_pole"))
-        level = board.parallel(
-            "h", zero, board.given("x", complex(far, 0), because("gear_across")), because("gear_base")
-        )
+        across = board.given("x", complex(far, 0), because("gear_across"))
+        level = board.parallel("h", zero, across, because("gear_base"))
         for link, line in lines.items():
             along = board.transfer(f"({link})", line.step.inputs[1], because("gear_slope", link=link))
             ray = board.parallel(f"P{link}", pole, along, because("gear_ray", link=link))

@@ -105,15 +105,6 @@ class _TrainReading:
         for name in self.wheels:
             if name not in meshing:
                 self.report(("wheels", name), "idle_wheel", name=name)
-        for carrier, some in self.form.carriers.items():
-            for link in some:
-                if all(
-                    link_of(other) in some for mesh in self.form.meshes for other in mesh if self._about(mesh, link)
-                ):
-                    self.report(("carriers", carrier), "loose_planet", name=link)
-
-    def _about(self, mesh: tuple[str, str], link: str) -> bool:
-        return any(link_of(name) == link for name in mesh)
 
     def _module(self, name: str) -> Fraction:
         own = self.wheels[name].module

@@ -145,10 +145,9 @@ class Train:
         """The formulas of Willis: of the wheels of fixed axes about each planet, then of those that mesh themselves."""
         found: dict[frozenset[str], Willis] = {}
         for link, carrier in self.carrier_of.items():
-            first, *others = [*self._ways(link, frozenset())]
-            for way in (*others, *(way for way in [first] if len(way) > 1)):
-                own, central = first[0] if first[0][1].link not in self.carrier_of else way[0]
-                one = _willis(central, own, way, carrier)
+            first, *others = sorted(self._ways(link, frozenset()), key=len)
+            for way in others if len(first) == 1 else ():
+                one = _willis(first[0][1], first[0][0], way, carrier)
                 found.setdefault(frozenset((one.first.name, one.other.name)), one)
         fixed = ((a, b) for a, b in self.pairs if self.carrier_between(a, b) == FRAME)
         return *found.values(), *(Willis(a, b, "", (b,), (a,), Fraction(-b.teeth, a.teeth)) for a, b in fixed)
