@@ -49,12 +49,14 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     said = GearsNotes(train, comparison.analysis, drafting).all
     later = partial(by_hand, comparison.findings)
     title = drafting.word("gears sheet title")
-    size, tables = drafting.hand.text, (speeds(comparison.analysis, drafting),)
-    tables += (solutions(train.searched, drafting),) if train.searched else ()
+    size, tables = drafting.hand.text, [speeds(comparison.analysis, drafting)]
+    tables += [solutions(train.searched, drafting)] if train.searched else []
     narrow = size + max(
         text_width(Text(0j, note, size)) for note in said if note.startswith("U")
     )  # no formula is broken
-    return lay_out(study.scene, [Draft(GEARS, title, shows, tables, said, figures_facts, LINES, narrow, later=later)])
+    return lay_out(
+        study.scene, [Draft(GEARS, title, shows, (*tables,), said, figures_facts, LINES, narrow, later=later)]
+    )
 
 
 def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:

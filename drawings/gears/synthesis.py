@@ -21,7 +21,7 @@ from plans.model.gears import Train
 SOLUTIONS = "solutions"  # the table
 SHOWN = 12  # solutions on the sheet
 DIGITS, OFF, PLACES = 5, 3, 2
-MILLIMETRES = 1000.0
+MILLIMETRES, NBSP = 1000.0, "\N{NO-BREAK SPACE}"
 ROUNDED = 0.5 * 10.0**-PLACES
 USUAL_LEAST = {False: 17, True: 85}  # teeth without undercut of a wheel cut by a rack, of a ring (К. В. Фролов)
 
@@ -69,7 +69,9 @@ def notes(found: Searched, drafting: Drafting) -> Iterator[Phrase]:
     if len(found.solutions) > SHOWN:
         yield drafting.phrase("gears more", shown=SHOWN, count=len(found.solutions))
     sound = all(abs(teeth) >= USUAL_LEAST[teeth < 0] for teeth in best.teeth.values())
-    yield drafting.phrase("gears undercut" if sound else "gears least", parts=joined(",  ", tuple(_undercut(wanted, best))))
+    yield drafting.phrase(
+        "gears undercut" if sound else "gears least", parts=joined(",  ", tuple(_undercut(wanted, best)))
+    )
     yield from _alike(wanted, best, drafting)
 
 
@@ -92,11 +94,11 @@ def _undercut(wanted: Wanted, best: Solution) -> Iterator[str]:
         ]
         if sought:
             name = min(sought, key=lambda name: abs(best.teeth[name]))
-            yield f"{teeth_letters(name)} = {abs(best.teeth[name])} ≥ {least}"
+            yield f"{teeth_letters(name)} = {abs(best.teeth[name])} ≥ {least}".replace(" ", NBSP)
     for one, planet in wanted.rows:
         if one in wanted.raw.rings:
             more = -best.teeth[one] - best.teeth[planet]
-            yield f"{teeth_letters(one)} − {teeth_letters(planet)} = {more} ≥ {CLEAR}"
+            yield f"{teeth_letters(one)} − {teeth_letters(planet)} = {more} ≥ {CLEAR}".replace(" ", NBSP)
 
 
 def _alike(wanted: Wanted, best: Solution, drafting: Drafting) -> Iterator[Phrase]:
@@ -123,7 +125,13 @@ def expected(study: GearsStudy) -> Iterator[Expected]:
         ratio, across = _found(study.train, one)
         off = 100 * (ratio - wanted) / abs(wanted)
         told = [str(abs(teeth)) for teeth in one.teeth.values()]
-        numbers: list[tuple[float, float] | str] = [*told, str(one.planets), (ratio, 0.0), (off, ROUNDED), (across, 0.0)]
+        numbers: list[tuple[float, float] | str] = [
+            *told,
+            str(one.planets),
+            (ratio, 0.0),
+            (off, ROUNDED),
+            (across, 0.0),
+        ]
         yield from cells(SOLUTIONS, str(k), numbers, digits=DIGITS)
         if k == 1:
             yield from _noted(found.wanted, off, across)

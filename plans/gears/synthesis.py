@@ -78,9 +78,8 @@ def search(wanted: Wanted) -> Searched:
     """Find all trains that are coaxial, not undercut, whose planets stand clear, can be put in and give the ratio."""
     counts, near, found = [0, 0, 0], list[Solution](), list[Solution]()
     for row in (_Distance(wanted, far) for far in _distances(wanted)):
-        coaxial, most = row.coaxial, row.most
-        for k, count in enumerate((len(coaxial), np.count_nonzero(row.clear), np.count_nonzero(most))):
-            counts[k] += int(count)
+        kept = len(row.coaxial), int(row.clear.sum()), int(np.count_nonzero(row.most))
+        counts = [one + more for one, more in zip(counts, kept, strict=True)]
         near += row.solutions(row.nearest)
         found += row.solutions(np.flatnonzero(row.within))
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from plans.gears.axes import RawTrain
 from plans.gears.synthesis import CLEAR, Searched, Wanted
+from plans.model.gears import link_of
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -78,12 +79,16 @@ def wanted_of(form: GearsTable, raw: RawTrain) -> Wanted | None:
     """
     asked, held = form.wanted, {*form.fixed, *form.brakes.values()}
     planets, ends = raw.planets, (*held, *(drive.link for drive in form.drives), form.output)
-    rows = [mesh if mesh[1].rstrip("'") in planets else mesh[::-1] for mesh in raw.meshes]
-    central = [one.rstrip("'") for one, _ in rows]
+    rows = [mesh if link_of(mesh[1]) in planets else mesh[::-1] for mesh in raw.meshes]
+    central = [link_of(one) for one, _ in rows]
     plain = len(planets) == 1 == len(raw.carriers) and not raw.coaxial and len(form.engaged) < 2
     apart = len(ends) == 3 == len({*ends}) and not planets.keys() & {*central, *ends}
     alone = len({*central}) == len(rows) > 1 and {*ends} <= {*central, *raw.carriers}
-    if asked is None or not (plain and apart and alone) or any(wheel in raw.rings for _, wheel in rows):
+    if (
+        asked is None
+        or not (plain and apart and alone)
+        or any(wheel in raw.rings or link_of(wheel) not in planets for _, wheel in rows)
+    ):
         return None
     numbers = USUAL if form.planets is None else (form.planets,)
     within = Fraction(asked.ratio), Fraction(asked.tolerance)
