@@ -4,25 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import combinations
 
-from drawings.checks.expected import NOTES, Expected, cells
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.gear_letters import teeth_letters
 from drawings.lettering.words import Phrase, Slot, fixed, joined
 from drawings.page.page import Drafting
-from drawings.paper.strokes import Kind
-from plans.analytic.gears import TrainSpeeds
-from plans.gears.study import GearsStudy, pair_of
+from plans.gears.study import pair_of
 from plans.gears.synthesis import CLEAR, Searched, Solution, Wanted, share_of
-from plans.model.gears import Train
 
 SOLUTIONS = "solutions"  # the table
 SHOWN = 12  # solutions on the sheet
 DIGITS, OFF, PLACES = 5, 3, 2
 MILLIMETRES, NBSP = 1000.0, "\N{NO-BREAK SPACE}"
-ROUNDED = 0.5 * 10.0**-PLACES
 USUAL_LEAST = {False: 17, True: 85}  # teeth without undercut of a wheel cut by a rack, of a ring (К. В. Фролов)
 
 
@@ -113,45 +107,3 @@ def _alike(wanted: Wanted, best: Solution, drafting: Drafting) -> Iterator[Phras
         parts = {"one": f"{z1}·{z4}", "sign": "+" if unlike else "−", "other": f"{z3}·{z2}", "first": z2, "second": z4}
         numbers = {"sum": abs(whole), "planets": best.planets, "divisor": divisor, "share": abs(share)}
         yield drafting.phrase("gears alike", **parts, **numbers)
-
-
-def expected(study: GearsStudy) -> Iterator[Expected]:
-    """Give the rows of solutions and the numbers of the notes: each ratio by the linear system of its train."""
-    found = study.searched
-    if found is None:
-        return
-    wanted = float(found.wanted.ratio)
-    for k, one in enumerate(found.solutions[:SHOWN], 1):
-        ratio, across = _found(study.train, one)
-        off = 100 * (ratio - wanted) / abs(wanted)
-        told = [str(abs(teeth)) for teeth in one.teeth.values()]
-        numbers: list[tuple[float, float] | str] = [
-            *told,
-            str(one.planets),
-            (ratio, 0.0),
-            (off, ROUNDED),
-            (across, 0.0),
-        ]
-        yield from cells(SOLUTIONS, str(k), numbers, digits=DIGITS)
-        if k == 1:
-            yield from _noted(found.wanted, off, across)
-
-
-def _noted(wanted: Wanted, off: float, across: float) -> Iterator[Expected]:
-    ratio, part = float(wanted.ratio), float(wanted.tolerance)
-    numbers = {"wanted U": ratio, "tolerance": 100 * part, "D": across, "ΔU": off}
-    numbers |= {"U lo": ratio - abs(ratio) * part, "U hi": ratio + abs(ratio) * part}
-    for name, value in numbers.items():
-        yield Expected(Kind.PHRASE, NOTES, name, value, digits={"ΔU": OFF, "tolerance": 4}.get(name, DIGITS))
-
-
-def _found(train: Train, one: Solution) -> tuple[float, float]:
-    """Give the ratio of a train with other teeth, and the diameter mm of the circle about its pitch circles."""
-    wheels = {name: train.wheels[name]._replace(teeth=teeth) for name, teeth in one.teeth.items()}
-    other = replace(train, wheels=wheels)
-    ratio = TrainSpeeds(other).ratio(train.gears[0])
-    assert ratio is not None  # it was sought by it
-    planets = [name for name in wheels if wheels[name].link in train.carrier_of]
-    a, b = next((wheels[a], wheels[b]) for a, b in train.meshes)
-    far = a.module * abs(a.teeth + b.teeth) / 2
-    return float(ratio), 2 * MILLIMETRES * float(far + max(wheels[name].radius for name in planets))

@@ -7,10 +7,10 @@ from collections.abc import Collection, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
 from plans.gears.synthesis import Searched, search
-from plans.gears.wanted import lack, wanted_of
 from plans.model.gears import FRAME, BoxGear, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
