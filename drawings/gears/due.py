@@ -96,6 +96,8 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     if train.single:
         numbers |= {f"given J_{link}": size for link, size in train.inertia.items()}
         numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
+    for gear in filter(study.closed, train.gears):
+        numbers |= {of_gear(f"P_{one}", gear): power for one, power in TrainSpeeds(train).powers(gear).items()}
     numbers |= {"load": train.load} if train.load is not None else {}
     for name, value in numbers.items():
         yield Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS)

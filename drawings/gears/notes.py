@@ -16,7 +16,7 @@ from plans.gears.study import GearsStudy, of_gear, pair_of
 from plans.model.gears import FRAME, BoxGear, ToothedWheel, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
-DIGITS = 5
+DIGITS, ROUNDED = 5, 1e-9
 
 
 class GearsNotes(NamedTuple):
@@ -172,8 +172,19 @@ class GearsNotes(NamedTuple):
         train = self.study.train
         if train.load is not None:
             yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
+            for gear in filter(self.study.closed, train.gears):
+                yield from self._powers(gear)
             if not all(map(self.speeds.moments, train.gears)):
                 yield self._said("gears unbalanced")
+
+    def _powers(self, gear: BoxGear) -> Iterator[str]:
+        """Tell the power that is put in and what flows through joints; what is more than that circulates."""
+        powers, drive = self.speeds.powers(gear), self.study.train.drives[0][0]
+        if powers:
+            told = ((f"P_{{{of_gear(name, gear)}}}", of_gear(f"P_{name}", gear), size) for name, size in powers.items())
+            parts = [self._equal(letter, Slot(name, size, DIGITS)) for letter, name, size in told]
+            circulates = any(abs(power) > abs(powers[drive]) * (1 + ROUNDED) for power in powers.values())
+            yield self._said("gears circulating" if circulates else "gears powers", powers=joined(",  ", parts))
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""

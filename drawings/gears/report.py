@@ -54,7 +54,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
             *map(entry, (*notes.given(), *notes.synthesis(), *notes.fit())),
             *sought,
         ],
-        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia())), *tables],
+        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia(), *notes.moments())), *tables],
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from plans.model.gears import FRAME, BoxGear, Train
+from plans.model.gears import FRAME, BoxGear, Train, joint_name
 from plans.model.motion import Gap
 from plans.model.trains import Row, equations, matrix, reduced
 
@@ -55,7 +55,7 @@ def velocity(train: Train, speeds: Mapping[str, Fraction], link: str, height: Fr
 
 
 def moments(train: Train, gear: BoxGear, load: float) -> Mapping[str, float]:
-    """Give the moments N*m on the driving link and on those that are held, by the equilibrium of each link.
+    """Give the moments N*m on the driving link, on those that are held, through joints, by equilibrium of each link.
 
     Each equation of speeds has a multiplier: of a mesh half the module times its force, of what is held its moment.
     Nothing where more conditions hold than are independent: then the moments hang on how stiff the links are.
@@ -68,8 +68,10 @@ def moments(train: Train, gear: BoxGear, load: float) -> Mapping[str, float]:
     found = reduced(matrix, len(rows) + 1)
     if len(found) < len(rows) + 1:
         return {}
-    held = {link: found[k][-1] for k, row in enumerate(rows) for link in gear.held if row == {link: 1}}
-    return {link: float(moment) for link, moment in ({driving: found[-1][-1]} | held).items()}
+    moments = [float(row[-1]) for row in found]
+    held, joints = moments[len(train.meshes) :], moments[len(rows) - len(train.joints) : -1]
+    through = zip(map(joint_name, train.joints), joints, strict=True)
+    return {driving: moments[-1], **dict(zip(gear.held, held, strict=False)), **dict(through)}
 
 
 @dataclass(frozen=True)
@@ -107,6 +109,13 @@ class TrainSpeeds:
         if self.train.load is None or not speed:
             return {}
         return moments(self.train, gear, -math.copysign(self.train.load, speed))
+
+    def powers(self, gear: BoxGear) -> Mapping[str, float]:
+        """Give the power W of the driving link and those through joints, from the second link to the first."""
+        speeds, moments = self.true(gear), self.moments(gear)
+        links = {joint_name(pair): pair[0] for pair in self.train.joints}
+        links[self.train.drives[0][0]] = self.train.drives[0][0]
+        return {name: moment * speeds[links[name]] for name, moment in moments.items() if name in links}
 
     def ratio(self, gear: BoxGear) -> Fraction | None:
         """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""

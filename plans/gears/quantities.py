@@ -83,17 +83,19 @@ def _inertia(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error])
 def _moments(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
     """Compare the moments that balance the load: by virtual speeds, of the plan itself or with a held link let go."""
     train, true = study.train, TrainSpeeds(study.train).moments(plan.gear)
-    plans = {train.drives[0][0]: plan, **study.released(plan.gear)} if true else {}
-    most = max(map(abs, true.values()), default=0.0)
-    for link, one in plans.items():
-        over, driven = one.speeds[link], one.speeds[train.output]
-        bound = errors(over, driven)
-        load = -math.copysign(train.load or 0.0, complex(plan.speeds[train.output].point).real)
-        ratio, size = (complex(driven.point) / complex(over.point)).real, abs(complex(over.point))
+    drive, most = train.drives[0][0], max(map(abs, true.values()), default=0.0)
+    load = -math.copysign(train.load or 0.0, complex(plan.speeds[train.output].point).real)
+    for name, links, one in ((drive, (drive,), plan), *study.released(plan.gear)) if true else ():
+        driven, over = one.speeds[train.output], one.speeds[links[0]]
+        if len(links) > 1:  # the shafts of a joint turn against each other
+            first, last = (one.angular[link] for link in links)
+            over = one.angular.join(f"ω_{name}", last, first, because("gear_apart"))
+        bound, size = errors(over, driven), abs(complex(over.point))
+        ratio = (complex(driven.point) / complex(over.point)).real
         off = abs(load) * float((bound[driven].place + abs(ratio) * bound[over].place).max()) / size
-        named = ANGULAR, of_gear(f"M_{link}", plan.gear), "N*m"
-        turned = one.angular.turn(f"M{link}", driven, -load * 1j, because("gear_virtual", link=link))
-        yield Quantity.of(named, (-load * ratio, true[link]), DATA * off + ROUNDED * most, most, Reading(over, turned))
+        named = ANGULAR, of_gear(f"M_{name}", plan.gear), "N*m"
+        turned = one.angular.turn(f"M{name}", driven, -load * 1j, because("gear_virtual", link=name))
+        yield Quantity.of(named, (-load * ratio, true[name]), DATA * off + ROUNDED * most, most, Reading(over, turned))
 
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:

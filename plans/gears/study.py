@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from functools import cached_property
 
 from plans.gears.form import GearsForm, WheelTable
 from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, TrainPoint, plans_of, spots_of
 from plans.gears.reading import GearsSurvey
-from plans.model.gears import BoxGear, bare
+from plans.model.gears import BoxGear, Train, bare, joint_name
 from plans.model.trains import determined, mobility
 from plans.scene.faults import SceneError
 from plans.study import Study
@@ -49,15 +49,31 @@ class GearsStudy:
         self.made |= {LINEAR, ANGULAR}
         return plans_of(self.train)
 
-    def released(self, gear: BoxGear) -> Mapping[str, KutzbachPlan]:
-        """Give for each held link the plan of what moves where it is let go and the driving link held instead."""
-        found, driving = dict[str, KutzbachPlan](), self.train.drives[0][0]
+    def released(self, gear: BoxGear) -> Iterator[tuple[str, tuple[str, ...], KutzbachPlan]]:
+        """Give for each held link and each joint of shafts, by its name and links, the plan of what moves without it.
+
+        There the driving link is held instead.
+        """
+        train, driving = self.train, self.train.drives[0][0]
         for link in gear.held:
-            other = bare(gear, link, driving)
-            train = replace(self.train, drives=((link, 1.0),), gears=(other,))
-            if mobility(train, other) == 1 and determined(train, other):
-                found[link] = plans_of(train)[0]
-        return found
+            yield from self._moved(train, bare(gear, link, driving), link, (link,))
+        for pair in train.joints if self.closed(gear) else ():
+            joined, name = tuple(one for one in train.joints if one != pair), joint_name(pair)
+            apart = BoxGear(f"{gear.name}({name})", (*gear.held, driving), gear.locked)
+            yield from self._moved(replace(train, joined=joined), apart, name, pair)
+
+    def closed(self, gear: BoxGear) -> bool:
+        """Whether a train is closed in a gear, so that power divides: its plan rests on an assumed speed."""
+        return any(plan.assumed for plan in self.plans if plan.gear == gear)
+
+    def _moved(
+        self, train: Train, gear: BoxGear, name: str, links: tuple[str, ...]
+    ) -> Iterator[tuple[str, tuple[str, ...], KutzbachPlan]]:
+        for link in links:
+            driven = replace(train, drives=((link, 1.0),), gears=(gear,))
+            if mobility(driven, gear) == 1 and determined(driven, gear):
+                yield name, links, plans_of(driven)[0]
+                return
 
     @cached_property
     def spots(self) -> tuple[TrainPoint, ...]:

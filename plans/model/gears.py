@@ -60,6 +60,15 @@ def bare(gear: BoxGear, link: str, instead: str) -> BoxGear:
     return BoxGear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
 
 
+def joint_name(pair: tuple[str, str]) -> str:
+    """Name the joint of two shafts.
+
+    >>> joint_name(("H", "4"))
+    'H–4'
+    """
+    return "\N{EN DASH}".join(pair)
+
+
 class Willis(NamedTuple):
     """Two wheels of fixed axes joined by planets of a carrier: the wheels driven and driving on the way, and the ratio.
 
@@ -112,6 +121,11 @@ class Train:
     def body_of(self) -> Mapping[str, str]:
         """The first link of the shafts that are one, of each link."""
         return bodies(self.links, self.joined)
+
+    @property
+    def joints(self) -> tuple[tuple[str, str], ...]:
+        """The pairs of links whose shafts are one."""
+        return tuple((group[0], other) for group in self.joined for other in group[1:])
 
     @property
     def pairs(self) -> Iterator[tuple[ToothedWheel, ToothedWheel]]:

@@ -17,8 +17,7 @@ def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, int]]:
         carrier = train.carrier_between(one, other)
         yield {one.link: one.teeth, other.link: other.teeth, carrier: -one.teeth - other.teeth}
     yield from ({link: 1} for link in gear.held)
-    pairs = (*gear.locked, *((group[0], other) for group in train.joined for other in group[1:]))
-    yield from ({one: 1, other: -1} for one, other in pairs)
+    yield from ({one: 1, other: -1} for one, other in (*gear.locked, *train.joints))
 
 
 def mobility(train: Train, gear: BoxGear) -> int:
