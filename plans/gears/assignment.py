@@ -23,7 +23,11 @@ def wanted_of(form: GearsTable, raw: RawTrain) -> Wanted | None:
     central = [link_of(one) for one, _ in rows]
     plain = len(planets) == 1 == len(raw.carriers) and not raw.coaxial and len(form.engaged) < 2
     apart = len(ends) == 3 == len({*ends}) and not planets.keys() & {*central, *ends}
-    alone = len({*central}) == len(rows) > 1 and {*ends} <= {*central, *raw.carriers}
+    alone = (
+        len({wheel for _, wheel in rows}) < 3
+        and len({*central}) == len(rows) > 1
+        and {*ends} <= {*central, *raw.carriers}
+    )
     if (
         asked is None
         or not (plain and apart and alone)

@@ -167,7 +167,10 @@ BAD = (
     ),
     ((ROW, "1-2 2-3", "H", "ratio = -3"), ("nearest ratio of these is 2.29565",)),
     ((ROW, "1-2 2-3", "H", "ratio = 4", 40), ("40 planets", "0 can be put together")),
-    (("1=20 2=30 3=-80 4=20", "1-2 2-3 1-4", "H", "ratio = 5"), ("one carrier with one block of planets",)),
+    (
+        ("1=20 2=30 3=-80 4=20", "1-2 2-3 1-4", "H", "ratio = 5"),
+        ("one carrier with one block of one or two planet wheels",),
+    ),
     ((ROW, "1-2 2-3", "3", "ratio = 1.5"), ("one held, one driving, one driven",)),
     ((ROW, "1-2 2-3", "H", "ratio = 4, least = 30, greatest = 20"), ("least one, 30",)),
     ((ROW, "1-2 2-3", "H", "ratio = 4, greatest = 3000"), ("at most 300",)),
