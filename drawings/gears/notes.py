@@ -62,10 +62,10 @@ class GearsNotes(NamedTuple):
                 names = ", ".join(map(link_letters, self.study.engaged(gear)))
                 yield self._said("gears engaged", gear=gear.name, names=names)
 
-    def synthesis(self) -> Iterator[str]:
-        """Tell how the teeth were found, where a ratio is wanted."""
+    def synthesis(self, most: int | None = synthesis.SHOWN) -> Iterator[str]:
+        """Tell how the teeth were found, where a ratio is wanted, and how many solutions are not listed."""
         if self.study.searched:
-            yield from synthesis.notes(self.study.searched, self.drafting)
+            yield from synthesis.notes(self.study.searched, self.drafting, most)
 
     def fit(self) -> Iterator[str]:
         """Tell the distances of axes, and the conditions of neighbourhood and of assembly."""

@@ -51,7 +51,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     return Chapters(
         subject=[
             chapter(drafting.language, GEARS).lstrip(),
-            *map(entry, (*notes.given(), *notes.synthesis(), *notes.fit())),
+            *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
             *sought,
         ],
         values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia(), *notes.moments())), *tables],

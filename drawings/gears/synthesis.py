@@ -47,7 +47,7 @@ def _off(wanted: Wanted, ratio: float) -> float:
     return 100 * (ratio - float(wanted.ratio)) / abs(float(wanted.ratio))
 
 
-def notes(found: Searched, drafting: Drafting) -> Iterator[Phrase]:
+def notes(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> Iterator[Phrase]:
     """Tell what was wanted, what each condition left, and how the train that is drawn meets them."""
     wanted, best = found.wanted, found.solutions[0]
     bounds = {
@@ -60,8 +60,8 @@ def notes(found: Searched, drafting: Drafting) -> Iterator[Phrase]:
     sizes = {"across": across, "off": Slot("ΔU", _off(wanted, float(best.ratio)), OFF), "planets": best.planets}
     parts = {"greatest": wanted.greatest, "widest": _widest(wanted, best)}
     yield drafting.phrase("gears chosen", **parts, **counts, **sizes)
-    if len(found.solutions) > SHOWN:
-        yield drafting.phrase("gears more", shown=SHOWN, count=len(found.solutions))
+    if most and len(found.solutions) > most:
+        yield drafting.phrase("gears more", shown=most, count=len(found.solutions))
     sound = all(abs(teeth) >= USUAL_LEAST[teeth < 0] for teeth in best.teeth.values())
     yield drafting.phrase(
         "gears undercut" if sound else "gears least", parts=joined(",  ", tuple(_undercut(wanted, best)))
