@@ -19,7 +19,7 @@ from plans.gears.kutzbach import KutzbachPlan
 from plans.model.gears import FRAME
 
 MARGINS = Margins(2.4, 3.0, 3.4)  # paper around it for letters, in their sizes
-LETTERS = 20.0  # it is drawn at least so many letters large
+LETTERS = 16.0  # it is drawn at least so many letters large
 PAST = 0.06  # of its height: how far rays go past their ends
 SAME = 0.4  # mm: ends nearer than this are one
 BESIDE = 0.8  # mm

@@ -20,7 +20,7 @@ from plans.gears.kutzbach import AXIS, LINEAR, KutzbachPlan, board_of
 from plans.model.gears import FRAME
 
 MARGINS = Margins(3.0, 3.0, 2.6)  # paper around it for letters, in their sizes
-LETTERS = 28.0  # it is drawn at least so many letters large
+LETTERS = 24.0  # it is drawn at least so many letters large
 BETWEEN = 0.12  # of the height: from the scheme to the triangles
 PAST = 0.06  # of the height: how far lines go past their points
 ALIKE = 1e-6  # of the height: lines so near each other are one

@@ -34,7 +34,8 @@ def subject(study: Study) -> TableSubject:
     """Tell the train by its wheels and its ratios."""
     found = study.of(GearsStudy)
     ratios = ((gear.name, study.of(GearsComparison).analysis.ratio(gear)) for gear in found.train.gears)
-    told = ", ".join(f"{name} {ratio}".strip() for name, ratio in ratios if ratio is not None) or "a differential"
+    given = (f"{name} {ratio}".strip().replace("-", "\N{MINUS SIGN}") for name, ratio in ratios if ratio is not None)
+    told = ", ".join(given) or "a differential"
     structure = f"gear train, {len(found.train.wheels)} wheels"
     output = f"{found.ratio_name} = {told}" if found.train.single else told
     return TableSubject(structure, output, f"A {structure}: {output}.")

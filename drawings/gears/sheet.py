@@ -35,7 +35,6 @@ from plans.quantity import Comparison, Quantity, by_hand
 from plans.study import Study
 
 SPEEDS, RESULTS = "speeds", "results"  # the tables
-LARGEST = 3.2  # times its least size that a plan of angular velocities may be drawn
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -48,15 +47,13 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     )
     said = GearsNotes(train, comparison.analysis, drafting).all
     later = partial(by_hand, comparison.findings)
-    title = drafting.word("gears sheet title")
+    title, scaled = drafting.word("gears sheet title"), train.plans[0].linear.subject
     size, tables = drafting.hand.text, [speeds(comparison.analysis, drafting)]
     tables += [solutions(train.searched, drafting)] if train.searched else []
-    narrow = size + max(
-        text_width(Text(0j, note, size)) for note in said if note.startswith("U")
-    )  # no formula is broken
-    return lay_out(
-        study.scene, [Draft(GEARS, title, shows, (*tables,), said, figures_facts, LINES, narrow, later=later)]
-    )
+    # No formula is broken
+    narrow = size + max(text_width(Text(0j, note, size)) for note in said if note.startswith("U"))
+    draft = Draft(GEARS, title, shows, (*tables,), said, figures_facts, scaled, narrow, later=later)
+    return lay_out(study.scene, [draft])
 
 
 def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:
@@ -66,10 +63,9 @@ def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:
         titles = ("gears linear" if k == 0 else "gears linear alone", "gears angular")
         over, under = (_title(key, plan.gear, drafting) for key in titles)
         triangles = ShownLinear(plan.linear.subject, over, plan, scheme, k == 0)
-        together = plan.linear.subject
-        yield exhibit(linear, triangles, drafting, weight=1.5, scale=LINES, together=together)
+        yield exhibit(linear, triangles, drafting, scale=LINES)
         speeds = ShownAngular(plan.angular.subject, under, plan)
-        yield exhibit(angular, speeds, drafting, LARGEST, scale=ANGULAR, together=together)
+        yield exhibit(angular, speeds, drafting, scale=ANGULAR)
 
 
 def _title(key: str, gear: BoxGear, drafting: Drafting) -> str:

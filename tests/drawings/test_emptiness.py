@@ -24,7 +24,8 @@ LARGEST, LAST, SMALLEST = 0.15, 0.25, 0.30  # shares that an empty rectangle may
 # a press the slim plan with the notes (0.172), of a slotted lever the plan with its lengths (0.171), of a six-link
 # one scheme with its centres (0.204), of a cam under a spring its diagrams and its main sizes (0.174, 0.216). A load
 # diagram, no longer than twenty letters, stands alone between a pump's lever and its graph (0.231). Of a linkage at a
-# scale that was asked for the plan alone is shown. Beside the loop in projection a pump has two tables (0.201).
+# scale that was asked for the plan alone is shown. Beside the loop in projection a pump has two tables (0.201). Of a
+# box of gears each plan of velocities stands alone with its plan of angular ones (0.231).
 NARROW, ALONE, SMALL, FEW = 0.17, 0.22, 0.24, 0.31
 STRIPS = {
     ("automaton", "A3"): NARROW,
@@ -34,6 +35,7 @@ STRIPS = {
     ("centres-shaper", "A4"): ALONE,
     ("spring-cam", "A4"): ALONE,
     ("rocking-pump", "A4"): SMALL,
+    ("gear-box", "A4"): SMALL,
     ("reciprocating-pump", "A3"): ALONE,
     **dict.fromkeys(product(("lambda-positions",), ("A1", "A2", "A3", "A4")), FEW),
 }
