@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 
 from drawings.checks.expected import NOTES, Expected, by_hand, cells
+from drawings.gears import due_synthesis
 from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
@@ -35,7 +36,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     findings = study.comparison(GEARS).of(ANGULAR)
     slips = slipping(study.comparison(GEARS).findings, scales)
     results = (row for one in findings if one.analysis[0] for row in _result(one, slips, drafting))
-    yield from chain(plans, results, _speeds(study.of(GearsComparison).analysis), _notes(found))
+    told = _speeds(study.of(GearsComparison).analysis), due_synthesis.expected(found)
+    yield from chain(plans, results, *told, _notes(found))
 
 
 def _linear(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> Iterator[Expected]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
+from drawings.gears import synthesis
 from drawings.lettering.gear_letters import link_letters, teeth_letters
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
@@ -30,6 +31,7 @@ class GearsNotes(NamedTuple):
         """What is given, how it fits, what Willis gives, how the plans are read."""
         return (
             *self.given(),
+            *self.synthesis(),
             *self.fit(),
             *self.willis(),
             *self.ratios(),
@@ -46,7 +48,7 @@ class GearsNotes(NamedTuple):
             teeth = joined(",  ", (self._equal(teeth_letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
             size = Slot(f"m {some[0].name}", MILLIMETRES * float(module))
             yield self._said("gears teeth", module=slot(size), teeth=teeth)
-        if self.study.lacking:
+        if self.study.lacking and not self.study.searched:
             yield self._said("gears found", names=", ".join(map(teeth_letters, self.study.lacking)))
         for link, speed in train.drives:
             n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
@@ -59,6 +61,11 @@ class GearsNotes(NamedTuple):
             if gear.name:
                 names = ", ".join(map(link_letters, self.study.engaged(gear)))
                 yield self._said("gears engaged", gear=gear.name, names=names)
+
+    def synthesis(self, most: int | None = synthesis.SHOWN) -> Iterator[str]:
+        """Tell how the teeth were found, where a ratio is wanted, and how many solutions are not listed."""
+        if self.study.searched:
+            yield from synthesis.notes(self.study.searched, self.drafting, most)
 
     def fit(self) -> Iterator[str]:
         """Tell the distances of axes, and the conditions of neighbourhood and of assembly."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from drawings.gears.notes import GearsNotes
 from drawings.gears.sheet import results, speeds
+from drawings.gears.synthesis import solutions
 from drawings.layout.table import Later, RuledTable
 from drawings.page.page import drafting_of
 from drawings.paper.strokes import Text
@@ -44,10 +45,16 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the train: what is given, how it fits, its ratios, the speeds of its links."""
     notes, drafting = _notes(study), drafting_of(study.scene)
     comparison = study.of(GearsComparison)
+    searched = study.of(GearsStudy).searched
+    sought = ["", *_table(solutions(searched, drafting, None))] if searched else []
     told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
     tables = [line for each in told for line in ("", *_table(each))]
     return Chapters(
-        subject=[chapter(drafting.language, GEARS).lstrip(), *map(entry, (*notes.given(), *notes.fit()))],
+        subject=[
+            chapter(drafting.language, GEARS).lstrip(),
+            *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
+            *sought,
+        ],
         values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia(), *notes.moments())), *tables],
     )
 

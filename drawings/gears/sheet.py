@@ -14,6 +14,7 @@ from drawings.gears.linear import ShownLinear
 from drawings.gears.notes import DIGITS, GearsNotes
 from drawings.gears.routing import routed
 from drawings.gears.scheme import TrainScheme
+from drawings.gears.synthesis import SOLUTIONS, solutions
 from drawings.layout.contents import Panel
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
@@ -47,10 +48,12 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     said = GearsNotes(train, comparison.analysis, drafting).all
     later = partial(by_hand, comparison.findings)
     title, scaled = drafting.word("gears sheet title"), train.plans[0].linear.subject
-    size, tables = drafting.hand.text, (speeds(comparison.analysis, drafting),)
+    size, tables = drafting.hand.text, [speeds(comparison.analysis, drafting)]
+    tables += [solutions(train.searched, drafting)] if train.searched else []
     # No formula is broken
     narrow = size + max(text_width(Text(0j, note, size)) for note in said if note.startswith("U"))
-    return lay_out(study.scene, [Draft(GEARS, title, shows, tables, said, figures_facts, scaled, narrow, later=later)])
+    draft = Draft(GEARS, title, shows, (*tables,), said, figures_facts, scaled, narrow, later=later)
+    return lay_out(study.scene, [draft])
 
 
 def _figures(study: GearsStudy, drafting: Drafting) -> Iterator[Exhibit]:
@@ -111,4 +114,4 @@ def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[
 
 FORM: Final = {LINES: PLAN, LINEAR: PLAN, ANGULAR: PLAN}
 SCALES: Final = {LINES: "gears", ANGULAR: "speeds"}
-SHEETS: Final = {GEARS: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(SPEEDS, RESULTS))}
+SHEETS: Final = {GEARS: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(SPEEDS, RESULTS, SOLUTIONS))}

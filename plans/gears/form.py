@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 
+from plans.gears.wanted import WantedTable
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -133,6 +134,12 @@ class GearsTable(Table):
         one(f.whole, lambda: forms.whole(1), "number", least=1),
         None,
         meaning="Number of planets of each carrier: seen is then whether they stand clear and can be put in.",
+    )
+
+    wanted: WantedTable | None = key(
+        table(WantedTable),
+        None,
+        meaning="Wanted ratio of a planetary train: all teeth that give it are found, and the smallest train is drawn.",
     )
 
     def check(self) -> None:

@@ -11,6 +11,7 @@ from geometry.precision import Error, errors
 from plans.analytic.gears import TrainSpeeds, speeds, velocity
 from plans.gears.kutzbach import ANGULAR, AXIS, LINEAR, KutzbachPlan
 from plans.gears.study import GEARS, GearsStudy, of_gear
+from plans.gears.synthesis import listed
 from plans.model.motion import Gap
 from plans.quantity import Comparison, Numbers, Quantity, numbers_of
 from plans.words.words import because
@@ -119,4 +120,9 @@ def numbers(study: Study, by: str) -> Numbers:
     ratios = ((gear, TrainSpeeds(found.train).ratio(gear)) for gear in found.train.gears)
     fractions = {of_gear(found.ratio_name, gear): str(ratio) for gear, ratio in ratios if ratio is not None}
     teeth = {name: abs(wheel.teeth) for name, wheel in found.train.wheels.items()}
-    return Numbers({"scene": study.scene.heading(), "by": by, GEARS: data | {"teeth": teeth, "fractions": fractions}})
+    told = (
+        data
+        | {"teeth": teeth, "fractions": fractions}
+        | ({"solutions": listed(found.searched)} if found.searched else {})
+    )
+    return Numbers({"scene": study.scene.heading(), "by": by, GEARS: told})

@@ -7,8 +7,10 @@ from collections.abc import Collection, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
+from plans.gears.synthesis import Searched, search
 from plans.model.gears import FRAME, BoxGear, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
@@ -23,16 +25,17 @@ class GearsSurvey(NamedTuple):
 
     train: Train | None
     faults: list[Fault]
+    searched: Searched | None = None  # where its teeth are sought by a wanted ratio
 
 
 def survey_of(scene: Scene) -> GearsSurvey:
     """Examine a train: its names, its axes, its planets, its mobility; all faults that do not follow from others."""
     reading = _TrainReading(scene, scene.of(GearsForm).gears, [])
-    for step in (reading.names, reading.rings, reading.axes, reading.room, reading.mobilities):
+    for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
         step()
         if reading.faults:
             return GearsSurvey(None, reading.faults)
-    return GearsSurvey(reading.train, [])
+    return GearsSurvey(reading.train, [], reading.searched)
 
 
 def millimetres(length: Fraction) -> str:
@@ -45,6 +48,7 @@ class _TrainReading:
 
     def __init__(self, scene: Scene, form: GearsTable, faults: list[Fault]) -> None:
         self.scene, self.form, self.faults = scene, form, faults
+        self.searched: Searched | None = None
         self.wheels = {name: w if isinstance(w, WheelTable) else WheelTable(teeth=w) for name, w in form.wheels.items()}
 
     def report(self, path: Path, kind: str, **details: object) -> None:
@@ -119,9 +123,22 @@ class _TrainReading:
             (*form.joined, *form.clutches.values()),
         )
 
+    def synthesis(self) -> None:
+        """Find the teeth that give the wanted ratio, if one is wanted."""
+        if self.form.wanted is None:
+            return
+        wanted = wanted_of(self.form, self.raw)
+        self.searched = search(wanted) if wanted else None
+        if self.searched is None:
+            self.report(("wanted",), "wanted_scheme")
+        elif not self.searched.solutions:
+            kind, parts = lack(self.searched)
+            self.report(("wanted",), kind, **parts)
+
     def axes(self) -> None:
         """Find the missing teeth, and see that the axes of all meshes are coaxial where they must be."""
-        whole = completed(self.raw)
+        best = self.searched.solutions[0] if self.searched else None
+        whole = self.raw._replace(teeth=best.teeth) if best else completed(self.raw)
         fractions = dict(sought(whole))
         for name, teeth in whole.teeth.items():
             if teeth is None and name in fractions:
@@ -171,7 +188,7 @@ class _TrainReading:
             heights=found,
             brakes=form.brakes,
             clutches=form.clutches,
-            planets=form.planets,
+            planets=self.searched.solutions[0].planets if self.searched else form.planets,
             inertia={link: float(size) for link, size in form.inertia.items()},
             load=None if form.load is None else float(form.load),
             masses={link: float(size) for link, size in form.masses.items()},

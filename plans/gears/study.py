@@ -23,7 +23,8 @@ class GearsStudy:
     def __init__(self, study: Study) -> None:
         if faults := study.scene.meaning.faults:
             raise SceneError(faults)
-        train = study.scene.meaning.of(GearsSurvey).train
+        survey = study.scene.meaning.of(GearsSurvey)
+        train, self.searched = survey.train, survey.searched
         assert train is not None  # it is without faults
         self.train, self.made, self._form = train, set[str](), study.scene.of(GearsForm).gears
 

@@ -1,0 +1,109 @@
+"""The synthesis of a train on its sheet: what was wanted, what each condition left, the solutions (подбор зубьев)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import combinations
+
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.gear_letters import teeth_letters
+from drawings.lettering.words import Phrase, Slot, fixed, joined
+from drawings.page.page import Drafting
+from plans.gears.study import pair_of
+from plans.gears.synthesis import CLEAR, Searched, Solution, Wanted, share_of
+
+SOLUTIONS = "solutions"  # the table
+SHOWN = 12  # solutions on the sheet
+DIGITS, OFF, PLACES = 5, 3, 2
+MILLIMETRES, NBSP = 1000.0, "\N{NO-BREAK SPACE}"
+USUAL_LEAST = {False: 17, True: 85}  # teeth without undercut of a wheel cut by a rack, of a ring (К. В. Фролов)
+
+
+def solutions(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> RuledTable:
+    """Tell the teeth of the solutions, the smallest first, with planets, ratio, how far it is off, and size."""
+    wheels = map(teeth_letters, found.wanted.raw.teeth)
+    heads = *wheels, drafting.word("gears planets"), _ratio(found.wanted)
+    heads += drafting.word("gears off"), drafting.word("gears across")
+    rows = enumerate(found.solutions[:most], 1)
+    lines = [TableRow(str(k), tuple(_cells(found.wanted, one, drafting))) for k, one in rows]
+    return table(lines, drafting.word("gears solutions"), heads, drafting.hand.text)._replace(name=SOLUTIONS, least=6)
+
+
+def _ratio(wanted: Wanted) -> str:
+    return f"U_{{{pair_of(*wanted.ends[1:])}}}"
+
+
+def _cells(wanted: Wanted, one: Solution, drafting: Drafting) -> Iterator[str]:
+    yield from (str(abs(teeth)) for teeth in one.teeth.values())
+    yield str(one.planets)
+    yield drafting.number(float(one.ratio), DIGITS)
+    yield fixed(_off(wanted, float(one.ratio)), drafting.language, PLACES)
+    yield drafting.number(MILLIMETRES * float(one.across), DIGITS)
+
+
+def _off(wanted: Wanted, ratio: float) -> float:
+    """Give by how many per cent a ratio is more than the wanted one."""
+    return 100 * (ratio - float(wanted.ratio)) / abs(float(wanted.ratio))
+
+
+def notes(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> Iterator[Phrase]:
+    """Tell what was wanted, what each condition left, and how the train that is drawn meets them."""
+    wanted, best = found.wanted, found.solutions[0]
+    bounds = {
+        name: Slot(f"U {name}", float(one), DIGITS) for name, one in zip(("lo", "hi"), wanted.bounds, strict=True)
+    }
+    given = {"ratio": Slot("wanted U", float(wanted.ratio), DIGITS), "tolerance": Slot("tolerance", _tolerance(wanted))}
+    yield drafting.phrase("gears wanted", name=_ratio(wanted), **given, **bounds)
+    counts = {"coaxial": found.coaxial, "clear": found.clear, "whole": found.whole, "count": len(found.solutions)}
+    across = Slot("D", MILLIMETRES * float(best.across), DIGITS)
+    sizes = {"across": across, "off": Slot("ΔU", _off(wanted, float(best.ratio)), OFF), "planets": best.planets}
+    parts = {"greatest": wanted.greatest, "widest": _widest(wanted, best)}
+    yield drafting.phrase("gears chosen", **parts, **counts, **sizes)
+    if most and len(found.solutions) > most:
+        yield drafting.phrase("gears more", shown=most, count=len(found.solutions))
+    sound = all(abs(teeth) >= USUAL_LEAST[teeth < 0] for teeth in best.teeth.values())
+    yield drafting.phrase(
+        "gears undercut" if sound else "gears least", parts=joined(",  ", tuple(_undercut(wanted, best)))
+    )
+    yield from _alike(wanted, best, drafting)
+
+
+def _tolerance(wanted: Wanted) -> float:
+    return 100 * float(wanted.tolerance)
+
+
+def _widest(wanted: Wanted, best: Solution) -> str:
+    """Name the largest wheel of the block."""
+    planets = dict.fromkeys(planet for _, planet in wanted.rows)
+    return max(planets, key=lambda name: wanted.raw.modules[name] * best.teeth[name])
+
+
+def _undercut(wanted: Wanted, best: Solution) -> Iterator[str]:
+    """Write the least teeth of external wheels and of rings, and how many more a ring has than the wheel within it."""
+    kinds = {False: wanted.least, True: wanted.ring}
+    for ring, least in kinds.items():
+        sought = [
+            name for name, teeth in wanted.raw.teeth.items() if teeth is None and (name in wanted.raw.rings) == ring
+        ]
+        if sought:
+            name = min(sought, key=lambda name: abs(best.teeth[name]))
+            yield f"{teeth_letters(name)} = {abs(best.teeth[name])} ≥ {least}".replace(" ", NBSP)
+    for one, planet in wanted.rows:
+        if one in wanted.raw.rings:
+            more = -best.teeth[one] - best.teeth[planet]
+            yield f"{teeth_letters(one)} − {teeth_letters(planet)} = {more} ≥ {CLEAR}".replace(" ", NBSP)
+
+
+def _alike(wanted: Wanted, best: Solution, drafting: Drafting) -> Iterator[Phrase]:
+    """Tell the condition of assembly of each two central wheels of different rows."""
+    for (one, first), (other, second) in combinations(wanted.rows, 2):
+        if first == second or best.planets == 1:
+            continue
+        ends = (best.teeth[one], best.teeth[first]), (best.teeth[other], best.teeth[second])
+        share, divisor = share_of(*ends, best.planets), math.gcd(ends[0][1], ends[1][1])
+        whole, unlike = share * best.planets * divisor, (ends[0][0] < 0) != (ends[1][0] < 0)
+        z1, z2, z3, z4 = map(teeth_letters, (one, first, other, second))
+        parts = {"one": f"{z1}·{z4}", "sign": "+" if unlike else "−", "other": f"{z3}·{z2}", "first": z2, "second": z4}
+        numbers = {"sum": abs(whole), "planets": best.planets, "divisor": divisor, "share": abs(share)}
+        yield drafting.phrase("gears alike", **parts, **numbers)
