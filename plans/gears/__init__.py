@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plans.techniques import Technique
+from plans.techniques import Technique, late
 
 if TYPE_CHECKING:
-    from plans.quantity import Comparison, Stated
-    from plans.scene.scene import Meaning, Survey, TechniqueForm
+    from plans.scene.scene import Meaning, Survey
     from plans.study import Made, Study
 
 
@@ -23,10 +22,9 @@ class GearsTechnique(Technique):
         "speeds": ("rad/s", "Of its plan of angular velocities."),
     }
 
-    def form(self) -> type[TechniqueForm]:
-        from plans.gears.form import GearsForm
-
-        return GearsForm
+    form = late("form:GearsForm")
+    comparison = late("quantities:compare_gears", "gears.study:GearsStudy")
+    numbers = late("quantities:numbers")
 
     def survey(self, meaning: Meaning) -> Survey:
         from plans.gears.reading import survey_of
@@ -37,17 +35,6 @@ class GearsTechnique(Technique):
         from plans.gears.study import GearsStudy
 
         return GearsStudy(study)
-
-    def comparison(self, study: Study) -> Comparison:
-        from plans.gears.quantities import compare_gears
-        from plans.gears.study import GearsStudy
-
-        return compare_gears(study.of(GearsStudy))
-
-    def numbers(self, study: Study, by: str) -> Stated:
-        from plans.gears.quantities import numbers
-
-        return numbers(study, by)
 
 
 TECHNIQUE = GearsTechnique()
