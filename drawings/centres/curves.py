@@ -71,11 +71,11 @@ class ShownCurves(NamedTuple):
         return {name: spot for name, spot in {**self.marked, **self.built}.items() if abs(spot - middle) <= most}
 
     @property
-    def away(self) -> dict[str, tuple[complex, complex]]:
-        """The shown part of a line to each point that lies off the figure."""
+    def away(self) -> list[tuple[str, tuple[complex, complex]]]:
+        """The shown part of each line to a point that lies off the figure, with the point's letter."""
         far = {spot: name for name, spot in {**self.marked, **self.built}.items() if name not in self.near}
-        starts = ((line, far[line[1]]) for line in self.lines if line[1] in far)
-        return {name: self._within(*line) for line, name in starts if line[0] not in far}
+        lines = (line for line in self.lines if line[1] in far and abs(line[0] - self.window[0]) <= self.window[1])
+        return [(far[line[1]], self._within(*line)) for line in lines]
 
     @property
     def drawn(self) -> list[tuple[complex, complex]]:
@@ -117,8 +117,8 @@ def curvature(study: CentresStudy, name: str, bones: Pose, k: int, drafting: Dra
     built = {mark.name: spot for mark, spot in spots.items() if mark.name.partition("_")[0] in BUILT}
     shown = ShownCurves(bones, k, curvature_plan(name), title, {f"i_{link}": circle_of(pole, end)}, marked)
     shown = shown._replace(lines=_from_near(places), built=built)
-    away = ((tip, drafting.word("centre far", letter=with_index(far))) for far, (_, tip) in shown.away.items())
-    start, tip = shown.away.get(circle.inflection.name, (pole, end))
+    away = ((tip, drafting.word("centre far", letter=with_index(far))) for far, (_, tip) in dict(shown.away).items())
+    start, tip = dict(shown.away).get(circle.inflection.name, (pole, end))
     diameter = start + (tip - start) / 3, with_index(circle.diameter.name)  # clear of its middle, where a pin may be
     own = ((pole + reach, "t"), diameter) if circle.pole.name in shown.near else ()
     return shown._replace(beside=(*own, *away))
@@ -152,7 +152,7 @@ def draw(shown: ShownCurves, room: Picture, spot: Spot, drafting: Drafting) -> L
         lines.append(stating(Statement(Kind.CURVE, shown.plan, name, shown.column), *strokes))
     paper = [(place.on(start), place.on(end)) for start, end in shown.drawn]
     lines += [Line(start, end, hand.drafted) for start, end in paper if abs(end - start) > SAME]
-    lines += filter(None, (arrowhead(*map(place.on, both), hand.symbol) for both in shown.away.values()))
+    lines += filter(None, (arrowhead(*map(place.on, both), hand.symbol) for _, both in shown.away))
     lines += scheme(pairs, subject)
     for name, spot_of in shown.near.items():
         circle = Circle(place.on(spot_of), DOT * hand.symbol, INK)
