@@ -152,7 +152,7 @@ def draw(shown: ShownCurves, room: Picture, spot: Spot, drafting: Drafting) -> L
         lines.append(stating(Statement(Kind.CURVE, shown.plan, name, shown.column), *strokes))
     paper = [(place.on(start), place.on(end)) for start, end in shown.drawn]
     lines += [Line(start, end, hand.drafted) for start, end in paper if abs(end - start) > SAME]
-    lines += filter(None, (arrowhead(*map(place.on, both), hand.symbol) for _, both in shown.away))
+    lines += filter(None, (arrowhead(place.on(a), place.on(b), hand.symbol) for _, (a, b) in shown.away))
     lines += scheme(pairs, subject)
     for name, spot_of in shown.near.items():
         circle = Circle(place.on(spot_of), DOT * hand.symbol, INK)
