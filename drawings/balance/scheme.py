@@ -310,8 +310,11 @@ class SchemeFigure:
 
 
 def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
-    """Give the title of a scheme."""
-    return f"{drafting.word(f'scheme {shown.state}')}, {drafting.word('position', position=shown.shown)}"
+    """Give the title of a scheme; beside figures over the turn, with numbers of their own, by the crank's angle."""
+    place = drafting.word("position", position=shown.shown)
+    if shown.state == ALONE:
+        place = f"φ = {drafting.number(math.degrees(shown.bones.study.turn.phi[shown.shown]) % 360)}°"
+    return f"{drafting.word(f'scheme {shown.state}')}, {place}"
 
 
 def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting) -> Picture:

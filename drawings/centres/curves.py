@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.centres.scheme import DOT, LETTERS, MARGINS
+from drawings.kinds.vector_plan import SAME
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Picture, Place, Spot
 from drawings.lettering.words import with_index
@@ -20,7 +21,7 @@ from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.symbols import fit_dashes
+from drawings.symbols.symbols import arrowhead, fit_dashes
 from geometry.board import at
 from plans.centres.centrodes import Window, named, plan_of, window
 from plans.centres.curvature import circle_of, curvature_plan
@@ -30,6 +31,7 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes
 
 BESIDE = 1.5  # mm from a curve to its letter
+BUILT = ("Q", "J")  # letters of Bobillier's points: of collineation axes, of inflection
 TANGENT = 0.35  # sizes of the mechanism to both sides of the pole, that the common tangent is drawn long
 
 
@@ -44,6 +46,7 @@ class ShownCurves(NamedTuple):
     marked: Mapping[str, complex]
     lines: tuple[tuple[complex, complex], ...] = ()
     beside: tuple[tuple[complex, str], ...] = ()  # letters of lines, at their ends
+    built: Mapping[str, complex] = {}  # points of the construction alone
 
     @property
     def name(self) -> str:
@@ -65,7 +68,14 @@ class ShownCurves(NamedTuple):
     def near(self) -> dict[str, complex]:
         """The points that are shown."""
         middle, most = self.window
-        return {name: spot for name, spot in self.marked.items() if abs(spot - middle) <= most}
+        return {name: spot for name, spot in {**self.marked, **self.built}.items() if abs(spot - middle) <= most}
+
+    @property
+    def away(self) -> list[tuple[str, tuple[complex, complex]]]:
+        """The shown part of each line to a point that lies off the figure, with the point's letter."""
+        far = {spot: name for name, spot in {**self.marked, **self.built}.items() if name not in self.near}
+        lines = (line for line in self.lines if line[1] in far and abs(line[0] - self.window[0]) <= self.window[1])
+        return [(far[line[1]], self._within(*line)) for line in lines]
 
     @property
     def drawn(self) -> list[tuple[complex, complex]]:
@@ -99,12 +109,19 @@ def curvature(study: CentresStudy, name: str, bones: Pose, k: int, drafting: Dra
     pole, end, tangent = (at(mark.point, 0) for mark in (circle.pole, circle.inflection, circle.tangent))
     marked[circle.inflection.name] = end
     lines = [*circle.lines, *(found.lines if found else ())]
-    places = [(at(one.point, 0), at(other.point, 0)) for one, other in lines]
+    spots = {mark: at(mark.point, 0) for line in lines for mark in line}
+    places = [(spots[one], spots[other]) for one, other in lines]
     reach = tangent / abs(tangent) * TANGENT * study.at(k).size
     places += [(pole, pole + reach), (pole, pole - reach)]
-    marked |= {found.centre.name: at(found.centre.point, 0)} if found else {}
-    paths = {f"i_{link}": circle_of(pole, end)}
-    return ShownCurves(bones, k, curvature_plan(name), title, paths, marked, _from_near(places), ((pole + reach, "t"),))
+    marked |= {found.centre.name: spots[found.centre]} if found else {}
+    built = {mark.name: spot for mark, spot in spots.items() if mark.name.partition("_")[0] in BUILT}
+    shown = ShownCurves(bones, k, curvature_plan(name), title, {f"i_{link}": circle_of(pole, end)}, marked)
+    shown = shown._replace(lines=_from_near(places), built=built)
+    away = ((tip, drafting.word("centre far", letter=with_index(far))) for far, (_, tip) in dict(shown.away).items())
+    start, tip = dict(shown.away).get(circle.inflection.name, (pole, end))
+    diameter = start + (tip - start) / 3, with_index(circle.diameter.name)  # clear of its middle, where a pin may be
+    own = ((pole + reach, "t"), diameter) if circle.pole.name in shown.near else ()
+    return shown._replace(beside=(*own, *away))
 
 
 def _from_near(lines: list[tuple[complex, complex]]) -> tuple[tuple[complex, complex], ...]:
@@ -133,11 +150,13 @@ def draw(shown: ShownCurves, room: Picture, spot: Spot, drafting: Drafting) -> L
     for name, (curve, piece) in shown.pieces.items():
         strokes = _line(piece, place, styles[curve])
         lines.append(stating(Statement(Kind.CURVE, shown.plan, name, shown.column), *strokes))
-    lines += [Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.drawn]
+    paper = [(place.on(start), place.on(end)) for start, end in shown.drawn]
+    lines += [Line(start, end, hand.drafted) for start, end in paper if abs(end - start) > SAME]
+    lines += filter(None, (arrowhead(place.on(a), place.on(b), hand.symbol) for _, (a, b) in shown.away))
     lines += scheme(pairs, subject)
     for name, spot_of in shown.near.items():
         circle = Circle(place.on(spot_of), DOT * hand.symbol, INK)
-        lines.append(point(subject, name, spot_of, place, circle))
+        lines.append(circle if name in shown.built else point(subject, name, spot_of, place, circle))
     return LetteredFigure(shown.name, tuple(lines), partial(_letters, shown, pairs))
 
 

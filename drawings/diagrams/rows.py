@@ -211,10 +211,12 @@ class DiagramsPlate(RowPlate[DiagramRow]):
     @cached_property
     def explained(self) -> tuple[str, ...]:
         """Lines under the heading: what the scales follow from, what is drawn how, what is left aside."""
-        s, v, a = letters_of(self.diagrams)
-        rule = f"diagrams rule {self.drafting.notation}"
-        keys = (rule, "diagrams explained", *(("diagrams even",) if self.diagrams.course.lead else ()))
-        return tuple(line for key in keys for line in self.drafting.word(key, s=s, v=v, a=a).split("\n"))
+        (s, v, a), out, course = letters_of(self.diagrams), self.diagrams.linkage.output, self.diagrams.course
+        turned = self.diagrams.linkage.coupler_point and not course.travel.sliding
+        rule, more = f"diagrams rule {self.drafting.notation}", {"diagrams even": course.lead, "diagrams turn": turned}
+        keys = rule, "diagrams explained", *(key for key, true in more.items() if true)
+        parts = {"s": s, "v": v, "a": a, "link": out.link, "point": out.point}
+        return tuple(line for key in keys for line in self.drafting.word(key, **parts).split("\n"))
 
     @property
     def widest(self) -> str:

@@ -169,7 +169,8 @@ def _travel(study: LinkageStudy) -> Iterator[str]:
     if extremes.sliding:
         yield f"H = {number(extremes.stroke, language, DIGITS)} {word(language, 'm')}"
     else:
-        yield f"ψ = {fixed(float(np.degrees(extremes.stroke)), language, ANGLE)}°"
+        letter = f"ψ_{study.output.link}" if study.coupler_point else "ψ"
+        yield f"{letter} = {fixed(float(np.degrees(extremes.stroke)), language, ANGLE)}°"
     if len(found.rests) == 2:
         yield f"K = {fixed(extremes.ratio, language, RATIO)}"
 

@@ -31,6 +31,7 @@ from drawings.symbols.symbols import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import CHANGE_POINT, POSITIONS
 
@@ -187,8 +188,7 @@ def _positions(pairs: Pairs) -> Iterable[Stroke]:
     """Draw the other positions thin; of very many, those between every so many only by a tick of the crank."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     extremes = {same(bones, k) for k in range(2)} if bones.extremes else set()
-    steps = len(bones.numbered) - (not bones.mechanism.drive.turns)
-    every = max(math.ceil(steps / MANY), 1)
+    every = drawn_every(bones.study)
     for k in range(len(bones.numbered)):
         if k == bones.shown or k in extremes:
             continue
@@ -198,6 +198,11 @@ def _positions(pairs: Pairs) -> Iterable[Stroke]:
             spot = place.on(bones.drive_end(k))
             ray = (spot - bones.pivot(place)) / bones.crank(place)
             yield symbols.tick(spot, 1j * ray, hand)
+
+
+def drawn_every(study: LinkageStudy) -> int:
+    """Tell which of the positions are drawn with all links: every so many from the first."""
+    return max(math.ceil((len(study.turn) - (not study.mechanism.drive.turns)) / MANY), 1)
 
 
 def _links(bones: Skeletons, poses: Poses, k: int, place: Place, style: LineStyle) -> Iterable[Stroke]:

@@ -13,8 +13,8 @@ import numpy as np
 from drawings.lettering.words import Phrase, Slot, fixed, number, phrase, slotted, span
 from drawings.linkage.equations import drawn_scales, equations, equations_of, shown_positions
 from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, subject
+from drawings.linkage.position_plan import drawn_every
 from drawings.page.page import drafting_of
-from drawings.paper.limits import MANY
 from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, Formula, display, inline, see
 from drawings.report.report import Report, chapter, gap_line, gap_lines, header, positions, row, tabled
@@ -343,8 +343,8 @@ def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence
     if asked:
         plans = ", ".join(map(str, asked))
         yield say("report.plans_drawn", plans=plans, count=count, shown=sheets[0].metadata["shown"])
-    if sheets and count > MANY:
-        yield say("report.ticks", count=count, most=MANY)
+    if sheets and (every := drawn_every(linkage)) > 1:
+        yield say("report.ticks", count=count, second=every, third=2 * every)
     shown = study.made & study.plans
     missing = [term(linkage.language, "plan", plan) for plan in (EXTREMES, *PLANS) if plan not in shown]
     if missing:

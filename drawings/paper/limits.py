@@ -18,7 +18,7 @@ CURVE_QUANTUM = math.sqrt(2) * 10.0**-CURVE_DECIMALS
 STATED_DIGITS = 12
 # Two divisions of a ruler's half millimetre (mm); a shorter force has no direction to the eye.
 SEEN = 1.0
-# Of more positions a sheet draws about so many with all their links, and the others by ticks: they would be one grey.
+# Of more positions a sheet draws at most so many with all their links, and the others by ticks: they would be one grey.
 MANY = 12
 # The version of a sheet's data: raised when an older reader would misread it. A reader refuses what is newer.
 FORMAT = 1

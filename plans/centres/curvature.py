@@ -143,7 +143,9 @@ class Inflection:
             point = self.board.lay_off(name, ray.pin, way, because("inflection_point", point=ray.pin.name))
         normal = self.board.square("n", self.pole, self.tangent, because("inflection_normal"))
         across = self.board.square(f"⊥{point.name}", point, ray.ray, because("inflection_angle"))
-        return self.board.meet(f"W_{self.link}", normal, across, why=because("inflection_pole", link=self.link))
+        end = self.board.meet(f"W_{self.link}", normal, across, why=because("inflection_pole", link=self.link))
+        self.lines += [(point, end), *([] if point is ray.pin else [(ray.pin, point)])]
+        return end
 
     def centre(self, name: str) -> Curvature | None:
         """Draw the centre of curvature of a point's path, and the radius to it from the point."""

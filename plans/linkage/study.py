@@ -23,7 +23,7 @@ from plans.linkage.sweep import FAN, NODES, Sweep, at_angles
 from plans.linkage.travel import ExtremePositions, extremes, output
 from plans.model.decomposition import decompose
 from plans.model.dyad import Assur
-from plans.model.mechanism import Mechanism, NoWorkingStroke, Output, StructureError
+from plans.model.mechanism import FRAME, Mechanism, NoWorkingStroke, Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,
     OUT_OF_REACH,
@@ -222,6 +222,12 @@ class LinkageStudy:
     def output(self) -> Output:
         """The output link."""
         return output(self.mechanism, self.groups)
+
+    @property
+    def coupler_point(self) -> str | None:
+        """The output's point, if no hinge holds its link to the frame: it goes as the link does not (точка шатуна)."""
+        out, links = self.output, self.mechanism.links
+        return out.point if links[FRAME].points.keys().isdisjoint(links[out.link].points) else None
 
     @cached_property
     def extreme_positions(self) -> ExtremePositions | None:

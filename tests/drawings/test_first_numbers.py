@@ -41,6 +41,8 @@ def test_the_greatest_balancing_moment_is_that_of_the_energy() -> None:
 def test_a_rocker_swings_and_has_rates_of_its_link_in_its_own_language() -> None:
     told = said("crank-rocker", ("[sheet]\n", '[sheet]\nlanguage = "ru"\n'))
     assert re.search(r"\nψ = [\d,]+°, K = 1,\d{4}, \|ω_3\|max = [\d,]+ рад/с \(положение \d+\), \|ε_3\|max", told)
+    coupler = said("crank-rocker", ("[sheet]\n", '[output]\npoint = "E"\n\n[sheet]\n'))
+    assert re.search(r"\nψ_2 = [\d.]+°, K = 1.\d{4}, \|v_E\|max", coupler)
 
 
 def test_a_plan_of_positions_alone_says_nothing_of_strokes_and_velocities() -> None:

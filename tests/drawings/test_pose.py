@@ -9,15 +9,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.centres.curves import curvature
 from drawings.centres.due import expected
 from drawings.centres.scheme import polygon
 from drawings.layout.picture import Spot
+from drawings.lettering.words import with_index
 from drawings.linkage.pose import pose
 from drawings.page.page import Field, Scale, drafting_of
 from drawings.paper.strokes import Circle, Line, SheetError
 from drawings.paper.walk import flat, texts
 from drawings.sheets.kind import sheet_kind
 from drawings.transfer.scheme import TurnedScheme
+from plans.centres.quantities import CentresComparison
 from plans.centres.study import CentresStudy
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
@@ -68,3 +71,18 @@ def test_open_centres_give_no_rate_and_their_sheet_says_so():
     told = {text.plain for leaf in leaves for text in texts(leaf.groups)}
     assert "—" in told and "nan" not in told
     assert not any(isinstance(one.value, float) and isnan(one.value) for one in expected(study, leaves))
+
+
+def test_a_curvature_bears_the_letters_of_its_construction_and_arrows_to_what_lies_off_it():
+    coupler = FOUR_BAR | {"points": "K = { on = 2, at = [0.2, 0.15] }"}
+    asked = {"drive": "link = 1; speed = 1; positions = 7", "centres": 'curvature = ["K"]'}
+    study = Study(parse_scene(scene('sheets = ["centres"]', **coupler, **asked)))
+    found, motion = study.of(CentresStudy), study.of(CentresComparison)
+    for k in range(7):
+        shown = curvature(found, "K", pose(found.linkage, motion.construction, k), k, drafting_of(study.scene))
+        far = dict(shown.away)
+        assert {*shown.near, *far} >= {"Q", "Q_K", "J_A", "O_K", "P_02"}
+        assert {text for _, text in shown.beside} >= {f"to {with_index(name)}" for name in far}
+        a, b, o, c = (motion.analysis.points[name].r[k] for name in "ABOC")
+        for start, end in ((a, b), (o, c)):  # Q is where the line of the pins meets that of their centres
+            assert abs(((shown.built["Q"] - start) / (end - start)).imag) < 1e-9
