@@ -43,8 +43,9 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
     letters = drafting.word("detail letters")
     sides = [force for force in shown.forces if force.kind != WHOLE]
     hidden = (run for run in _runs(sides, SEEN * mm) if min(abs(sides[k].value) for k in run) < SEEN * mm / USUAL)
-    many = [run for run in _runs(sides, drafting.hand.letter * mm / USUAL) if len(run) >= MANY]
-    runs = [*many, *(run for run in hidden if len(run) > 1 and not any({*run} & {*other} for other in many))]
+    runs = [run for run in hidden if len(run) > 1]
+    many = (run for run in _runs(sides, drafting.hand.letter * mm / USUAL) if len(run) >= MANY)
+    runs += [run for run in many if not any({*run} & {*other} for other in runs)]
     named = zip(letters[before:], runs, strict=False)
     return tuple(
         shown._replace(forces=tuple(sides[k] for k in run), rays=tuple(_stubs(sides, run)), detail=letter)
