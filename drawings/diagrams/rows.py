@@ -303,7 +303,7 @@ class DiagramsFrame(RowFrame[DiagramRow]):
         )
         up = f"{row.letter}, {plate.drafting.word(row.unit)}"
         ends = graph.ends((plate.length, TURNED), (row.span[1], up))
-        return Part(graph.name, lines, (*ends, *self._turned(row, graph), *self._numbers(row, graph)))
+        return Part(graph.name, lines, (*ends, *self._numbers(row, graph), *self._turned(row, graph)))
 
     def _turned(self, row: DiagramRow, graph: Graph) -> Iterator[Letter]:
         """Letter where a curve is greatest or least between two positions with the angle turned."""

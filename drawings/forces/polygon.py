@@ -28,6 +28,7 @@ from plans.forces.cut import CutGroup, ForcePlan
 from plans.model.motion import NOTHING
 
 USUAL = 2.0  # times its least size: a plan is seldom drawn larger, and what is seen then needs no detail
+MANY = 4  # sides one after another that are shorter than their letters: these stand nearer to one another's
 STUB = 0.2  # of a detail's size: how far the sides on either side of it are followed
 DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its letters large, and at most
 
@@ -35,14 +36,16 @@ DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its 
 def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int) -> tuple[ForcePolygon, ...]:
     """Give the details of a force plan: of each run of sides that are not seen where it is drawn at its least size.
 
-    One in which all would be seen at the usual size has none; of a lone one the sheet lists the name.
-    `before` details of other plans have the first letters.
+    One in which all would be seen at the usual size has none, unless there are `MANY` shorter than their letters even
+    then; of a lone one the sheet lists the name. `before` details of other plans have the first letters.
     """
-    least = SEEN * max(room.wide, room.high) / room.least if room.least else 0.0
+    mm = max(room.wide, room.high) / room.least if room.least else 0.0  # N, at the least size
     letters = drafting.word("detail letters")
     sides = [force for force in shown.forces if force.kind != WHOLE]
-    hidden = (run for run in _runs(sides, least) if min(abs(sides[k].value) for k in run) < least / USUAL)
+    hidden = (run for run in _runs(sides, SEEN * mm) if min(abs(sides[k].value) for k in run) < SEEN * mm / USUAL)
     runs = [run for run in hidden if len(run) > 1]
+    many = (run for run in _runs(sides, drafting.hand.letter * mm / USUAL) if len(run) >= MANY)
+    runs += [run for run in many if not any({*run} & {*other} for other in runs)]
     named = zip(letters[before:], runs, strict=False)
     return tuple(
         shown._replace(forces=tuple(sides[k] for k in run), rays=tuple(_stubs(sides, run)), detail=letter)

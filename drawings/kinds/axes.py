@@ -70,8 +70,9 @@ class Parts(NamedTuple):
         return *self.still, *(line for part in self.parts for line in part.lines)
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give all the parts, lettered."""
-        return *self.still, *(group for part in self.parts for group in part.letter(labels))
+        """Give all the parts, lettered: poles, which come last, first, for their dimensions' letters have one place."""
+        lettered = [part.letter(labels) for part in reversed(self.parts)]
+        return *self.still, *(group for groups in reversed(lettered) for group in groups)
 
 
 def caption(title: str, scales: str, field: Field, hand: Hand, stacked: bool = False) -> Group:

@@ -15,7 +15,7 @@ from drawings.layout.parallel_offsets import nearest
 from drawings.layout.standing import barest
 from drawings.lettering.lettering import bounds
 from drawings.page.page import Field
-from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text
 from drawings.paper.walk import MARGIN, flat
 from geometry.curve import sampled
 from plans.model.motion import Complexes, Floats
@@ -53,6 +53,8 @@ class Ink:
         self._uncelled += inked
         self._unpieced += [(stroke, weight) for stroke in inked]
         self._marks += [stroke for stroke in inked if isinstance(stroke, Circle) and stroke.radius <= MARK]
+        heads = (stroke.points for stroke in inked if isinstance(stroke, Fill) and len(stroke.points) == 3)
+        self._marks += [Circle(sum(head) / 3, abs(head[1] - head[2]) / 2, INK) for head in heads]
         self._bare.clear()
 
     def bare(self, field: Field) -> Field:
@@ -70,7 +72,7 @@ class Ink:
         return self._celled().along(start, end)
 
     def passed(self, start: complex, end: complex, own: float) -> int:
-        """Count the marks of points that a straight line passes through, but those as near its start as its own, mm."""
+        """Count the marks of points and heads of arrows that a line passes, but those as near its start as its own."""
         others = (mark for mark in self._marks if abs(mark.centre - start) > own)
         return sum(abs(nearest(start, end, mark.centre) - mark.centre) < mark.radius for mark in others)
 

@@ -97,6 +97,7 @@ def _marked(note: str, language: str) -> str:
 EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 KEPT = 1.0  # mm inside the frame that letters keep clear of
 ROUNDS = 4  # of composing: the remarks that follow from one composition are mostly those of the next
+WELL = 1.25  # sizes that its letters need: a figure is read well a standard step above them
 TIGHT = 0.75  # of the step of lines: where they stand nearer, an index comes near the letters below it
 ENTRIES = ("drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
 
@@ -124,7 +125,10 @@ def fits_on(scene: Scene, draft: Draft, count: int) -> bool:
 
 
 def _chosen(scene: Scene, draft: Draft, followed: bool) -> "_Leaves":
-    """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
+    """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets.
+
+    One of whose figures hardly any is larger than its letters need gives way to one that draws all of them well.
+    """
     if not draft.instead:
         return _Leaves(scene, draft, followed).settled
     best, *others = (_Leaves(scene, way, followed) for way in (draft, *draft.instead))
@@ -132,6 +136,8 @@ def _chosen(scene: Scene, draft: Draft, followed: bool) -> "_Leaves":
         lack, sheets = best.cost
         if lack or (sheets > 1 and way.fits(sheets - 1)):
             best = min(best, way, key=lambda leaves: leaves.cost)
+        elif best.least(best) < WELL <= way.least(best) and way.cost <= best.cost:
+            best = way
     return best
 
 
@@ -193,13 +199,21 @@ class _Leaves:
     def cost(self) -> tuple[float, int]:
         """Count the figures too small for their letters, by how much, and the sheets; infinite, if it has no room."""
         try:
-            spots = self.spots
+            sizes = self.sizes.values()
         except SheetError:
             return math.inf, 0
-        pictures = (part.panel.item for part in self.draft.shows if isinstance(part.panel.item, Picture))
-        sizes = ((picture.extent(spots[picture.name].scale), picture.least) for picture in pictures)
-        lack = sum(1 - size / least for size, least in sizes if 0 < size < least * SMALLER)
-        return lack, len(self.composed)
+        return sum(1 - size for size in sizes if size < SMALLER), len(self.composed)
+
+    @cached_property
+    def sizes(self) -> Mapping[str, float]:
+        """How large the figures are, in the sizes that their letters need; a point has none."""
+        pictures = [part.panel.item for part in self.draft.shows if isinstance(part.panel.item, Picture)]
+        extents = [(picture, picture.extent(self.spots[picture.name].scale)) for picture in pictures]
+        return {picture.name: size / picture.least for picture, size in extents if size and picture.least}
+
+    def least(self, other: "_Leaves") -> float:
+        """Give the size of the smallest figure that another draft shows too; none where this one has no room."""
+        return min((self.sizes[name] for name in other.sizes), default=math.inf) if self.cost[1] else 0.0
 
     def fits(self, count: int) -> bool:
         """Tell whether so many sheets keep every figure readable; none do where one has no room."""

@@ -19,6 +19,7 @@ from drawings.cam.law_frame import LawPlate
 from drawings.cam.manufacturing import Manufacture, manufacture
 from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, CamNotes
 from drawings.cam.profile_view import OUTER, PITCH, WORKING, ProfileView, profile_curve
+from drawings.cam.sheet import leaves as sheets_of_cams
 from drawings.cam.sheet import workshop_sheets
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
@@ -77,6 +78,12 @@ def test_where_nothing_takes_it_at_its_own_size_it_lies_on_the_format_of_the_sce
     (leaf,) = made("rocker", "A4")[1]
     assert leaf.width == 210.0
     assert {one.scale for one in read_back(leaf).vectors} == {0.002}
+
+
+def test_sizes_hardly_larger_than_their_letters_stand_beside_another_draft_in_which_all_is_larger() -> None:
+    found = read_scene(GALLERY / "feed-cam.toml")
+    leaves = sheets_of_cams(Study(found.changed(sheet=found.sheet.changed(format="A3"))))
+    assert any(text.plain.endswith("(2:1)") for leaf in leaves for text in texts(leaf.groups))
 
 
 PAPER = 1.5e-7  # m: rounding of a point on a sheet, at its smallest scale in these tests

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from drawings.kinds import bar_chart, curve_graph, hodograph
+from drawings.kinds.axes import OVER, Axes, Letter, Part, Parts, Pole
 from drawings.kinds.curve_graph import GraphCurve
 from drawings.kinds.hodograph import Hodograph
 from drawings.layout.ink import Ink
@@ -93,6 +94,16 @@ def test_a_curve_that_outgrows_its_positions_beside_a_gap_is_broken_there() -> N
     assert np.nanmax(np.abs(kept)) <= 2 * np.max(np.abs(own))
     assert np.nanmax(np.abs(dense)) > 10 * np.max(np.abs(own))
     assert curve_graph.bounded(CURVE.values, 0.0 * CURVE.ordinates) is CURVE.values
+
+
+def test_the_letter_of_a_pole_distance_stands_over_it_before_any_number_of_a_graph() -> None:
+    axes, ink = Axes(100 + 100j, Scale(1.0, "φ", "°"), Scale(1.0, "a", "m/s2")), Ink(400.0, 300.0)
+    pole = Pole(("P_2", "H_2"), 15.0, np.array([9.0]), np.array([10.0]), 3.0, 20j).part("pole", axes, HAND)
+    parts = Parts((), (Part("row", (), (Letter(pole.letters[1].at, "15", HAND.number, OVER),)), pole))
+    ink.draw(parts.lines)
+    drawn = flat(Group(parts.letter(Labels(ink, HAND.drafted))))
+    number, _, distance = (stroke for stroke in drawn if isinstance(stroke, Text))
+    assert (number.plain, distance.plain) == ("15", "H2") and distance.at.imag > 120 > number.at.imag
 
 
 def force(phi: np.ndarray) -> np.ndarray:

@@ -151,11 +151,11 @@ def test_a_number_along_a_guide_is_nearest_to_its_own_tick_or_led_to_it() -> Non
     assert along > 3
 
 
-@pytest.mark.parametrize(("long", "marks"), [(1.0, []), (0.2, [Circle(58 + 50j, 1.0)])])
-def test_a_leader_runs_along_no_line_and_through_no_mark(long: float, marks: list[Circle]) -> None:
+@pytest.mark.parametrize("marks", [[], [Circle(58 + 50j, 1.0)], [Fill((58 + 53.3j, 57 + 48.3j, 59 + 48.3j))]])
+def test_a_leader_runs_along_no_line_and_through_no_mark_or_head(marks: list[Stroke]) -> None:
     """Of two bare places the nearer lies straight along the ray that the pivot's letter should stand on."""
     near, far, sheet = Field(64, 46, 74, 54), Field(46, 70, 54, 82), Ink(100, 100)
-    rules = [Line(complex(x, y), complex(x + long, y)) for x in range(99) for y in range(99)]
+    rules = [Line(complex(x, y), complex(x + (0.2 if marks else 1.0), y)) for x in range(99) for y in range(99)]
     sheet.draw([*marks, *(line for line in rules if not any(field.holds(line.start + 0.5) for field in (near, far)))])
     assert any(far.holds(text.at) for text in texts([Labels(sheet, A1.drafted).beside(50 + 50j, "O", 5, 3, 0.0)]))
 
