@@ -272,21 +272,11 @@ def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
 
 
 SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78)  # where along a bar its number may stand
-
-
 OFFS = (0.6, 2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0)  # mm between a bar and the circle
-
-
 LED = 2.0  # mm: from further off a leader leads to the link
 APART = 1.0  # mm that a number without a leader must be further from any other link than from its own
-
-
 DOT = 0.5  # mm, radius of the dot that a leader ends with on its link
-
-
 ROUND = 0.85  # radius of the circle, in sizes of its number: of two digits it is wider
-
-
 DIRECTIONS = 16
 
 
@@ -300,7 +290,7 @@ class NumberPlace(NamedTuple):
 
 def link_numbers(
     joints: Joints, links: list[int], labels: Labels, hand: Hand, parts: Sequence[Joints] = ()
-) -> Iterator[Stroke]:
+) -> Iterator[Group]:
     """Number the links where all figures leave room, no number nearer to another link, of other `parts` either."""
     for link in links:
         rows = [(part, line) for part in parts or (joints,) for line in part.outlines]
@@ -356,7 +346,7 @@ def _radius(content: str, hand: Hand) -> float:
 
 def _number(
     content: str, spots: list[NumberPlace], labels: Labels, hand: Hand, others: Sequence[Segment] = ()
-) -> Stroke:
+) -> Group:
     """Draw a number in its circle at the first free place, with a leader where that is not beside its link alone."""
     radius = _radius(content, hand)
 

@@ -71,10 +71,7 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
 
 
 def taken(study: LinkageStudy, language: str) -> str:
-    """Say which motion the speeds are of where they are those of the machine's own: its motor's or a constant moment's.
-
-    A motor turns otherwise than the constant moment by which fluctuation and flywheel are found.
-    """
+    """Say of the machine's own speeds whether its motor or a constant moment makes them, by which they differ."""
     if study.pace is None or study.mechanism.drive.ram is not None or study.mechanism.drive.pushed:
         return ""
     return f" ({word(language, 'with motor' if study.scene.has(('dynamics', 'motor')) else 'under constant moment')})"

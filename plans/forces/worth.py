@@ -61,9 +61,8 @@ def worth(statics: Statics, forces: Kinetostatics) -> PositionWorth:
     done = np.round(sizes / (np.nanmax(sizes, initial=0.0) or 1.0), PLACES)
     rows = {name: np.where(np.isnan(done), np.nan, row) for name, row in _plans(statics)}
     shares = np.round(moments / (np.nanmax(moments, initial=0.0) or 1.0), PLACES)
-    return PositionWorth(
-        loaded, done, rows, shares, tuple(k for k, row in rows.items() if not np.any(row[done > 0.0] >= FLAT))
-    )
+    lines = tuple(k for k, row in rows.items() if not np.any(row[done > 0.0] >= FLAT))
+    return PositionWorth(loaded, done, rows, shares, lines)
 
 
 def _plans(statics: Statics) -> Iterator[tuple[str, Floats]]:

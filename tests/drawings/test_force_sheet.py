@@ -169,8 +169,7 @@ def test_beside_an_extreme_a_position_is_not_worth_its_greater_work() -> None:
     rows = {name: np.array(row) for name, row in open_.items()}
     rated = PositionWorth(True, np.array([0.0, 1.0, 0.694]), rows, np.ones(3))
     assert np.argmax(rated.sizes) == 2
-    unbalanced = rated._replace(balancing=np.array([0.5, 1.0, 0.005]))  # a moment less than the slips of a hand
-    assert np.argmax(unbalanced.sizes) != 2
+    assert np.argmax(rated._replace(balancing=np.array([0.5, 1.0, 0.005])).sizes) != 2  # less than the slips of a hand
 
 
 @pytest.mark.rest

@@ -79,9 +79,7 @@ ROWS = {
         gallery("shaking-yoke", "balancing"), [r"$\bar h_{3}$ = $m_{3}$·$\bar l_{BS_{3}}$/m = ", "m ∠ 21.801° from "]
     ),
     "whose speeds plans are drawn at": Row(
-        gallery("planer", "dynamics")
-        .replace('"dynamics"]', '"dynamics", "kinematics"]', 1)
-        .replace("[drive]\n", '[drive]\nspeed_from = "dynamics"\n'),
+        gallery("planer", "kinematics").replace("[drive]\n", '[drive]\nspeed_from = "dynamics"\n'),
         ["(of the machine's steady motion under a constant driving moment)"],
     ),
     "what is balanced already needs nothing": Row(
