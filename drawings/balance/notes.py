@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -12,6 +13,7 @@ import numpy as np
 
 from drawings.lettering.words import FORCE, counterweight, lowered, with_index
 from drawings.page.page import Drafting
+from drawings.report.formula import BAR
 from drawings.report.report import ANGLE
 from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices
@@ -78,11 +80,22 @@ class Equations(NamedTuple):
         along = line_of(self.mechanism, stem.link, stem.begin)
         arms = [moment.arm / along for moment in moments]
         parts = [lowered(f"h_{stem.link}"), f"{bracketed([moment.letters for moment in moments])}/m"]
-        if all(map(straight, arms)):  # else they are added as vectors
+        if all(map(straight, arms)):
             terms = [self._term(moment.mass, arm.real) for moment, arm in zip(moments, arms, strict=True)]
             parts.append(f"{bracketed(terms)}/{self._number(self.mass)}")
+        else:  # they are added as vectors
+            parts = [re.sub(r"\b[hl](?=_)", rf"\g<0>{BAR}", part) for part in parts]
         size = sum(moment.mass * abs(moment.arm) for moment in moments) / self.mass
-        return EQUALS.join([*parts, f"{self.vector(vector / along, size)}{NO_BREAK}{self.drafting.word('m')}"])
+        return EQUALS.join([*parts, self.main_point(stem, vector, size)])
+
+    def main_point(self, stem: Stem, vector: complex, size: float) -> str:
+        """Write the vector of a main point, m; its direction is counted from the line of its link."""
+        points = self.mechanism.links[stem.link].points
+        long, _, turned = self.vector(vector / line_of(self.mechanism, stem.link, stem.begin), size).partition(ANGLE)
+        end = next((name for name, place in points.items() if place != points[stem.begin]), None)
+        line = f"{stem.begin}{end}" if end else f"x_{{{stem.link}}}"
+        told = f"{long}{NO_BREAK}{self.drafting.word('m')}"
+        return f"{told}{ANGLE}{self.drafting.word('angle from', angle=turned, line=line)}" if turned else told
 
     def _term(self, mass: float, arm: float) -> str:
         return f"{'−' if arm < 0 else ''}{self._number(mass)}·{self._number(abs(arm))}"
@@ -271,7 +284,7 @@ class BalanceNotes(NamedTuple):
             vector, letter = vectors[stem.link], lowered(f"h_{stem.link}")
             text = self.equations.vector(vector / line_of(self.mechanism, stem.link, stem.begin), reach)
             if text != "0":
-                yield f"{letter} = {text} {self.drafting.word('m')}"
+                yield f"{letter} = {self.equations.main_point(stem, vector, reach)}"
             else:
                 none.append(letter)
         if none:

@@ -67,6 +67,8 @@ class DynamicsNotes(NamedTuple):
         else:
             yield self.drafting.phrase("dynamics asked", **speed, delta=self.fluctuation(self.task.delta))
         yield from self.given
+        if self.account.run is not None and self.account.speeds is not None:
+            yield self.drafting.word("constant moment here")
 
     def works(self) -> Iterator[str]:
         """Say what the loads take in a turn, and by what moment the drive gives it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
@@ -15,12 +15,13 @@ import numpy as np
 from drawings.kinds.outlines import Bones, LinkOutline, is_centre, offset_foot, outlines, places
 from drawings.layout.ink import LETTERED, padded
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.parallel_offsets import nearest
+from drawings.layout.parallel_offsets import Segment, nearest
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import bounds
 from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.walk import tied
 from drawings.symbols import symbols
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, HINGE, MASS, POINT, STONE
@@ -271,20 +272,11 @@ def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
 
 
 SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78)  # where along a bar its number may stand
-
-
 OFFS = (0.6, 2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0)  # mm between a bar and the circle
-
-
 LED = 2.0  # mm: from further off a leader leads to the link
-
-
+APART = 1.0  # mm that a number without a leader must be further from any other link than from its own
 DOT = 0.5  # mm, radius of the dot that a leader ends with on its link
-
-
 ROUND = 0.85  # radius of the circle, in sizes of its number: of two digits it is wider
-
-
 DIRECTIONS = 16
 
 
@@ -296,11 +288,15 @@ class NumberPlace(NamedTuple):
     off: float
 
 
-def link_numbers(joints: Joints, links: list[int], labels: Labels, hand: Hand) -> Iterator[Stroke]:
-    """Number the links where the lines of all figures leave room."""
+def link_numbers(
+    joints: Joints, links: list[int], labels: Labels, hand: Hand, parts: Sequence[Joints] = ()
+) -> Iterator[Group]:
+    """Number the links where all figures leave room, no number nearer to another link, of other `parts` either."""
     for link in links:
+        rows = [(part, line) for part in parts or (joints,) for line in part.outlines]
+        others = [bar for part, line in rows if (part, line.link) != (joints, link) for bar in part.placed(line)]
         spots = [spot for spot in _spots(joints, link, hand) if not cmath.isnan(spot.middle)]
-        yield from (_number(str(link), spots, labels, hand),) if spots else ()
+        yield from (_number(str(link), spots, labels, hand, others),) if spots else ()
 
 
 def frame_number(joints: Joints, labels: Labels, hand: Hand) -> Iterator[Stroke]:
@@ -316,10 +312,11 @@ def frame_number(joints: Joints, labels: Labels, hand: Hand) -> Iterator[Stroke]
 def _spots(joints: Joints, link: int, hand: Hand) -> Iterator[NumberPlace]:
     """Give the places beside a link, the nearest first; beside a block where the link is no more than one."""
     radius = _radius(str(link), hand)
-    outlines = (outline for outline in joints.outlines if outline.link == link)
-    bars = [bar for outline in outlines for bar in joints.placed(outline) if abs(bar[1] - bar[0]) > 4 * radius]
+    lines = [bar for outline in joints.outlines if outline.link == link for bar in joints.placed(outline)]
+    bars = [bar for bar in lines if abs(bar[1] - bar[0]) > 4 * radius]
     if not bars:
-        yield from _around(_middle(joints, link), link, abs(complex(*BLOCK)) / 2 * joints.hand.symbol, hand)
+        clear = 0.0 if lines else abs(complex(*BLOCK)) / 2 * joints.hand.symbol
+        yield from _around(_middle(joints, link), link, clear, hand)
     for off in OFFS if bars else ():
         for share in SHARES:
             for start, end in bars:
@@ -347,12 +344,18 @@ def _radius(content: str, hand: Hand) -> float:
     return max(ROUND * hand.text, abs(complex(right - left, top - bottom)) / 2 + 0.15 * hand.text)
 
 
-def _number(content: str, spots: list[NumberPlace], labels: Labels, hand: Hand) -> Stroke:
-    """Draw a number in its circle at the first free place, with a leader where that is not beside its link."""
+def _number(
+    content: str, spots: list[NumberPlace], labels: Labels, hand: Hand, others: Sequence[Segment] = ()
+) -> Group:
+    """Draw a number in its circle at the first free place, with a leader where that is not beside its link alone."""
     radius = _radius(content, hand)
 
     def covered(spot: NumberPlace) -> int:
-        through = labels.ink.along(spot.middle, spot.foot)[0] // LETTERED if spot.off > LED else 0
+        if spot.off > LED:
+            through = labels.ink.along(spot.middle, spot.foot)[0] // LETTERED
+        else:
+            far = radius + spot.off + APART
+            through = LETTERED * any(tied(abs(spot.middle - nearest(*bar, spot.middle)) - far) < 0 for bar in others)
         return labels.ink.under(padded((0.0, 0.0, 0.0, 0.0), spot.middle, radius + 0.4)) + through
 
     spot = next((spot for spot in spots if not covered(spot)), None) or min(spots, key=covered)

@@ -64,9 +64,17 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
         return word(language, "cylinder", **parts, **cylinder_law(study, drive.ram))
     if not drive.pushed:
         key = "crank" if np.any(rates.epsilon) else "even crank"
-        return word(language, key, link=drive.link, omega=omega, **({"epsilon": epsilon} if key == "crank" else {}))
+        said = word(language, key, link=drive.link, omega=omega, **({"epsilon": epsilon} if key == "crank" else {}))
+        return f"{said}{taken(study, language)}"
     ends = (number(1000 * drive.unit * float(phi), language) for phi in study.turn.phi[[0, -1]])
     return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
+
+
+def taken(study: LinkageStudy, language: str) -> str:
+    """Say of the machine's own speeds whether its motor or a constant moment makes them, by which they differ."""
+    if study.pace is None or study.mechanism.drive.ram is not None or study.mechanism.drive.pushed:
+        return ""
+    return f" ({word(language, 'with motor' if study.scene.has(('dynamics', 'motor')) else 'under constant moment')})"
 
 
 def cylinder_law(study: LinkageStudy, ram: Ram) -> dict[str, str]:

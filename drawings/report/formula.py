@@ -29,6 +29,7 @@ class Chapters(NamedTuple):
 
 
 DIGITS = 5  # of a number of the report
+BAR = "\N{COMBINING MACRON}"  # over the letter of a vector in a note
 DIRECTION, FULL = 1, 2  # lines under a vector: its direction alone is known, or all of it
 SIGNS = {
     "ω": r"\omega", "ε": r"\varepsilon", "φ": r"\varphi", "μ": r"\mu", "Φ": r"\Phi", "τ": r"\tau", "η": r"\eta",
@@ -148,7 +149,7 @@ def _index(index: str) -> str:
 # A letter with an index, which a note has in braces and a name of a quantity bare: F_{us}, m_ID_I, R^t_12, J_0^*.
 _SIGN = r"(?:(?![²³])\w)"
 _ONE = (
-    r"[A-Za-zΑ-Ωα-ω]'*(?:\^(?:\{[^{}]*\}|[^\W\d_]))?_"
+    rf"[A-Za-zΑ-Ωα-ω]{BAR}?'*(?:\^(?:\{{[^{{}}]*\}}|[^\W\d_]))?_"
     rf"(?:\{{[^{{}}]*\}}|[^\W_]+?(?=[A-Za-z]_)|[−-]?{_SIGN}(?:(?:{_SIGN}|[.,])*{_SIGN})?)'*(?:\^\*)?"
 )
 _LETTERS = re.compile(
@@ -180,7 +181,9 @@ def _written(found: re.Match[str], language: str) -> str:
         return rf"$\lvert {letter(found['size'], language)}\rvert_{{\text{{max}}}}$"
     if found["raised"]:
         return f"${letter(found['raised'], language)}$"
-    return f"${found['before']}{''.join(letter(part, language) for part in re.findall(_ONE, found['letters']))}$"
+    parts = re.findall(_ONE, found["letters"])
+    written = (r"\bar " * (BAR in part) + letter(part.replace(BAR, ""), language) for part in parts)
+    return f"${found['before']}{''.join(written)}$"
 
 
 GREEK = {sign: letter for letter, sign in SIGNS.items()}

@@ -109,7 +109,7 @@ def _letters(
         yield from one.letters(one.named, labels)
         for joint in (joint for joint in one.bones.joints if joint.nature == CONTACT):
             yield labels.beside(one.place.on(joint.at), joint.letter, drafting.hand.letter, 1.0)
-        yield from link_numbers(one, one.bones.links, labels, drafting.hand)
+        yield from link_numbers(one, one.bones.links, labels, drafting.hand, pairs)
         if len(shown.parts) == 1:
             yield from frame_number(one, labels, drafting.hand)
 

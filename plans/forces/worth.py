@@ -26,6 +26,7 @@ class PositionWorth(NamedTuple):
     loaded: bool  # does any useful load do work?
     done: Floats  # the power of the useful loads as a share of its greatest; of a machine without any |M_bal|
     open: dict[str, Floats]  # by the names of plans, "velocities" or "forces-4-5"
+    balancing: Floats  # |M_bal| as a share of its greatest
     lines: tuple[str, ...] = ()  # those that are lines wherever loads act: no position is better for them
 
     @property
@@ -34,10 +35,12 @@ class PositionWorth(NamedTuple):
 
         At a dead centre no load does work, and one plan that is a line makes the whole mean nothing. A plan that is a
         line wherever loads act, as that of two forces is, tells no position from another: it is not counted. Where a
-        hand sees a plan of the motion as one line, beside a dead centre or an extreme, it is worth a tenth.
+        hand sees a plan of the motion as one line, beside a dead centre or an extreme, it is worth a tenth; as much
+        where hardly any moment balances, of which the slips of a hand leave nothing.
         """
         rows = {name: row for name, row in self.open.items() if name not in self.lines}
         lines = [rows[name] < FLAT for name in (VELOCITIES.plan, ACCELERATIONS.plan) if name in rows]
+        lines.append(self.balancing < FLAT)
         mean = np.prod([*rows.values()], axis=0) ** (1.0 / max(len(rows), 1))
         return np.asarray(np.round(self.done * np.where(np.any(lines, axis=0), FLAT, 1.0) * mean, PLACES))
 
@@ -57,7 +60,9 @@ def worth(statics: Statics, forces: Kinetostatics) -> PositionWorth:
     sizes = power if loaded else moments
     done = np.round(sizes / (np.nanmax(sizes, initial=0.0) or 1.0), PLACES)
     rows = {name: np.where(np.isnan(done), np.nan, row) for name, row in _plans(statics)}
-    return PositionWorth(loaded, done, rows, tuple(k for k, row in rows.items() if not np.any(row[done > 0.0] >= FLAT)))
+    shares = np.round(moments / (np.nanmax(moments, initial=0.0) or 1.0), PLACES)
+    lines = tuple(k for k, row in rows.items() if not np.any(row[done > 0.0] >= FLAT))
+    return PositionWorth(loaded, done, rows, shares, lines)
 
 
 def _plans(statics: Statics) -> Iterator[tuple[str, Floats]]:

@@ -159,7 +159,7 @@ def test_worth_is_stable_against_last_bits() -> None:
     rows = np.array([0.0, 0.9, 0.9, 0.0])
     for bit in (-1e-12, 1e-12):
         open_ = {"velocities": np.array([0.0, 0.5, 0.5 - bit, 0.0])}
-        rated = PositionWorth(True, rows + np.array([0, 0, bit, 0]), open_)
+        rated = PositionWorth(True, rows + np.array([0, 0, bit, 0]), open_, rows)
         assert int(np.argmax(rated.sizes)) == 1
 
 
@@ -167,7 +167,9 @@ def test_beside_an_extreme_a_position_is_not_worth_its_greater_work() -> None:
     """A crusher's loads do most 2 degrees after its extreme, where the velocity plan is a line a hand cannot open."""
     open_ = {"velocities": [0.5, 0.04, 0.547], "accelerations": [0.9, 0.861, 0.178], "forces-2-3": [0.2, 0.668, 0.565]}
     rows = {name: np.array(row) for name, row in open_.items()}
-    assert np.argmax(PositionWorth(True, np.array([0.0, 1.0, 0.694]), rows).sizes) == 2
+    rated = PositionWorth(True, np.array([0.0, 1.0, 0.694]), rows, np.ones(3))
+    assert np.argmax(rated.sizes) == 2
+    assert np.argmax(rated._replace(balancing=np.array([0.5, 1.0, 0.005])).sizes) != 2  # less than the slips of a hand
 
 
 @pytest.mark.rest

@@ -12,6 +12,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from drawings.checks.hold import distance, labels_of
+from drawings.kinds.scheme import link_numbers
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
@@ -149,6 +150,16 @@ def test_a_number_along_a_guide_is_nearest_to_its_own_tick_or_led_to_it() -> Non
         along += own < 20  # farther off is the crank
         assert own > 20 or own <= least + HAIR
     assert along > 3
+
+
+def test_a_number_of_a_link_is_nearest_to_its_own_or_led_to_it() -> None:
+    """The crank of 5 mm is shorter than the circle with its number, and the rod begins at its end."""
+    found, sheet = drawn("eccentric"), Ink(500, 500)
+    sheet.draw(found.strokes())
+    pairs = Pairs(found.bones, found.place, A1)
+    ((ring, _, *led),) = (one.strokes for one in link_numbers(pairs, [1], Labels(sheet, A1.drafted), A1))
+    off = {one.link: [shape(Line(*bar)).distance(shape(ring)) for bar in pairs.placed(one)] for one in pairs.outlines}
+    assert led or off[1] < off[2]
 
 
 @pytest.mark.parametrize("marks", [[], [Circle(58 + 50j, 1.0)], [Fill((58 + 53.3j, 57 + 48.3j, 59 + 48.3j))]])

@@ -75,6 +75,13 @@ ROWS = {
             "- Gravity: (0; −9.81) m/s²",
         ],
     ),
+    "a main point off its link's line is a vector, at the angle of S (10; 4)": Row(
+        gallery("shaking-yoke", "balancing"), [r"$\bar h_{3}$ = $m_{3}$·$\bar l_{BS_{3}}$/m = ", "m ∠ 21.801° from "]
+    ),
+    "whose speeds plans are drawn at": Row(
+        gallery("planer", "kinematics").replace("[drive]\n", '[drive]\nspeed_from = "dynamics"\n'),
+        ["(of the machine's steady motion under a constant driving moment)"],
+    ),
     "what is balanced already needs nothing": Row(
         balanced("still"),
         ["Balanced in this way already: no counterweight is needed"],
