@@ -43,8 +43,8 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
     least = max(room.wide, room.high) / room.least if room.least else 0.0
     letters = drafting.word("detail letters")
     sides = [force for force in shown.forces if force.kind != WHOLE]
-    runs = _runs(sides, CLEAR * least)
-    hidden = (run for run in runs if min(abs(sides[k].value) for k in run) < SEEN * least / USUAL)
+    short = _runs(sides, CLEAR * least)
+    hidden = (run for run in short if min(abs(sides[k].value) for k in run) < SEEN * least / USUAL)
     runs = [run for run in hidden if len(run) > 1]
     named = zip(letters[before:], runs, strict=False)
     return tuple(
