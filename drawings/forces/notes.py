@@ -172,6 +172,8 @@ def _friction(statics: Statics, comparison: ForceComparison, position: int, lang
     coefficients = sorted({pair.coefficient for pair in statics.machine.friction.values()})
     given = "; ".join(number(coefficient, language) for coefficient in coefficients)
     yield joined("", (f"{word(language, 'coefficients', f=given)}: ", joined(", ", lines)))
+    if any(pair.coefficient * pair.radius > 0 for pair in statics.machine.friction.values()):
+        yield word(language, "friction circles")
     if found.wear:
         slots = {key: Slot(f"wear {key}", 100 * share, 3) for key, share in found.wear.items() if share > NOTHING}
         worn = (joined(NBSP, (key, numbered(language, slot), "%")) for key, slot in slots.items())

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from drawings.forces.arms import largest
 from drawings.forces.letters import CLOSING, WHOLE, letter_of
-from drawings.kinds.polygon import Chain, LaidVector, ShownVector, carriers, ends, lay, letters, margins
+from drawings.kinds.polygon import Chain, ShownVector, carriers, ends, lay, letters, margins
 from drawings.kinds.vector_plan import LEAST, directions
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
@@ -30,6 +30,8 @@ from plans.model.motion import NOTHING
 USUAL = 2.0  # times its least size: a plan is seldom drawn larger, and what is seen then needs no detail
 MANY = 4  # sides one after another that are shorter than their letters: these stand nearer to one another's
 STUB = 0.2  # of a detail's size: how far the sides on either side of it are followed
+HEADED = 1.5  # mm: the shortest side of a detail, as far as its greatest size allows it
+CLEAR = 3.0  # mm: a shorter side beside one that is not seen is shown in the same detail
 DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its letters large, and at most
 
 
@@ -39,12 +41,13 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
     One in which all would be seen at the usual size has none, unless there are `MANY` shorter than their letters even
     then; of a lone one the sheet lists the name. `before` details of other plans have the first letters.
     """
-    mm = max(room.wide, room.high) / room.least if room.least else 0.0  # N, at the least size
+    least = max(room.wide, room.high) / room.least if room.least else 0.0
     letters = drafting.word("detail letters")
     sides = [force for force in shown.forces if force.kind != WHOLE]
-    hidden = (run for run in _runs(sides, SEEN * mm) if min(abs(sides[k].value) for k in run) < SEEN * mm / USUAL)
+    short = _runs(sides, CLEAR * least)
+    hidden = (run for run in short if min(abs(sides[k].value) for k in run) < SEEN * least / USUAL)
     runs = [run for run in hidden if len(run) > 1]
-    many = (run for run in _runs(sides, drafting.hand.letter * mm / USUAL) if len(run) >= MANY)
+    many = (run for run in _runs(sides, drafting.hand.letter * least / USUAL) if len(run) >= MANY)
     runs += [run for run in many if not any({*run} & {*other} for other in runs)]
     named = zip(letters[before:], runs, strict=False)
     return tuple(
@@ -102,6 +105,11 @@ class ForcePolygon(NamedTuple):
         ends = [end for force in self.forces for end in (force.at, force.end)]
         return [*ends, *(end for ray in self.rays for end in ray)] if self.detail else [0j, *ends]
 
+    @property
+    def enlarged(self) -> set[str]:
+        """The names of what its details show."""
+        return {side.name for detail in self.details for side in detail.forces}
+
     def faint(self, mu: float) -> tuple[str, ...]:
         """Name the forces that are not to be seen at a scale, N/mm: a sheet lists them beside."""
         return tuple(force.name for force in self.forces if abs(force.value) < SEEN * mu)
@@ -152,18 +160,20 @@ def measure(shown: ForcePolygon, drafting: Drafting) -> Picture:
         above = room.margins.above + (len(lines) - 1) * LINE * hand.text
         room = room._replace(heading=wide, margins=room.margins._replace(above=above))
     if shown.detail:
-        room = room._replace(least=DETAIL_LETTERS * hand.letter, most=WIDEST * hand.letter)
+        shortest = max(room.wide, room.high) / min(abs(force.value) for force in shown.forces)
+        most = WIDEST * hand.letter
+        room = room._replace(least=min(max(DETAIL_LETTERS * hand.letter, HEADED * shortest), most), most=most)
     return room
 
 
 def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the polygon in its spot: sides in main lines, the rest thinner, what a detail enlarges circled."""
     place, hand, letter = room.place(*spot), drafting.hand, partial(letter_of, drafting=drafting)
-    chain = lay(shown.forces, WHOLE, place, spot.box, WIDE, hand, LEAST)
+    chain = lay(shown.forces, WHOLE, place, spot.box, WIDE, hand, LEAST, shown.enlarged)
     sides = chain.sides(Subject(shown.plan, SYMBOL, shown.column), WHOLE, letter, place, hand)
     thin = [*directions(shown.rays, place, hand), *carriers(chain.seen, place, hand)]
     faint = _faint(shown, place.scale.mu)
-    circles = {detail.detail: _circle(detail, chain.seen, place, hand) for detail in shown.details}
+    circles = {detail.detail: _circle(detail, place, hand) for detail in shown.details}
     under, *further = _under(shown, faint, spot.scale, spot.box.width, drafting)
     title = heading(spot.box, _title(shown, drafting), under, hand, *further)
     around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles.items())
@@ -179,18 +189,16 @@ def _letter(chain: Chain, circles: Mapping[str, Circle], drafting: Drafting, lab
         yield labels.beside(circle.centre, name, size, circle.radius + BESIDE)
 
 
-def _circle(detail: ForcePolygon, arrows: Sequence[LaidVector], place: Place, hand: Hand) -> Circle:
-    """Draw the circle around what a detail shows, where its vectors were laid."""
-    ends_of = {arrow.vector.name: arrow.ends for arrow in arrows}
-    spots = [end for force in detail.forces for end in ends_of.get(force.name, ends(force, place))]
+def _circle(detail: ForcePolygon, place: Place, hand: Hand) -> Circle:
+    """Draw the circle around what a detail shows."""
+    spots = [end for force in detail.forces for end in ends(force, place)]
     middle = sum(spots) / len(spots)
     return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
 
 
 def _faint(shown: ForcePolygon, mu: float) -> tuple[str, ...]:
     """Name the forces that are to be seen neither at a scale, N/mm, nor in a detail."""
-    enlarged = {side.name for detail in shown.details for side in detail.forces}
-    return tuple(name for name in shown.faint(mu) if name not in enlarged)
+    return tuple(name for name in shown.faint(mu) if name not in shown.enlarged)
 
 
 def _under(shown: ForcePolygon, faint: tuple[str, ...], scale: Scale, wide: float, drafting: Drafting) -> list[str]:

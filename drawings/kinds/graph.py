@@ -21,7 +21,7 @@ DOT = 0.7  # mm, radius of a point of a curve
 LEAST = 0.05  # mm: a shorter ordinate is a point
 SEEN, JUMP = 0.01, 8.0  # of the largest value, and times the steps beside it: a smooth curve changes less in a step
 TURNED = "Δφ"  # what the crank has turned from the first position of a graph on; φ is its angle from the x axis
-BESIDE, HEADS = 0.6, 2.0  # mm from the end of a tick to its number, and from the tip of an axis to its letter
+BESIDE, HEADS = 1.0, 2.0  # mm from the end of a tick to its number, and from the tip of an axis to its letter
 
 
 class GraphForm(NamedTuple):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -27,6 +27,7 @@ FLAT = 0.1  # of its length: a polygon that is narrower is drawn in lanes
 BESIDE = 0.9  # mm from a vector to its letter
 HIGH = 1.9  # sizes of a letter: the height of one between two lanes, with what it keeps clear of them
 PAST = 1.0  # mm that the thin lines to a lane run past it
+FINEST = 0.25  # mm: the line of a vector whose head is small
 
 
 class ShownVector(NamedTuple):
@@ -62,9 +63,11 @@ class LaidVector(NamedTuple):
     shift: complex = 0j
 
     def draw(self, subject: Subject, letter: str, place: Place, style: LineStyle, symbol: float) -> Group:
-        """Draw it, measurable, with its arrowhead."""
+        """Draw it, measurable, with its arrowhead; the line is thin enough for a small head to stand out."""
         head = arrowhead(*self.ends, symbol)
-        strokes = (Line(*self.ends, style),) if head is None else (Line(*self.ends, style), head)
+        wide = abs(head.points[1] - head.points[2]) / 2 if head else FINEST
+        line = Line(*self.ends, style._replace(width=min(style.width, max(wide, FINEST))))
+        strokes = (line,) if head is None else (line, head)
         data = subject.data("vector", self.vector.name, self.vector.value, place.scale)
         return Group(strokes, "", data, letter)
 
@@ -98,15 +101,23 @@ class Chain(NamedTuple):
 
 
 def lay(
-    vectors: Sequence[ShownVector], thin: str, place: Place, box: Field, wide: float, hand: Hand, least: float = 0.0
+    vectors: Sequence[ShownVector],
+    thin: str,
+    place: Place,
+    box: Field,
+    wide: float,
+    hand: Hand,
+    least: float = 0.0,
+    enlarged: Collection[str] = (),
 ) -> Chain:
     """Lay vectors, in lanes where they run along one another: the longest keeps its place, before any `thin` one.
 
     A letter between two lanes is so many of its sizes `wide`. What is shorter than the `least`, mm, is a point.
+    What is `enlarged` elsewhere keeps its place too, and has its letter there.
     """
     lengths = {vector: place.length(abs(vector.value)) for vector in vectors}
     order = sorted(lengths, key=lambda vector: (vector.kind == thin, -tied(lengths[vector])))
-    long = [vector for vector in order if tied(lengths[vector]) >= SEEN]
+    long = [vector for vector in order if tied(lengths[vector]) >= SEEN and vector.name not in enlarged]
     short = (vector for vector in lengths if vector not in long and lengths[vector] >= least)
     return Chain(
         _lanes(long, place, box, complex(wide, HIGH), hand),

@@ -21,6 +21,7 @@ from geometry.curve import sampled
 
 ARROW_LENGTH = 5.0
 ARROW_HALF = ARROW_LENGTH * math.tan(math.radians(10))  # an arrowhead of 20 degrees
+ARROW_BLUNT = ARROW_LENGTH * math.tan(math.radians(15))  # of 30, the bluntest of ISO 129-1: where one is small
 HINGE = 2.0  # radius of a hinge of two links
 DOUBLE = (2.8, 1.5)  # radii of a hinge of three links or more
 POINT = 0.9  # radius of a point that is no hinge
@@ -37,14 +38,14 @@ HEAD = (3.5, 0.9)  # length and half width of the head of an arc
 
 
 def arrowhead(start: complex, tip: complex, factor: float = 1.0) -> Fill | None:
-    """Draw the filled head of an arrow; a vector shorter than its head gets a smaller head, a vanishing one none."""
+    """Draw the filled head of an arrow; a short vector gets a smaller, blunter head, a vanishing one none."""
     length = abs(tip - start)
     if length < 0.1:
         return None
     size = min(factor, length / (1.5 * ARROW_LENGTH))
-    along = (tip - start) / length * size
-    base = tip - along * ARROW_LENGTH
-    return Fill((tip, base + 1j * along * ARROW_HALF, base - 1j * along * ARROW_HALF))
+    along = (tip - start) / length
+    base, half = tip - along * size * ARROW_LENGTH, 1j * along * min(factor * ARROW_HALF, size * ARROW_BLUNT)
+    return Fill((tip, base + half, base - half))
 
 
 def hinge(at: complex, hand: Hand, links: int = 2) -> tuple[Circle, ...]:
