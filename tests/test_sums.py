@@ -12,7 +12,7 @@ PRODUCT = ("geometry", "plans", "drawings")
 # Lines at the most: of what is shipped, of what is checked when a sheet is drawn, of the tests with their cases.
 MOST: Mapping[str, tuple[int, tuple[str, ...]]] = {
     "product": (103_830, tuple(f"{top}/**/*.py" for top in PRODUCT)),
-    "self-check": (5_860, ("drawings/checks/**/*.py", "drawings/*/due*.py")),
+    "self-check": (5_865, ("drawings/checks/**/*.py", "drawings/*/due*.py")),
     "tests": (44_400, ("tests/**/*.py", "tests/**/*.toml", "tests/**/*.json")),
 }
 LONGEST = 400  # lines of a file of the product
