@@ -182,3 +182,9 @@ def test_a_train_that_does_not_work_is_told_with_its_condition(row: int) -> None
     with pytest.raises(SceneError) as told:
         compared(train(*asked))
     assert all(word in str(told.value) for word in words), str(told.value)
+
+
+def test_all_that_a_train_lacks_is_told_at_once() -> None:
+    with pytest.raises(SceneError) as told:
+        parse_scene('sheets = ["gears"]\n[gears]\n')
+    assert all(f"gears.{key}: expected" in str(told.value) for key in ("wheels", "meshes", "drive", "output"))
