@@ -275,7 +275,7 @@ class SchemeFigure:
         return tuple(LaidVector(vector, offset(line, shift), shift) for vector, line, shift in placed)
 
     def _arrow(self, vector: LaidVector) -> Group:
-        return vector.draw(self.subject, lowered(vector.vector.name), self.place, self._hand.result, self._hand.symbol)
+        return vector.draw(self.subject, lowered(vector.vector.name), self.place, self._hand.result, self._hand)
 
     def _centre(self) -> Iterator[Group]:
         if self.shown.state == ALONE:

@@ -27,7 +27,6 @@ FLAT = 0.1  # of its length: a polygon that is narrower is drawn in lanes
 BESIDE = 0.9  # mm from a vector to its letter
 HIGH = 1.9  # sizes of a letter: the height of one between two lanes, with what it keeps clear of them
 PAST = 1.0  # mm that the thin lines to a lane run past it
-FINEST = 0.25  # mm: the line of a vector whose head is small
 
 
 class ShownVector(NamedTuple):
@@ -62,11 +61,11 @@ class LaidVector(NamedTuple):
     ends: Segment
     shift: complex = 0j
 
-    def draw(self, subject: Subject, letter: str, place: Place, style: LineStyle, symbol: float) -> Group:
-        """Draw it, measurable, with its arrowhead; the line is thin enough for a small head to stand out."""
-        head = arrowhead(*self.ends, symbol)
-        wide = abs(head.points[1] - head.points[2]) / 2 if head else FINEST
-        line = Line(*self.ends, style._replace(width=min(style.width, max(wide, FINEST))))
+    def draw(self, subject: Subject, letter: str, place: Place, style: LineStyle, hand: Hand) -> Group:
+        """Draw it, measurable, with its arrowhead; one whose head is no wider than its line by the thinner pen."""
+        head = arrowhead(*self.ends, hand.symbol)
+        small = head is not None and abs(head.points[1] - head.points[2]) < 2 * style.width
+        line = Line(*self.ends, hand.relative if small else style)
         strokes = (line,) if head is None else (line, head)
         data = subject.data("vector", self.vector.name, self.vector.value, place.scale)
         return Group(strokes, "", data, letter)
@@ -96,7 +95,7 @@ class Chain(NamedTuple):
         found = []
         for side in (*reversed(self.seen), *self.short):
             style = hand.relative if side.vector.kind == thin else hand.result
-            found.append(side.draw(subject, letter(side.vector.name), place, style, hand.symbol))
+            found.append(side.draw(subject, letter(side.vector.name), place, style, hand))
         return found
 
 

@@ -186,10 +186,10 @@ def _willis(
 
 
 def bodies(links: Collection[str], joined: Collection[tuple[str, ...]]) -> Mapping[str, str]:
-    """Give the first named of the links that are one, of each link; the frame where that is among them.
+    """Give of each link the one that it is one with, as its joint names it first; the frame where that is among them.
 
-    >>> bodies(["1", "2", "3", "4"], [("2", "4"), ("3", "2")])["3"]
-    '2'
+    >>> bodies(["1", "2", "3", "4"], [("2", "4"), ("3", "2")])["4"]
+    '3'
     """
     found = {link: link for link in (*links, FRAME)}
     for group in joined:

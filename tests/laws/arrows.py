@@ -9,7 +9,11 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups
 
-LONG, SHARP = 5.0, math.radians(20)  # mm of a straight head on A1, and its angle
+LONG, SHARP, BLUNT = (
+    5.0,
+    math.radians(20),
+    math.radians(30),
+)  # mm of a straight head on A1; its angle, and a small one's
 SHARE = 1.5  # lengths of its head that a vector has at the least: a shorter one has a smaller head
 FINE = 0.02  # mm: less than a twentieth of the thinnest line
 MARKS = ("vector", "force")
@@ -67,7 +71,9 @@ def _wrong(line: Line, head: Fill | Polyline) -> str:
     long = abs(tip - back)
     if long > min(LONG, abs(run) / SHARE) + FINE and ((tip - back) * (tip - away).conjugate()).real > 0:
         return "is too large"
-    return "" if abs(half - long * math.tan(SHARP / 2)) <= 2 * FINE else "has another angle"
+    sharp, blunt = (long * math.tan(angle / 2) for angle in (SHARP, BLUNT))
+    most = max(sharp, min(blunt, LONG * math.tan(SHARP / 2)))
+    return "" if sharp - 2 * FINE <= half <= most + 2 * FINE else "has another angle"
 
 
 def _parts(head: Fill | Polyline) -> tuple[complex, complex, float]:
