@@ -158,6 +158,7 @@ def test_ratios_of_random_rows_are_those_of_willis() -> None:
 # A train, and words of what is said of it.
 BAD = (
     (("1=20 2=30", "1-2 2-9", "8"), ("9 is none", "8 is none")),
+    (("0'=20 2=30", "0'-2", "2", "", "", "2=1"), ("0 is the frame",)),
     (("1=20 2=30 3=-80", "1-2 2-3", "H"), ("W = 4 links − 2 conditions = 2", "3, H")),
     (("1=20 2=30 3=-80", "1-2 2-3", "H", 'fixed = ["3", "H"]'), ("W = 4 links − 4 conditions = 0", "locked")),
     (("1=20 2=30 3=-81", "1-2 2-3", "H", FIXED), ("102 mm", "100 mm", "80 teeth of wheel 3")),
