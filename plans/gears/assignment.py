@@ -22,7 +22,7 @@ def wanted_of(form: GearsTable, raw: RawTrain) -> Wanted | None:
     rows = [mesh if link_of(mesh[1]) in planets else mesh[::-1] for mesh in raw.meshes]
     central = [link_of(one) for one, _ in rows]
     plain = len(planets) == 1 == len(raw.carriers) and not raw.coaxial and len(form.engaged) < 2
-    apart = len(ends) == 3 == len({*ends}) and not planets.keys() & {*central, *ends}
+    apart = len(held) == 1 == len(form.drives) and len({*ends}) == 3 and not planets.keys() & {*central, *ends}
     alone = (
         len({wheel for _, wheel in rows}) < 3
         and len({*central}) == len(rows) > 1
