@@ -144,7 +144,7 @@ class _TrainReading:
             if teeth is None and name in fractions:
                 self.report(("wheels", name), "part_of_tooth", name=name, teeth=f"{float(fractions[name]):.6g}")
             elif teeth is None:
-                self.report(("wheels", name), "no_teeth", name=name)
+                self.report(("wheels", name), "teeth_sought", name=name)
         if self.faults:
             return
         for mesh, far, other, wanted in unlike(whole):
