@@ -50,6 +50,5 @@ def lack(found: Searched) -> tuple[str, dict[str, object]]:
     teeth = ", ".join(f"z_{name} = {abs(count)}" for name, count in near.teeth.items())
     lo, hi = (f"{float(one):.6g}" for one in asked.bounds)
     off = 100 * float(abs(near.ratio / asked.ratio - 1))
-    return "no_such_ratio", {**parts, "lo": lo, "hi": hi, "near": f"{float(near.ratio):.6g}", "off": f"{off:.3g}"} | {
-        "teeth": teeth
-    }
+    kind = "no_such_ratio" if float(f"{off:.3g}") < 100 else "no_ratio_near"  # a tolerance is less than 100 %
+    return kind, parts | {"lo": lo, "hi": hi, "near": f"{float(near.ratio):.6g}", "off": f"{off:.3g}", "teeth": teeth}
