@@ -166,6 +166,8 @@ class GearsNotes(NamedTuple):
             yield self._said(
                 "gears inertia", drive=train.drives[0][0], parts=joined(",  ", said), count=train.planets or 1
             )
+            if train.planets is None and train.carrier_of.keys() & {*train.inertia, *train.masses}:
+                yield self._said("gears one planet")
 
     def moments(self) -> Iterator[str]:
         """Tell the load, and how the moments that balance it are found."""

@@ -9,6 +9,9 @@ from fractions import Fraction
 
 import pytest
 
+from drawings.gears.notes import GearsNotes
+from drawings.page.page import drafting_of
+from plans.analytic.gears import TrainSpeeds
 from plans.gears.quantities import GearsComparison, compare_gears
 from plans.gears.study import GearsStudy
 from plans.model.gears import BoxGear
@@ -94,9 +97,12 @@ def test_the_gears_of_a_box_and_a_differential_have_the_printed_speeds() -> None
 def test_the_inertia_of_a_planetary_train_is_reduced_to_either_shaft() -> None:
     """Theme 7, task 4: three planets stand there at unequal angles, since 100/3 is not whole."""
     more = f"{FIXED}\ninertia = {{ 1 = 0.002, 2 = 0.004, H = 0.05 }}\nmasses = {{ 2 = 1.2 }}"
-    study = Study(train("1=20 2=30 3=-0", "1-2 2-3", "H", more)).of(GearsStudy)
+    study = Study(scene := train("1=20 2=30 3=-0", "1-2 2-3", "H", more)).of(GearsStudy)
+    notes = GearsNotes(study, TrainSpeeds(study.train), drafting_of(scene))
+    assert "one of each is counted" in [*notes.inertia()][-1]
     study.train = replace(study.train, planets=3)
     found = {one.name: one for one in compare_gears(study).findings}
+    assert len([*notes.inertia()]) == 1
     for name, printed in {"J_red,H": 0.1693333333, "J_red,1": 0.006773333333}.items():
         assert float(f"{found[name].construction[0]:.10g}") == printed
         assert found[name].excess[0] <= 1.0
