@@ -86,9 +86,9 @@ class GearsNotes(NamedTuple):
             chord = Slot(f"chord {wheel.name}", MILLIMETRES * 2 * float(far) * math.sin(math.pi / count))
             tips = Slot(f"tips {wheel.name}", MILLIMETRES * float(wheel.module * (wheel.teeth + 2)))
             yield self._said("gears chord", wheel=wheel.name, count=count, chord=chord, tips=tips)
-        for one, other, share in assembly(train, link):
-            parts = {"sum": share * count, "count": count, "share": str(share)}
-            yield self._said("gears whole", one=one.name, other=other.name, **parts)
+        for one in assembly(train, link):
+            key = "gears alike" if one.blocks else "gears whole"
+            yield self._said(key, **one.parts(count), share=str(abs(one.share)))
 
     def willis(self) -> Iterator[str]:
         """Write Willis's formula of each two wheels about a planet, in letters and in numbers."""
@@ -166,6 +166,8 @@ class GearsNotes(NamedTuple):
             yield self._said(
                 "gears inertia", drive=train.drives[0][0], parts=joined(",  ", said), count=train.planets or 1
             )
+            if train.planets is None and train.carrier_of.keys() & {*train.inertia, *train.masses}:
+                yield self._said("gears one planet")
 
     def moments(self) -> Iterator[str]:
         """Tell the load, and how the moments that balance it are found."""

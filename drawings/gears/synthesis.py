@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-from itertools import combinations
 
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.gear_letters import teeth_letters
 from drawings.lettering.words import Phrase, Slot, fixed, joined
 from drawings.page.page import Drafting
 from plans.gears.study import pair_of
-from plans.gears.synthesis import CLEAR, Searched, Solution, Wanted, share_of
+from plans.gears.synthesis import CLEAR, Searched, Solution, Wanted
 
 SOLUTIONS = "solutions"  # the table
 SHOWN = 12  # solutions on the sheet
@@ -66,7 +64,6 @@ def notes(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> Iter
     yield drafting.phrase(
         "gears undercut" if sound else "gears least", parts=joined(",  ", tuple(_undercut(wanted, best)))
     )
-    yield from _alike(wanted, best, drafting)
 
 
 def _tolerance(wanted: Wanted) -> float:
@@ -93,17 +90,3 @@ def _undercut(wanted: Wanted, best: Solution) -> Iterator[str]:
         if one in wanted.raw.rings:
             more = -best.teeth[one] - best.teeth[planet]
             yield f"{teeth_letters(one)} − {teeth_letters(planet)} = {more} ≥ {CLEAR}".replace(" ", NBSP)
-
-
-def _alike(wanted: Wanted, best: Solution, drafting: Drafting) -> Iterator[Phrase]:
-    """Tell the condition of assembly of each two central wheels of different rows."""
-    for (one, first), (other, second) in combinations(wanted.rows, 2):
-        if first == second or best.planets == 1:
-            continue
-        ends = (best.teeth[one], best.teeth[first]), (best.teeth[other], best.teeth[second])
-        share, divisor = share_of(*ends, best.planets), math.gcd(ends[0][1], ends[1][1])
-        whole, unlike = share * best.planets * divisor, (ends[0][0] < 0) != (ends[1][0] < 0)
-        z1, z2, z3, z4 = map(teeth_letters, (one, first, other, second))
-        parts = {"one": f"{z1}·{z4}", "sign": "+" if unlike else "−", "other": f"{z3}·{z2}", "first": z2, "second": z4}
-        numbers = {"sum": abs(whole), "planets": best.planets, "divisor": divisor, "share": abs(share)}
-        yield drafting.phrase("gears alike", **parts, **numbers)

@@ -22,7 +22,7 @@ def wanted_of(form: GearsTable, raw: RawTrain) -> Wanted | None:
     rows = [mesh if link_of(mesh[1]) in planets else mesh[::-1] for mesh in raw.meshes]
     central = [link_of(one) for one, _ in rows]
     plain = len(planets) == 1 == len(raw.carriers) and not raw.coaxial and len(form.engaged) < 2
-    apart = len(ends) == 3 == len({*ends}) and not planets.keys() & {*central, *ends}
+    apart = len(held) == 1 == len(form.drives) and len({*ends}) == 3 and not planets.keys() & {*central, *ends}
     alone = (
         len({wheel for _, wheel in rows}) < 3
         and len({*central}) == len(rows) > 1
@@ -50,6 +50,5 @@ def lack(found: Searched) -> tuple[str, dict[str, object]]:
     teeth = ", ".join(f"z_{name} = {abs(count)}" for name, count in near.teeth.items())
     lo, hi = (f"{float(one):.6g}" for one in asked.bounds)
     off = 100 * float(abs(near.ratio / asked.ratio - 1))
-    return "no_such_ratio", {**parts, "lo": lo, "hi": hi, "near": f"{float(near.ratio):.6g}", "off": f"{off:.3g}"} | {
-        "teeth": teeth
-    }
+    kind = "no_such_ratio" if float(f"{off:.3g}") < 100 else "no_ratio_near"  # a tolerance is less than 100 %
+    return kind, parts | {"lo": lo, "hi": hi, "near": f"{float(near.ratio):.6g}", "off": f"{off:.3g}", "teeth": teeth}

@@ -14,7 +14,8 @@ from plans.scene.readers import either, many, named, one
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
-WHEEL, PAIR = re.compile(r"[0-9A-ZА-ЯЁ][0-9A-Za-zА-Яа-яЁё]*['′]*"), re.compile(r"([^\s-]+)\s*-\s*([^\s-]+)")
+WHEEL = re.compile(r"(?!0['′]*$)[0-9A-ZА-ЯЁ][0-9A-Za-zА-Яа-яЁё]*['′]*")  # 0 is the frame
+PAIR = re.compile(r"([^\s-]+)\s*-\s*([^\s-]+)")
 MOST_TEETH, LEAST_TEETH = 100_000, 3
 EXAMPLE = '[gears.wheels] with 1 = 20, 2 = 50 and 3 = { teeth = 120, internal = true }; meshes = ["1-2", "2-3"]'
 
@@ -47,7 +48,7 @@ def check_module(value: object) -> Decimal:
     return units.length(f"{value} mm" if bare else value)
 
 
-PART = one(check_part, lambda: forms.text(r"^[0-9A-ZА-ЯЁ][0-9A-Za-zА-Яа-яЁё]*['′]*$", 8), "name")
+PART = one(check_part, lambda: forms.text(f"^{WHEEL.pattern}$", 8), "name")
 TEETH = one(check_teeth, lambda: {**forms.whole(LEAST_TEETH), "maximum": MOST_TEETH}, "number")
 MESH = one(check_mesh, lambda: forms.text(r"^[^\s-]+\s*-\s*[^\s-]+$"), '"1-2"')
 MODULE = one(check_module, lambda: {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}, "mm")

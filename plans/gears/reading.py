@@ -144,7 +144,7 @@ class _TrainReading:
             if teeth is None and name in fractions:
                 self.report(("wheels", name), "part_of_tooth", name=name, teeth=f"{float(fractions[name]):.6g}")
             elif teeth is None:
-                self.report(("wheels", name), "unknown_teeth", name=name)
+                self.report(("wheels", name), "teeth_sought", name=name)
         if self.faults:
             return
         for mesh, far, other, wanted in unlike(whole):
@@ -207,11 +207,11 @@ class _TrainReading:
         for link, carrier in train.carrier_of.items():
             for own in (wheel for wheel in train.wheels.values() if wheel.link == link):
                 self._neighbours(own.name, float(train.heights[link] - train.heights[carrier]), count)
-            for first, second, share in assembly(train, link):
-                if share.denominator != 1:
-                    whole, part = share * count, f"{float(share):.6g}"
-                    parts = {"count": count, "sum": whole, "share": part, "likely": _dividing(whole)}
-                    self.report(("planets",), "not_put_in", first=first.name, second=second.name, **parts)
+            for one in assembly(train, link):
+                if one.share.denominator != 1:
+                    parts = {"share": f"{abs(float(one.share)):.6g}", "likely": _dividing(one.share * count)}
+                    kind = "blocks_not_put_in" if one.blocks else "not_put_in"
+                    self.report(("planets",), kind, **one.parts(count), **parts)
 
     def _neighbours(self, name: str, far: float, count: int) -> None:
         """See that 2 a sin(pi/k) > d_a = m(z + 2)."""

@@ -131,19 +131,6 @@ def clear_of(count: int, across: Fraction) -> int:
     return math.ceil(across * sine) - TIP - 1
 
 
-def share_of(one: tuple[int, int], other: tuple[int, int], count: int) -> Fraction:
-    """Give what must be whole that blocks alike can be put in between two central wheels, z and that of the planet.
-
-    A planet that rolls by 1/k about either wheel must stand as the first one does, or turned by whole teeth of both its
-    wheels, which are parts of their common divisor: (z_1 z_2' - z_3 z_2)/(k gcd(z_2, z_2')); of one row (z_1 + z_3)/k.
-
-    >>> share_of((20, 50), (-95, 25), 3), share_of((24, 18), (-60, 18), 5)
-    (Fraction(70, 1), Fraction(84, 5))
-    """
-    (z1, p1), (z3, p3) = one, other
-    return Fraction(z1 * p3 - z3 * p1, count * math.gcd(p1, p3))
-
-
 class _Distance:
     """All trains with one distance of axes."""
 

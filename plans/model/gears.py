@@ -6,10 +6,12 @@ Numbers of teeth, modules and heights are exact: a ratio is a quotient of whole 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations, product
 from typing import NamedTuple
 
 FRAME = "0"
@@ -198,13 +200,59 @@ def bodies(links: Collection[str], joined: Collection[tuple[str, ...]]) -> Mappi
     return found
 
 
-def assembly(train: Train, link: str) -> Iterator[tuple[ToothedWheel, ToothedWheel, Fraction]]:
-    """Give the central wheels that a planet of one wheel meshes with, and what must be whole: (z_1 + z_3)/k.
+def share_of(one: tuple[int, int], other: tuple[int, int], count: int) -> Fraction:
+    """Give what must be whole that blocks alike can be put in between two central wheels, z and that of the planet.
 
-    The two wheels of a block may be fixed to each other at any angle, so that blocks can always be put in.
+    A planet that rolls by 1/k about either wheel must stand as the first one does, or turned by whole teeth of both its
+    wheels, which are parts of their common divisor: (z_1 z_2' - z_3 z_2)/(k gcd(z_2, z_2')); of one row (z_1 + z_3)/k.
+
+    >>> share_of((20, 50), (-95, 25), 3), share_of((24, 18), (-60, 18), 5)
+    (Fraction(70, 1), Fraction(84, 5))
     """
-    ends = [(own, other) for own, other in train.meshes_of(link) if other.link not in train.carrier_of]
-    for own, other in ends[1:]:
-        first, central = ends[0]
-        if own == first:
-            yield central, other, Fraction(central.teeth - other.teeth, train.planets or 1)
+    (z1, p1), (z3, p3) = one, other
+    return Fraction(z1 * p3 - z3 * p1, count * math.gcd(p1, p3))
+
+
+class Assembled(NamedTuple):
+    """Two central wheels, the wheel of a planet that each meshes with, and what must be whole that k can be put in."""
+
+    first: ToothedWheel
+    inner: ToothedWheel
+    other: ToothedWheel
+    outer: ToothedWheel
+    share: Fraction
+
+    @property
+    def blocks(self) -> bool:
+        """Whether both are in mesh with different wheels of one block."""
+        return self.inner != self.outer and self.inner.link == self.outer.link
+
+    def parts(self, count: int) -> dict[str, object]:
+        """Give the names and numbers of the condition for k planets, the greater term first where one is taken off."""
+        divisor = math.gcd(self.inner.teeth, self.outer.teeth) if self.blocks else 1
+        less = (self.first.internal == self.other.internal) == (self.inner.link == self.outer.link)
+        ends = (self.first.name, self.inner.name), (self.other.name, self.outer.name)
+        (first, inner), (second, outer) = reversed(ends) if less and (self.share < 0) != self.first.internal else ends
+        numbers = {"count": count, "divisor": divisor, "sum": abs(self.share) * count * divisor}
+        names = {"first": first, "inner": inner, "second": second, "outer": outer}
+        return {**names, **numbers, "sign": "−" if less else "+"}
+
+
+def assembly(train: Train, link: str) -> Iterator[Assembled]:
+    """Give what must be whole of each two central wheels about a planet, or about it and one that it meshes with.
+
+    Of two planets that mesh it is (z_3 - z_1)/k where either meshes by one wheel: they turn against each other.
+    """
+    count = train.planets or 1
+    for (p1, one), (p3, other) in combinations(_central(train, link), 2):
+        share = share_of((one.teeth, p1.teeth), (other.teeth, p3.teeth), count)
+        yield Assembled(one, p1, other, p3, share)
+    for a, b in train.pairs:
+        if a.link == link and b.link in train.carrier_of:
+            for (p1, one), (p3, other) in product(_central(train, a.link), _central(train, b.link)):
+                if (p1, p3) == (a, b):
+                    yield Assembled(one, a, other, b, Fraction(one.teeth + other.teeth, count))
+
+
+def _central(train: Train, link: str) -> list[tuple[ToothedWheel, ToothedWheel]]:
+    return [(own, other) for own, other in train.meshes_of(link) if other.link not in train.carrier_of]

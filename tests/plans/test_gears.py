@@ -9,6 +9,9 @@ from fractions import Fraction
 
 import pytest
 
+from drawings.gears.notes import GearsNotes
+from drawings.page.page import drafting_of
+from plans.analytic.gears import TrainSpeeds
 from plans.gears.quantities import GearsComparison, compare_gears
 from plans.gears.study import GearsStudy
 from plans.model.gears import BoxGear
@@ -94,9 +97,12 @@ def test_the_gears_of_a_box_and_a_differential_have_the_printed_speeds() -> None
 def test_the_inertia_of_a_planetary_train_is_reduced_to_either_shaft() -> None:
     """Theme 7, task 4: three planets stand there at unequal angles, since 100/3 is not whole."""
     more = f"{FIXED}\ninertia = {{ 1 = 0.002, 2 = 0.004, H = 0.05 }}\nmasses = {{ 2 = 1.2 }}"
-    study = Study(train("1=20 2=30 3=-0", "1-2 2-3", "H", more)).of(GearsStudy)
+    study = Study(scene := train("1=20 2=30 3=-0", "1-2 2-3", "H", more)).of(GearsStudy)
+    notes = GearsNotes(study, TrainSpeeds(study.train), drafting_of(scene))
+    assert "one of each is counted" in [*notes.inertia()][-1]
     study.train = replace(study.train, planets=3)
     found = {one.name: one for one in compare_gears(study).findings}
+    assert len([*notes.inertia()]) == 1
     for name, printed in {"J_red,H": 0.1693333333, "J_red,1": 0.006773333333}.items():
         assert float(f"{found[name].construction[0]:.10g}") == printed
         assert found[name].excess[0] <= 1.0
@@ -158,6 +164,7 @@ def test_ratios_of_random_rows_are_those_of_willis() -> None:
 # A train, and words of what is said of it.
 BAD = (
     (("1=20 2=30", "1-2 2-9", "8"), ("9 is none", "8 is none")),
+    (("0'=20 2=30", "0'-2", "2", "", "", "2=1"), ("0 is the frame",)),
     (("1=20 2=30 3=-80", "1-2 2-3", "H"), ("W = 4 links − 2 conditions = 2", "3, H")),
     (("1=20 2=30 3=-80", "1-2 2-3", "H", 'fixed = ["3", "H"]'), ("W = 4 links − 4 conditions = 0", "locked")),
     (("1=20 2=30 3=-81", "1-2 2-3", "H", FIXED), ("102 mm", "100 mm", "80 teeth of wheel 3")),
@@ -166,6 +173,10 @@ BAD = (
     (("1=20 2=0 3=-0", "1-2 2-3", "H", FIXED), ("teeth of wheel 2", "teeth of wheel 3")),
     (("1=20 2=30 3=-80", "1-2 2-3", "H", f"{FIXED}\nplanets = 5"), ("117.557 mm", "128 mm", "k = 5", "at most 4")),
     (("1=21 2=30 3=-81", "1-2 2-3", "H", f"{FIXED}\nplanets = 4"), ("102/4 = 25.5", "one of 2, 3, 6")),
+    # Planets that mesh, turned by hand: (100 - 20)/k; blocks alike, as `put_in` sets them.
+    (("1=20 2=20 3=20 4=-100", "1-2 2-3 3-4", "H", 'fixed = ["4"]\nplanets = 3', "H=2,3"), ("80/3 = 26.6667",)),
+    (("1=20 2=50 2'=26 3=-96", "1-2 2'-3", "H", f"{FIXED}\nplanets = 3"), ("= 5320/(3·2) = 886.667",)),
+    (("1=20 2=30 2'=20 3=-70 4=30", "1-2 2'-3 2'-4", "H", f"{FIXED}\nplanets = 3"), ("(z_3 + z_4)/k = 100/3",)),
     (("1=20 2=30 3=-80", "1-2 2-3", "H", FIXED, "H=2", "1=0"), ("other than 0",)),
     (("1=20 2=30 3=-80", "1-2 2-3", "H", FIXED, "H=2", "3=5"), ("does not turn it",)),
     (

@@ -22,9 +22,9 @@ ROW, MIXED, OUTER, RINGS = "1=0 2=0 3=-0", "1=0 2=0 2'=0 3=-0", "1=0 2=0 2'=0 3=
 
 
 def searched(
-    wheels: str, meshes: str, output: str, wanted: str, planets: int | None = 3, drive: str = "1=960"
+    wheels: str, meshes: str, output: str, wanted: str, planets: int | None = 3, drive: str = "1=960", held: str = FIXED
 ) -> Searched:
-    more = f"{FIXED}\nwanted = {{ {wanted} }}" + (f"\nplanets = {planets}" if planets else "")
+    more = f"{held}\nwanted = {{ {wanted} }}" + (f"\nplanets = {planets}" if planets else "")
     found = Study(train(wheels, meshes, output, more, drive=drive)).of(GearsStudy).searched
     assert found is not None
     return found
@@ -165,13 +165,14 @@ BAD = (
         (ROW, "1-2 2-3", "H", "ratio = 15"),
         ("14.25 to 15.75", "nearest ratio of these is 9.52941", "z_2 = 64", "36.5 %"),
     ),
-    ((ROW, "1-2 2-3", "H", "ratio = -3"), ("nearest ratio of these is 2.29565",)),
+    ((ROW, "1-2 2-3", "H", "ratio = -3"), ("nearest ratio of these is 2.29565", "want 2.29565, or change")),
     ((ROW, "1-2 2-3", "H", "ratio = 4", 40), ("40 planets", "0 can be put together")),
     (
         ("1=20 2=30 3=-80 4=20", "1-2 2-3 1-4", "H", "ratio = 5"),
         ("one carrier with one block of one or two planet wheels",),
     ),
     ((ROW, "1-2 2-3", "3", "ratio = 1.5"), ("one held, one driving, one driven",)),
+    ((ROW, "1-2 2-3", "H", "ratio = 1.3, tolerance = 0.2", 3, "1=960 3=10", ""), ("one held, one driving",)),
     ((ROW, "1-2 2-3", "H", "ratio = 4, least = 30, greatest = 20"), ("least one, 30",)),
     ((ROW, "1-2 2-3", "H", "ratio = 4, greatest = 3000"), ("at most 300",)),
     ((ROW, "1-2 2-3", "H", 'ratio = 4, tolerance = "100 %"'), ("from 0 to less than 1",)),
