@@ -109,7 +109,7 @@ class _Formulas:
         return WheelSizes(
             operating, tip, self.root(wheel), thickness, self._thick(wheel, self.angle, operating),
             self._thick(wheel, math.atan(self.roll(wheel)), tip), chord, height,
-            self._span(wheel), self._over(wheel), self._sliding(wheel),
+            self._span(wheel), *self._over(wheel, tip), self._sliding(wheel),
         )  # fmt: skip
 
     def _thick(self, wheel: GearWheel, angle: float, radius: float) -> float:
@@ -129,13 +129,23 @@ class _Formulas:
         arc = math.pi * (wheel.spanned - 0.5) + 2 * wheel.shift * math.tan(self.rack.angle)
         return self.rack.module * math.cos(self.rack.angle) * (arc + wheel.teeth * inv(self.rack.angle))
 
-    def _over(self, wheel: GearWheel) -> float:
-        """Give the size over pins, of an internal wheel between them, m."""
-        half, off = wheel.width / (2 * wheel.radius) + inv(self.rack.angle), wheel.pin / (2 * wheel.base)
-        free = half - off if wheel.internal else half + off - math.pi / wheel.teeth
-        far = 2 * wheel.base / math.cos(angle_of(free))
-        far *= math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
-        return far + wheel.inward * wheel.pin
+    def _over(self, wheel: GearWheel, tip: float) -> tuple[float, float]:
+        """Give the first pins that touch the flanks and stand over the tips, and the size over them or between, m."""
+        half = wheel.width / (2 * wheel.radius) + inv(self.rack.angle)
+        for pin in wheel.pins:
+            off = pin / (2 * wheel.base)
+            angle = angle_of(half - off if wheel.internal else half + off - math.pi / wheel.teeth)
+            far = 2 * wheel.base / math.cos(angle)
+            far *= math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
+            size, touched = far + wheel.inward * pin, wheel.base * math.tan(angle) - wheel.inward * pin / 2
+            if self._within(wheel, touched) and (size - 2 * tip) * wheel.inward > 0:
+                return pin, size
+        return math.nan, math.nan
+
+    def _within(self, wheel: GearWheel, curvature: float) -> bool:
+        """Tell whether the involute of a wheel reaches a radius of curvature, m."""
+        foot, tip = _foot(wheel, self.root(wheel)), self.roll(wheel)
+        return (curvature / wheel.base - foot) * (curvature / wheel.base - tip) <= 0
 
 
 class Flank(NamedTuple):
@@ -157,10 +167,18 @@ def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
         rolls = np.linspace(low, high, count)
         return Flank(fillet, _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
     depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
-    low = (wheel.radius * math.sin(wheel.rack.angle) - depth / math.sin(wheel.rack.angle)) / wheel.base
-    rolls = np.linspace(low, high, count)
+    rolls = np.linspace(_foot(wheel, root), high, count)
     spots = _polar(wheel.base, rolls, math.pi / wheel.teeth - half + rolls - np.arctan(rolls))
     return Flank(_trochoid(wheel, depth, count), spots)
+
+
+def _foot(wheel: GearWheel, root: float) -> float:
+    """Give the tangent of the profile angle where the involute begins."""
+    if wheel.internal:
+        corner = wheel.corner(root)
+        return (math.sqrt((root - corner) ** 2 - wheel.base**2) + corner) / wheel.base
+    depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
+    return math.tan(wheel.rack.angle) - depth / math.sin(wheel.rack.angle) / wheel.base
 
 
 def _polar(base: float, rolls: Floats, off: Floats) -> Complexes:

@@ -73,5 +73,5 @@ class InvoluteStudy:
         return WheelSizes(
             flanks.operating, flanks.tip, flanks.root, flanks.tooth(f"S_{number}", wheel.radius),
             flanks.tooth(f"S_w{number}", flanks.operating), flanks.tooth(f"S_a{number}", flanks.tip), *chord,
-            apart(*flanks.span), flanks.over, self.action.sliding[number - 1],
+            apart(*flanks.span), flanks.pin, flanks.over, self.action.sliding[number - 1],
         )  # fmt: skip

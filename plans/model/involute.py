@@ -13,7 +13,8 @@ from typing import NamedTuple
 from plans.model.motion import Gap
 
 EPS = 2.0**-52
-PINS = {False: 1.7, True: 1.5}  # diameters of pins of outer wheels and of internal ones, in modules
+# Diameters of pins of outer wheels and of internal ones, in modules: the usual, and those of long heads.
+PINS = {False: (1.7, 1.92), True: (1.5, 1.68)}
 HALVINGS = 60  # of an interval: the last is one rounding
 TIP_ROUNDING = 0.38  # of the module: the radius of the rack's rounded tip by GOST 13755
 # Of the rack's first choice by GOST 9563-60, mm, and its second.
@@ -87,9 +88,9 @@ class GearWheel(NamedTuple):
         return -1 if self.internal else 1
 
     @property
-    def pin(self) -> float:
-        """The diameter of the pins by which it is measured, m."""
-        return PINS[self.internal] * self.rack.module
+    def pins(self) -> tuple[float, ...]:
+        """The diameters of the pins by which it may be measured, the usual first, m."""
+        return tuple(size * self.rack.module for size in PINS[self.internal])
 
     @property
     def spanned(self) -> int:
@@ -159,8 +160,8 @@ class InvolutePair:
 class WheelSizes(NamedTuple):
     """The sizes of a wheel in its pair, m: operating, tip and root radius, thickness of a tooth at tip and elsewhere.
 
-    `chord` and `height` are the constant chord and its height, `span` is the common normal, `over` the size over pins,
-    of a ring between them. `sliding` is the specific sliding at the tooth's foot.
+    `chord` and `height` are the constant chord and its height, `span` is the common normal, `over` the size over pins
+    of diameter `pin`, of a ring between them; what cannot be measured is NaN. `sliding` is the specific sliding at the tooth's foot.
     """
 
     operating: float
@@ -172,6 +173,7 @@ class WheelSizes(NamedTuple):
     chord: float
     height: float
     span: float
+    pin: float
     over: float
     sliding: float
 

@@ -67,6 +67,24 @@ def test_common_normal(teeth: int, spanned: int, length: float) -> None:
     assert round(solve(pair).wheels[0].span, 4) == length
 
 
+# By hand: inv = 1.7/(21 cos 20°) + inv 20° - π/42; then two usual pins that would lie below the tips.
+@pytest.mark.parametrize(
+    ("teeth", "shifts", "internal", "pins", "over"),
+    [((21, 21), (0.0, 0.0), False, (1.7, 1.7), 23.236), ((20, 60), (0.4, 0.4), True, (1.7, 1.68), None),
+     ((13, 83), (0.45, 0.2), False, (1.92, 1.7), None)],
+)  # fmt: skip
+def test_pins(
+    teeth: tuple[int, int], shifts: tuple[float, float], internal: bool, pins: tuple[float, float], over: float | None
+) -> None:
+    pair = InvolutePair(UNIT, teeth, shifts, internal)
+    for sizes in (solve(pair), InvoluteStudy(pair).sizes):
+        assert tuple(round(one.pin, 9) for one in sizes.wheels) == pins
+        assert all(
+            (one.over - 2 * one.tip) * cut.inward > 0 for one, cut in zip(sizes.wheels, pair.wheels, strict=True)
+        )
+        assert over in (None, round(sizes.wheels[0].over, 3))
+
+
 def test_constant_chord() -> None:
     first = solve(InvolutePair(UNIT, (20, 40), (0.0, 0.0))).wheels[0]
     assert (round(first.chord, 4), round(first.height, 4)) == (1.3870, 0.7476)
