@@ -162,12 +162,10 @@ def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
     """Give a flank: an involute by its polar equation, below it what the corner of the tool leaves."""
     half = wheel.width / (2 * wheel.radius) + inv(wheel.rack.angle)  # of a tooth, of a ring's space, at the base circle
     high = math.sqrt((tip / wheel.base) ** 2 - 1)
-    if wheel.internal:
-        fillet, low = _ring_corner(wheel, half, root, count)
-        rolls = np.linspace(low, high, count)
-        return Flank(fillet, _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
-    depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
     rolls = np.linspace(_foot(wheel, root), high, count)
+    if wheel.internal:
+        return Flank(_ring_corner(wheel, half, root, count), _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
+    depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
     spots = _polar(wheel.base, rolls, math.pi / wheel.teeth - half + rolls - np.arctan(rolls))
     return Flank(_trochoid(wheel, depth, count), spots)
 
@@ -196,14 +194,13 @@ def _trochoid(wheel: GearWheel, depth: float, count: int) -> Complexes:
     return np.asarray((across + 1j * (r - over) + corner * np.exp(-1j * lean)) * np.exp(1j * turned))
 
 
-def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> tuple[Complexes, float]:
-    """Give the arc between root circle and involute of an internal wheel, and the roll at which it ends."""
-    corner = wheel.corner(root)
-    string = math.sqrt((root - corner) ** 2 - wheel.base**2)
+def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> Complexes:
+    """Give the arc between root circle and involute of an internal wheel."""
+    corner, low = wheel.corner(root), _foot(wheel, root)
+    string = low * wheel.base - corner
     off = half - corner / wheel.base - string / wheel.base + math.atan(string / wheel.base)
-    low = (string + corner) / wheel.base
     lean = np.linspace(off, half - low + math.pi / 2, count)  # of the corner's radius, from the y axis
-    return np.asarray(1j * ((root - corner) * np.exp(-1j * off) + corner * np.exp(-1j * lean))), low
+    return np.asarray(1j * ((root - corner) * np.exp(-1j * off) + corner * np.exp(-1j * lean)))
 
 
 def sliding(pair: InvolutePair, places: Floats) -> tuple[Floats, Floats]:

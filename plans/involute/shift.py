@@ -11,6 +11,7 @@ from plans.model.involute import GearWheel, InvolutePair
 
 NO_UNDERCUT, EQUAL_SLIDING = "no undercut", "equal sliding"
 AIMS: Final = (NO_UNDERCUT, EQUAL_SLIDING)
+SLIGHT = 0.006  # modules that a shift may lack: by the rule (17 - z)/17 no wheel up to 17 teeth lacks more
 SEARCHED = 1.5  # modules: the range of shifts among which equal sliding is looked for
 STEPS, HALVINGS = 60, 50  # parts of that range, and halvings of the one in which the slidings change places
 

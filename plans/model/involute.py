@@ -161,7 +161,7 @@ class WheelSizes(NamedTuple):
     """The sizes of a wheel in its pair, m: operating, tip and root radius, thickness of a tooth at tip and elsewhere.
 
     `chord` and `height` are the constant chord and its height, `span` is the common normal, `over` the size over pins
-    of diameter `pin`, of a ring between them; what cannot be measured is NaN. `sliding` is the specific sliding at the tooth's foot.
+    of diameter `pin`, of a ring between them; `sliding` is the specific sliding at the tooth's foot. NaN is of none.
     """
 
     operating: float

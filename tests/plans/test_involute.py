@@ -46,6 +46,14 @@ def test_theme_6(teeth: int, shift: float | None, told: dict[str, str]) -> None:
         assert f"{found[name]:.{len(digits) - digits.index('.') - 1}f}" == digits
 
 
+# By (17 - z)/17, as the book has it, a wheel is undercut by a hair: that is told, and the pair is drawn.
+@pytest.mark.parametrize(("teeth", "shift"), [(10, 7 / 17), (12, 5 / 17), (17, 0.0)])
+def test_the_rule_of_17_teeth(teeth: int, shift: float) -> None:
+    pair = InvolutePair(RACK, (teeth, 40), (shift, 0.0))
+    assert [limit.kind for limit in limits(pair)] == ["slight_undercut"] and compare_pair(InvoluteStudy(pair)).agrees
+    assert "undercut_teeth" in {limit.kind for limit in limits(replace(pair, shifts=(shift - 0.004, 0.0)))}
+
+
 def test_least_teeth_without_undercut() -> None:
     assert f"{2 / math.sin(RACK.angle) ** 2:.8f}" == "17.09726434" and abs(least_shift(wheel(17, 0.0))) < 0.006
 
