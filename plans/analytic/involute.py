@@ -118,10 +118,11 @@ class _Formulas:
         return radius * (math.tau / wheel.teeth - 2 * half if wheel.internal else 2 * half)
 
     def _chord(self, wheel: GearWheel, tip: float) -> tuple[float, float]:
-        """Give the constant chord and its height; an internal wheel has none that is measured."""
-        if wheel.internal:
+        """Give the constant chord and its height, where it ends on the involute; an internal wheel has none."""
+        sine, cosine = math.sin(self.rack.angle), math.cos(self.rack.angle)
+        if wheel.internal or not self._within(wheel, wheel.radius * sine + wheel.width * cosine / 2):
             return math.nan, math.nan
-        chord = wheel.width * math.cos(self.rack.angle) ** 2
+        chord = wheel.width * cosine**2
         return chord, tip - wheel.radius - chord * math.tan(self.rack.angle) / 2
 
     def _span(self, wheel: GearWheel) -> float:
@@ -131,12 +132,13 @@ class _Formulas:
 
     def _over(self, wheel: GearWheel, tip: float) -> tuple[float, float]:
         """Give the first pins that touch the flanks and stand over the tips, and the size over them or between, m."""
-        half = wheel.width / (2 * wheel.radius) + inv(self.rack.angle)
+        free = (
+            wheel.width / (2 * wheel.radius) + inv(self.rack.angle) - (0 if wheel.internal else math.pi / wheel.teeth)
+        )
+        across = math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
         for pin in wheel.pins:
-            off = pin / (2 * wheel.base)
-            angle = angle_of(half - off if wheel.internal else half + off - math.pi / wheel.teeth)
-            far = 2 * wheel.base / math.cos(angle)
-            far *= math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
+            angle = angle_of(free + wheel.inward * pin / (2 * wheel.base))
+            far = 2 * wheel.base / math.cos(angle) * across
             size, touched = far + wheel.inward * pin, wheel.base * math.tan(angle) - wheel.inward * pin / 2
             if self._within(wheel, touched) and (size - 2 * tip) * wheel.inward > 0:
                 return pin, size

@@ -52,8 +52,7 @@ class Flanks:
 
     def holds(self, string: float) -> bool:
         """Tell whether the end of a string, m, lies on the involute: between the fillet and the tip."""
-        foot, tip = lowest(self.wheel, self.root), self.wheel.base * self.slope(self.tip)
-        return min(foot, tip) <= string <= max(foot, tip)
+        return (string - lowest(self.wheel, self.root)) * (string - self.wheel.base * self.slope(self.tip)) <= 0
 
     @cached_property
     def points(self) -> tuple[Unrolled, ...]:
@@ -72,6 +71,11 @@ class Flanks:
         """Measure the thickness of a tooth on a circle: of an internal wheel what the space leaves of the pitch, m."""
         arc = self.thick(name, radius)[2]
         return math.tau * radius / self.wheel.teeth - arc if self.wheel.internal else arc
+
+    @property
+    def has_chord(self) -> bool:
+        """Whether the constant chord ends on the involute; of an internal wheel none is measured."""
+        return not self.wheel.internal and self.holds(self.wheel.base * (self.half + self.wheel.rack.angle))
 
     @cached_property
     def chord(self) -> tuple[Mark, Mark]:
@@ -102,11 +106,9 @@ class Flanks:
     def _measures(self, pin: float) -> bool:
         """Tell whether pins touch involutes and stand over the tips."""
         base, inward, teeth = self.wheel.base, self.wheel.inward, self.wheel.teeth
-        if self._free(pin) <= 0:
-            return False
         slope, across = rolled(self._free(pin)), math.cos(math.pi / 2 / teeth) if teeth % 2 else 1.0
         stands = base * math.hypot(1.0, slope) * across + inward * pin / 2
-        return self.holds(base * slope - inward * pin / 2) and (stands - self.tip) * inward > 0
+        return self._free(pin) > 0 and self.holds(base * slope - inward * pin / 2) and (stands - self.tip) * inward > 0
 
     @cached_property
     def pin(self) -> float:

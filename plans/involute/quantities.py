@@ -71,7 +71,7 @@ class _ComparedPair(NamedTuple):
     def _ends(self, flanks: Flanks) -> dict[str, Span]:
         """Give the marks between which sizes are measured."""
         ends: dict[str, tuple[Mark, Mark]] = {"span": flanks.span}
-        if not flanks.wheel.internal:
+        if flanks.has_chord:
             ends["chord"] = flanks.chord
         return {name: Span(*both) for name, both in ends.items()}
 

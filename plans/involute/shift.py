@@ -45,7 +45,12 @@ def aimed(plain: InvolutePair, aim: str, centre: float | None) -> InvolutePair:
         first = max(least, 0.0)
         return replace(plain, shifts=(first, total + first if plain.internal else max(other, 0.0)))
     share = total * plain.teeth[1] / sum(plain.teeth)  # the smaller wheel needs more of it
-    first = max(min(share, total - other), least)
+    short = max((least + other - total) / 2, 0.0)  # of each wheel
+    if short > SLIGHT:
+        near = math.ceil(1e5 * LineOfAction(replace(plain, shifts=(least, other))).distance) / 100
+        sums = {"total": round(total, 3) + 0.0, "sum": round(least + other, 3)}
+        raise NoShift("centre_undercuts", ("centre",), least=near, **sums)
+    first = max(min(share, total - other + short), least - short)
     return replace(plain, shifts=(first, total - first))
 
 
