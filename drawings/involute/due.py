@@ -55,7 +55,7 @@ def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
         yield f"{with_index(letter.rstrip('_'))}, {drafting.word('mm')}", values, MILLIMETRES
 
 
-def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Iterator[tuple[str, tuple[float, float]]]:
+def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Iterator[tuple[str, list[float | None]]]:
     """Give the rows of the data of both wheels, as GOST 2.403 has them: module, teeth, shift, circles, measuring."""
     mm, wheels = drafting.word("mm"), pair.wheels
     heights = [1e3 * abs(one.tip - one.root) for one in sizes.wheels]
@@ -67,12 +67,12 @@ def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Itera
         "d_b": [2e3 * wheel.base for wheel in wheels],
         "h": heights,
         "k": [wheel.spanned for wheel in wheels],
-        "D": [1e3 * wheel.pin for wheel in wheels],
+        "D": [1e3 * one.pin for one in sizes.wheels],
     }
-    for letter, (first, second) in rows.items():
+    for letter, both in rows.items():
         unit = "" if letter in "zxk" else f", {mm}"
         word = drafting.word(f"involute {letter}")
-        yield f"{word} {with_index(letter)}{unit}", (float(first), float(second))
+        yield f"{word} {with_index(letter)}{unit}", [None if math.isnan(one) else float(one) for one in both]
 
 
 def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
@@ -97,7 +97,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
             yield from cells(name, row, [one for one in known for _ in range(2)])
     for row, both in data_rows(pair, sizes, drafting):
-        yield from cells(DATA, row, [(one, FAR) for one in both], digits=DIGITS)
+        yield from cells(DATA, row, [None if one is None else (one, FAR) for one in both], digits=DIGITS)
     for name, value in noted(pair, sizes).items():
         lost = name == "k"
         yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)

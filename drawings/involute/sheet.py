@@ -30,7 +30,7 @@ def tables(study: Study, drafting: Drafting) -> tuple[RuledTable, ...]:
     first = [_row(name, cells, places, drafting) for name, cells, places in pair_rows(comparison, drafting)]
     second = [_row(name, cells, places, drafting) for name, cells, places in size_rows(comparison, drafting)]
     data = [
-        TableRow(name, tuple(drafting.number(one, DIGITS) for one in cells))
+        TableRow(name, tuple("—" if one is None else drafting.number(one, DIGITS) for one in cells))
         for name, cells in data_rows(found.pair, found.sizes, drafting)
     ]
     wheels = tuple(word("involute wheel alone", number=n) for n in (1, 2))

@@ -109,7 +109,7 @@ class _Formulas:
         return WheelSizes(
             operating, tip, self.root(wheel), thickness, self._thick(wheel, self.angle, operating),
             self._thick(wheel, math.atan(self.roll(wheel)), tip), chord, height,
-            self._span(wheel), self._over(wheel), self._sliding(wheel),
+            self._span(wheel), *self._over(wheel, tip), self._sliding(wheel),
         )  # fmt: skip
 
     def _thick(self, wheel: GearWheel, angle: float, radius: float) -> float:
@@ -118,10 +118,11 @@ class _Formulas:
         return radius * (math.tau / wheel.teeth - 2 * half if wheel.internal else 2 * half)
 
     def _chord(self, wheel: GearWheel, tip: float) -> tuple[float, float]:
-        """Give the constant chord and its height; an internal wheel has none that is measured."""
-        if wheel.internal:
+        """Give the constant chord and its height, where it ends on the involute; an internal wheel has none."""
+        sine, cosine = math.sin(self.rack.angle), math.cos(self.rack.angle)
+        if wheel.internal or not self._within(wheel, wheel.radius * sine + wheel.width * cosine / 2):
             return math.nan, math.nan
-        chord = wheel.width * math.cos(self.rack.angle) ** 2
+        chord = wheel.width * cosine**2
         return chord, tip - wheel.radius - chord * math.tan(self.rack.angle) / 2
 
     def _span(self, wheel: GearWheel) -> float:
@@ -129,13 +130,24 @@ class _Formulas:
         arc = math.pi * (wheel.spanned - 0.5) + 2 * wheel.shift * math.tan(self.rack.angle)
         return self.rack.module * math.cos(self.rack.angle) * (arc + wheel.teeth * inv(self.rack.angle))
 
-    def _over(self, wheel: GearWheel) -> float:
-        """Give the size over pins, of an internal wheel between them, m."""
-        half, off = wheel.width / (2 * wheel.radius) + inv(self.rack.angle), wheel.pin / (2 * wheel.base)
-        free = half - off if wheel.internal else half + off - math.pi / wheel.teeth
-        far = 2 * wheel.base / math.cos(angle_of(free))
-        far *= math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
-        return far + wheel.inward * wheel.pin
+    def _over(self, wheel: GearWheel, tip: float) -> tuple[float, float]:
+        """Give the first pins that touch the flanks and stand over the tips, and the size over them or between, m."""
+        free = (
+            wheel.width / (2 * wheel.radius) + inv(self.rack.angle) - (0 if wheel.internal else math.pi / wheel.teeth)
+        )
+        across = math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
+        for pin in wheel.pins:
+            angle = angle_of(free + wheel.inward * pin / (2 * wheel.base))
+            far = 2 * wheel.base / math.cos(angle) * across
+            size, touched = far + wheel.inward * pin, wheel.base * math.tan(angle) - wheel.inward * pin / 2
+            if self._within(wheel, touched) and (size - 2 * tip) * wheel.inward > 0:
+                return pin, size
+        return math.nan, math.nan
+
+    def _within(self, wheel: GearWheel, curvature: float) -> bool:
+        """Tell whether the involute of a wheel reaches a radius of curvature, m."""
+        foot, tip = _foot(wheel, self.root(wheel)), self.roll(wheel)
+        return (curvature / wheel.base - foot) * (curvature / wheel.base - tip) <= 0
 
 
 class Flank(NamedTuple):
@@ -152,15 +164,21 @@ def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
     """Give a flank: an involute by its polar equation, below it what the corner of the tool leaves."""
     half = wheel.width / (2 * wheel.radius) + inv(wheel.rack.angle)  # of a tooth, of a ring's space, at the base circle
     high = math.sqrt((tip / wheel.base) ** 2 - 1)
+    rolls = np.linspace(_foot(wheel, root), high, count)
     if wheel.internal:
-        fillet, low = _ring_corner(wheel, half, root, count)
-        rolls = np.linspace(low, high, count)
-        return Flank(fillet, _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
+        return Flank(_ring_corner(wheel, half, root, count), _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
     depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
-    low = (wheel.radius * math.sin(wheel.rack.angle) - depth / math.sin(wheel.rack.angle)) / wheel.base
-    rolls = np.linspace(low, high, count)
     spots = _polar(wheel.base, rolls, math.pi / wheel.teeth - half + rolls - np.arctan(rolls))
     return Flank(_trochoid(wheel, depth, count), spots)
+
+
+def _foot(wheel: GearWheel, root: float) -> float:
+    """Give the tangent of the profile angle where the involute begins."""
+    if wheel.internal:
+        corner = wheel.corner(root)
+        return (math.sqrt((root - corner) ** 2 - wheel.base**2) + corner) / wheel.base
+    depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
+    return math.tan(wheel.rack.angle) - depth / math.sin(wheel.rack.angle) / wheel.base
 
 
 def _polar(base: float, rolls: Floats, off: Floats) -> Complexes:
@@ -178,14 +196,13 @@ def _trochoid(wheel: GearWheel, depth: float, count: int) -> Complexes:
     return np.asarray((across + 1j * (r - over) + corner * np.exp(-1j * lean)) * np.exp(1j * turned))
 
 
-def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> tuple[Complexes, float]:
-    """Give the arc between root circle and involute of an internal wheel, and the roll at which it ends."""
-    corner = wheel.corner(root)
-    string = math.sqrt((root - corner) ** 2 - wheel.base**2)
+def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> Complexes:
+    """Give the arc between root circle and involute of an internal wheel."""
+    corner, low = wheel.corner(root), _foot(wheel, root)
+    string = low * wheel.base - corner
     off = half - corner / wheel.base - string / wheel.base + math.atan(string / wheel.base)
-    low = (string + corner) / wheel.base
     lean = np.linspace(off, half - low + math.pi / 2, count)  # of the corner's radius, from the y axis
-    return np.asarray(1j * ((root - corner) * np.exp(-1j * off) + corner * np.exp(-1j * lean))), low
+    return np.asarray(1j * ((root - corner) * np.exp(-1j * off) + corner * np.exp(-1j * lean)))
 
 
 def sliding(pair: InvolutePair, places: Floats) -> tuple[Floats, Floats]:

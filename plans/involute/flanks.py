@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from geometry.board import Mark
 from plans.involute.action import LineOfAction, half_at_base, rolled
+from plans.involute.limits import lowest
 from plans.model.involute import GearWheel
 from plans.words.words import because
 
@@ -49,6 +50,10 @@ class Flanks:
         """Give how many base radii the string is long at a distance from the centre, m."""
         return math.sqrt(max((radius / self.wheel.base) ** 2 - 1, 0.0))
 
+    def holds(self, string: float) -> bool:
+        """Tell whether the end of a string, m, lies on the involute: between the fillet and the tip."""
+        return (string - lowest(self.wheel, self.root)) * (string - self.wheel.base * self.slope(self.tip)) <= 0
+
     @cached_property
     def points(self) -> tuple[Unrolled, ...]:
         """The points of the flank that touches in P, by equal arcs to the tip."""
@@ -66,6 +71,11 @@ class Flanks:
         """Measure the thickness of a tooth on a circle: of an internal wheel what the space leaves of the pitch, m."""
         arc = self.thick(name, radius)[2]
         return math.tau * radius / self.wheel.teeth - arc if self.wheel.internal else arc
+
+    @property
+    def has_chord(self) -> bool:
+        """Whether the constant chord ends on the involute; of an internal wheel none is measured."""
+        return not self.wheel.internal and self.holds(self.wheel.base * (self.half + self.wheel.rack.angle))
 
     @cached_property
     def chord(self) -> tuple[Mark, Mark]:
@@ -88,15 +98,31 @@ class Flanks:
         last = self.board.turn(f"{name}:E'", self.other, turned, because("involute_over", count=over))
         return self.at(name, slope).end, self.at(f"{name}'", slope, -1, last).end
 
+    def _free(self, pin: float) -> float:
+        """Give the involute function at the centre of a pin that touches both sides of a space."""
+        off = pin / 2 / self.wheel.base * self.wheel.inward
+        return self.half + off - (0.0 if self.wheel.internal else math.pi / self.wheel.teeth)
+
+    def _measures(self, pin: float) -> bool:
+        """Tell whether pins touch involutes and stand over the tips."""
+        base, inward, teeth = self.wheel.base, self.wheel.inward, self.wheel.teeth
+        slope, across = rolled(self._free(pin)), math.cos(math.pi / 2 / teeth) if teeth % 2 else 1.0
+        stands = base * math.hypot(1.0, slope) * across + inward * pin / 2
+        return self._free(pin) > 0 and self.holds(base * slope - inward * pin / 2) and (stands - self.tip) * inward > 0
+
+    @cached_property
+    def pin(self) -> float:
+        """The diameter of the first pins by which the wheel can be measured, m; NaN where none do."""
+        return next((pin for pin in self.wheel.pins if self._measures(pin)), math.nan)
+
     @cached_property
     def pins(self) -> tuple[Mark, Mark]:
         """The centres of two pins that lie in spaces across the wheel, between both flanks."""
         wheel, number = self.wheel, self.wheel.number
         # The string ends in the pin's centre, longer than the flank's by its radius, or shorter within a ring's space
-        off = wheel.pin / 2 / wheel.base * wheel.inward
-        free = self.half + off - (0.0 if wheel.internal else math.pi / wheel.teeth)
+        off = self.pin / 2 / wheel.base * wheel.inward
         start = self.board.turn(f"M_{number}:E", self.start, cmath.exp(-1j * off), because("involute_pin"))
-        first = self.at(f"M_{number}", rolled(free), 1, start).end
+        first = self.at(f"M_{number}", rolled(self._free(self.pin)), 1, start).end
         across = -1 if wheel.teeth % 2 == 0 else -cmath.exp(1j * math.pi / wheel.teeth)
         arm = self.board.join(f"M_{number}:a", self.centre, first, because("involute_pin"))
         other = self.board.turn(f"M_{number}':a", arm, across, because("involute_across"))
@@ -105,5 +131,7 @@ class Flanks:
     @property
     def over(self) -> float:
         """The size over the pins, of an internal wheel between them, m."""
+        if math.isnan(self.pin):
+            return math.nan
         first, last = (complex(pin.point) for pin in self.pins)
-        return abs(last - first) + self.wheel.inward * self.wheel.pin
+        return abs(last - first) + self.wheel.inward * self.pin

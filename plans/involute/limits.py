@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from plans.involute.action import LineOfAction, closing, half_at_base, opened
-from plans.involute.shift import least_shift
+from plans.involute.shift import SLIGHT, least_shift
 from plans.model.involute import GearWheel, InvolutePair
 
 THIN = 0.25  # modules: a thinner tip breaks, however it is hardened
@@ -54,18 +54,19 @@ def limits(pair: InvolutePair) -> Iterator[PairLimit]:
     yield from bodies
     if not bodies:
         yield from _tips(action)
-        yield from () if undercut else (*_interference(action), *_ratio(action))
+        yield from () if any(limit.broken for limit in undercut) else (*_interference(action), *_ratio(action))
 
 
 def _undercut(pair: InvolutePair) -> Iterator[PairLimit]:
     for wheel in pair.wheels:
         least = least_shift(wheel)
         if not wheel.internal and wheel.shift < least - ROUNDED:
-            free = 2 * pair.rack.straight / math.sin(pair.rack.angle) ** 2
-            yield PairLimit("undercut_teeth", {
+            free = 2 * (pair.rack.straight - SLIGHT) / math.sin(pair.rack.angle) ** 2
+            broken = wheel.shift < least - SLIGHT
+            yield PairLimit("undercut_teeth" if broken else "slight_undercut", {
                 "wheel": wheel.number, "shift": told(wheel.shift), "least": f"{math.ceil(least * 1e3) / 1e3:.3f}",
                 "teeth": wheel.teeth, "free": math.ceil(free - ROUNDED),
-            })  # fmt: skip
+            }, broken=broken)  # fmt: skip
 
 
 def _bodies(action: LineOfAction) -> Iterator[PairLimit]:
@@ -101,7 +102,7 @@ def lowest(wheel: GearWheel, root: float) -> float:
 def _interference(action: LineOfAction) -> Iterator[PairLimit]:
     """See that no tip meets the other's fillet, and that tips of an internal pair pass each other."""
     for wheel, foot, root in zip(action.pair.wheels, action.feet, action.roots, strict=True):
-        end = lowest(wheel, root)
+        end = max(lowest(wheel, root), 0.0)
         if (foot - end) * wheel.inward < -ROUNDED * wheel.rack.module:
             radii = [1e3 * abs(complex(wheel.base, max(string, 0.0))) for string in (foot, end)]
             details = {"wheel": wheel.number, "other": 3 - wheel.number}

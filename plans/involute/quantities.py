@@ -71,7 +71,7 @@ class _ComparedPair(NamedTuple):
     def _ends(self, flanks: Flanks) -> dict[str, Span]:
         """Give the marks between which sizes are measured."""
         ends: dict[str, tuple[Mark, Mark]] = {"span": flanks.span}
-        if not flanks.wheel.internal:
+        if flanks.has_chord:
             ends["chord"] = flanks.chord
         return {name: Span(*both) for name, both in ends.items()}
 
@@ -85,7 +85,8 @@ class _ComparedPair(NamedTuple):
                 root, begin = abs(complex(found.points[0])), abs(complex(np.atleast_1d(found.involute.point)[0]))
                 end = math.hypot(base, lowest(flanks.wheel, theirs.root))
                 yield Quantity.of((GENERATION, f"d_f{n}", "m"), (2 * root, 2 * theirs.root), 2 * self.slack)
-                yield Quantity.of((GENERATION, f"d_l{n}", "m"), (2 * begin, 2 * end), 2 * self.slack)
+                if lowest(flanks.wheel, theirs.root) >= 0:  # else the fillet cuts the involute a little further out
+                    yield Quantity.of((GENERATION, f"d_l{n}", "m"), (2 * begin, 2 * end), 2 * self.slack)
 
     def left(self) -> Iterator[Quantity]:
         """See that tooth and space fill the operating pitch, and how far whole profiles are from the formulas."""

@@ -11,6 +11,7 @@ from plans.model.involute import GearWheel, InvolutePair
 
 NO_UNDERCUT, EQUAL_SLIDING = "no undercut", "equal sliding"
 AIMS: Final = (NO_UNDERCUT, EQUAL_SLIDING)
+SLIGHT = 0.006  # modules that a shift may lack: by the rule (17 - z)/17 no wheel up to 17 teeth lacks more
 SEARCHED = 1.5  # modules: the range of shifts among which equal sliding is looked for
 STEPS, HALVINGS = 60, 50  # parts of that range, and halvings of the one in which the slidings change places
 
@@ -44,7 +45,12 @@ def aimed(plain: InvolutePair, aim: str, centre: float | None) -> InvolutePair:
         first = max(least, 0.0)
         return replace(plain, shifts=(first, total + first if plain.internal else max(other, 0.0)))
     share = total * plain.teeth[1] / sum(plain.teeth)  # the smaller wheel needs more of it
-    first = max(min(share, total - other), least)
+    short = max((least + other - total) / 2, 0.0)  # of each wheel
+    if short > SLIGHT:
+        near = math.ceil(1e5 * LineOfAction(replace(plain, shifts=(least, other))).distance) / 100
+        sums = {"total": round(total, 3) + 0.0, "sum": round(least + other, 3)}
+        raise NoShift("centre_undercuts", ("centre",), least=near, **sums)
+    first = max(min(share, total - other + short), least - short)
     return replace(plain, shifts=(first, total - first))
 
 

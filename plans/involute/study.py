@@ -69,9 +69,9 @@ class InvoluteStudy:
 
     def _wheel(self, flanks: Flanks) -> WheelSizes:
         wheel, number, nothing = flanks.wheel, flanks.wheel.number, float("nan")
-        chord = (nothing, nothing) if wheel.internal else (apart(*flanks.chord), flanks.chord_height)
+        chord = (apart(*flanks.chord), flanks.chord_height) if flanks.has_chord else (nothing, nothing)
         return WheelSizes(
             flanks.operating, flanks.tip, flanks.root, flanks.tooth(f"S_{number}", wheel.radius),
             flanks.tooth(f"S_w{number}", flanks.operating), flanks.tooth(f"S_a{number}", flanks.tip), *chord,
-            apart(*flanks.span), flanks.over, self.action.sliding[number - 1],
+            apart(*flanks.span), flanks.pin, flanks.over, self.action.sliding[number - 1],
         )  # fmt: skip

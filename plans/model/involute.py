@@ -13,12 +13,18 @@ from typing import NamedTuple
 from plans.model.motion import Gap
 
 EPS = 2.0**-52
-PINS = {False: 1.7, True: 1.5}  # diameters of pins of outer wheels and of internal ones, in modules
+PINS = {False: (1.7, 1.92), True: (1.5, 1.68)}  # diameters for outer wheels, for rings, in modules: usual, larger
 HALVINGS = 60  # of an interval: the last is one rounding
 TIP_ROUNDING = 0.38  # of the module: the radius of the rack's rounded tip by GOST 13755
 # Of the rack's first choice by GOST 9563-60, mm, and its second.
-MODULES = (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50)
-SECOND = (1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 7, 9, 11, 14, 18, 22, 28, 36, 45)
+MODULES = (
+    0.05, 0.06, 0.08, 0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.8,
+    1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50, 60, 80, 100,
+)  # fmt: skip
+SECOND = (
+    0.055, 0.07, 0.09, 0.11, 0.14, 0.18, 0.22, 0.28, 0.35, 0.45, 0.55, 0.7, 0.9,
+    1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 7, 9, 11, 14, 18, 22, 28, 36, 45, 55, 70, 90,
+)  # fmt: skip
 
 
 class Rack(NamedTuple):
@@ -87,9 +93,9 @@ class GearWheel(NamedTuple):
         return -1 if self.internal else 1
 
     @property
-    def pin(self) -> float:
-        """The diameter of the pins by which it is measured, m."""
-        return PINS[self.internal] * self.rack.module
+    def pins(self) -> tuple[float, ...]:
+        """The diameters of the pins by which it may be measured, the usual first, m."""
+        return tuple(size * self.rack.module for size in PINS[self.internal])
 
     @property
     def spanned(self) -> int:
@@ -159,8 +165,8 @@ class InvolutePair:
 class WheelSizes(NamedTuple):
     """The sizes of a wheel in its pair, m: operating, tip and root radius, thickness of a tooth at tip and elsewhere.
 
-    `chord` and `height` are the constant chord and its height, `span` is the common normal, `over` the size over pins,
-    of a ring between them. `sliding` is the specific sliding at the tooth's foot.
+    `chord` and `height` are the constant chord and its height, `span` is the common normal, `over` the size over pins
+    of diameter `pin`, of a ring between them; `sliding` is the specific sliding at the tooth's foot. NaN is of none.
     """
 
     operating: float
@@ -172,6 +178,7 @@ class WheelSizes(NamedTuple):
     chord: float
     height: float
     span: float
+    pin: float
     over: float
     sliding: float
 

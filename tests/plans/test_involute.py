@@ -13,7 +13,7 @@ import pytest
 from plans.analytic.involute import angle_of, inv, solve
 from plans.involute.limits import limits
 from plans.involute.quantities import compare_pair
-from plans.involute.shift import AIMS, EQUAL_SLIDING, aimed, least_shift
+from plans.involute.shift import AIMS, EQUAL_SLIDING, NoShift, aimed, least_shift
 from plans.involute.study import InvoluteStudy
 from plans.model.involute import GearWheel, InvolutePair, Rack
 from plans.model.motion import Complexes, Floats
@@ -46,6 +46,14 @@ def test_theme_6(teeth: int, shift: float | None, told: dict[str, str]) -> None:
         assert f"{found[name]:.{len(digits) - digits.index('.') - 1}f}" == digits
 
 
+# By (17 - z)/17, as the book has it, a wheel is undercut by a hair: that is told, and the pair is drawn.
+@pytest.mark.parametrize(("teeth", "shift"), [(10, 7 / 17), (12, 5 / 17), (17, 0.0)])
+def test_the_rule_of_17_teeth(teeth: int, shift: float) -> None:
+    pair = InvolutePair(RACK, (teeth, 40), (shift, 0.0))
+    assert [limit.kind for limit in limits(pair)] == ["slight_undercut"] and compare_pair(InvoluteStudy(pair)).agrees
+    assert "undercut_teeth" in {limit.kind for limit in limits(replace(pair, shifts=(shift - 0.004, 0.0)))}
+
+
 def test_least_teeth_without_undercut() -> None:
     assert f"{2 / math.sin(RACK.angle) ** 2:.8f}" == "17.09726434" and abs(least_shift(wheel(17, 0.0))) < 0.006
 
@@ -67,9 +75,23 @@ def test_common_normal(teeth: int, spanned: int, length: float) -> None:
     assert round(solve(pair).wheels[0].span, 4) == length
 
 
+# By hand: inv = 1.7/(21 cos 20°) + inv 20° - π/42; then two usual pins that would lie below the tips.
+@pytest.mark.parametrize(("pair", "pins", "over"), [
+    (InvolutePair(UNIT, (21, 21), (0.0, 0.0)), (1.7, 1.7), 23.236),
+    (InvolutePair(UNIT, (20, 60), (0.4, 0.4), True), (1.7, 1.68), None),
+    (InvolutePair(UNIT, (13, 83), (0.45, 0.2)), (1.92, 1.7), None),
+])  # fmt: skip
+def test_pins(pair: InvolutePair, pins: tuple[float, float], over: float | None) -> None:
+    for sizes in (solve(pair), InvoluteStudy(pair).sizes):
+        assert tuple(round(one.pin, 9) for one in sizes.wheels) == pins
+        assert over in (None, round(sizes.wheels[0].over, 3))
+
+
 def test_constant_chord() -> None:
     first = solve(InvolutePair(UNIT, (20, 40), (0.0, 0.0))).wheels[0]
     assert (round(first.chord, 4), round(first.height, 4)) == (1.3870, 0.7476)
+    beyond = InvoluteStudy(InvolutePair(UNIT, (61, 110), (-0.85, 0.65)))  # its chord would lie above the tip
+    assert math.isnan(solve(beyond.pair).wheels[0].chord) and math.isnan(beyond.sizes.wheels[0].chord)
 
 
 def pairs(count: int, seed: int) -> Iterator[InvolutePair]:
@@ -218,6 +240,12 @@ def test_shifts_bring_what_is_aimed_at(aim: str, plain: tuple[tuple[int, int], b
         assert sizes.wheels[0].sliding == pytest.approx(sizes.wheels[1].sliding, rel=1e-6)
     else:
         assert all(one.internal or one.shift >= least_shift(one) - 1e-12 for one in pair.wheels)
+
+
+def test_axes_too_near_for_whole_teeth() -> None:
+    with pytest.raises(NoShift) as told:  # 2 x_min = 0.830; inv α_w = inv 20° + 0.083 tan 20°: a_w = 53.423
+        aimed(InvolutePair(RACK, (10, 10), (0.0, 0.0)), AIMS[0], 0.05)
+    assert told.value.details == {"total": 0.0, "sum": 0.83, "least": 53.43}
 
 
 def test_limits_are_told_in_words_of_every_language() -> None:
