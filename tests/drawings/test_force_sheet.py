@@ -123,9 +123,8 @@ def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_sc
 def test_the_head_of_a_force_stands_out_of_its_line(length: float) -> None:
     """Of ISO 129-1: a filled head of 15 to 30 degrees, at the tip."""
     place, side = Place(0j, 0j, Scale(1.0, "F", "N")), ShownVector("G_1", "side", 0j, complex(length))
-    drawn = LaidVector(side, (0j, complex(length))).draw(
-        Subject("forces-1", "F", 0), "G_1", place, PLAIN, hand_of("A1")
-    )
+    laid, hand = LaidVector(side, (0j, complex(length))), hand_of("A1")
+    drawn = laid.draw(Subject("forces-1", "F", 0), "G_1", place, hand.result, hand)
     line, head = drawn.strokes
     assert isinstance(line, Line) and isinstance(head, Fill) and head.points[0] == line.end
     wide, long = abs(head.points[1] - head.points[2]), abs(head.points[0] - (head.points[1] + head.points[2]) / 2)
