@@ -72,7 +72,7 @@ def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Itera
     for letter, both in rows.items():
         unit = "" if letter in "zxk" else f", {mm}"
         word = drafting.word(f"involute {letter}")
-        yield f"{word} {with_index(letter)}{unit}", [None if math.isnan(one) else float(one) for one in both]
+        yield f"{word} {with_index(letter)}{unit}", [None if math.isnan(one) else one for one in both]
 
 
 def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
@@ -97,7 +97,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
             yield from cells(name, row, [one for one in known for _ in range(2)])
     for row, both in data_rows(pair, sizes, drafting):
-        yield from cells(DATA, row, [None if one is None else (one, FAR) for one in both], digits=DIGITS)
+        numbers = [one if one is None or isinstance(one, int) else (one, FAR) for one in both]
+        yield from cells(DATA, row, numbers, digits=DIGITS)
     for name, value in noted(pair, sizes).items():
         lost = name == "k"
         yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
