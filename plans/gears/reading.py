@@ -10,14 +10,12 @@ from typing import Any, NamedTuple
 from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
-from plans.gears.synthesis import Searched, search
-from plans.model.gears import FRAME, BoxGear, Train, assembly, link_of
+from plans.gears.synthesis import TIP, Searched, clear_of, search
+from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Scene
 from plans.words.words import message
-
-TIP = 2  # modules by which the tips of a planet stand beyond its pitch circle, both sides
 
 
 class GearsSurvey(NamedTuple):
@@ -206,21 +204,21 @@ class _TrainReading:
             return
         for link, carrier in train.carrier_of.items():
             for own in (wheel for wheel in train.wheels.values() if wheel.link == link):
-                self._neighbours(own.name, float(train.heights[link] - train.heights[carrier]), count)
+                self._neighbours(own, abs(train.heights[link] - train.heights[carrier]), count)
             for one in assembly(train, link):
                 if one.share.denominator != 1:
                     parts = {"share": f"{abs(float(one.share)):.6g}", "likely": _dividing(one.share * count)}
                     kind = "blocks_not_put_in" if one.blocks else "not_put_in"
                     self.report(("planets",), kind, **one.parts(count), **parts)
 
-    def _neighbours(self, name: str, far: float, count: int) -> None:
+    def _neighbours(self, wheel: ToothedWheel, far: Fraction, count: int) -> None:
         """See that 2 a sin(pi/k) > d_a = m(z + 2)."""
-        wheel = self.train.wheels[name]
-        tips, chord = float(wheel.module) * (wheel.teeth + TIP), 2 * far * math.sin(math.pi / count)
-        if chord <= tips:
-            most = math.ceil(math.pi / math.asin(min(tips / (2 * far), 1.0))) - 1
-            sizes = {"chord": f"{1000 * chord:.6g}", "tips": f"{1000 * tips:.6g}", "most": max(most, 1)}
-            self.report(("planets",), "touching", name=name, count=count, **sizes)
+        across = 2 * far / wheel.module
+        if wheel.teeth > clear_of(count, across):
+            most = next(k for k in range(1, count) if wheel.teeth > clear_of(k + 1, across))
+            chord, tips = 2000 * float(far) * math.sin(math.pi / count), millimetres(wheel.module * (wheel.teeth + TIP))
+            sizes = {"chord": f"{chord:.6g}", "tips": tips, "most": most}
+            self.report(("planets",), "touching", name=wheel.name, count=count, **sizes)
 
     def mobilities(self) -> None:
         """See that each gear leaves as many mobilities as there are drives, and that these determine all links."""

@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.gears.axes import RawTrain
-from plans.model.gears import link_of
+from plans.model.gears import link_of, share_of
 
 TIP = 2  # modules by which tips stand beyond the pitch circle, both sides
 CLEAR = 8  # teeth that a ring has more than the wheel within it, lest their tips meet (интерференция)
@@ -182,8 +182,9 @@ class _Distance:
         found = np.zeros(self.coaxial.shape, dtype=int)
         for count in self.wanted.planets:
             good = self._stand_clear(count)
-            for (z1, p1), (z3, p3) in combinations([(self.teeth[c], self.teeth[p]) for c, p in self.wanted.rows], 2):
-                good &= (z1 * p3 - z3 * p1) % (count * np.gcd(p1, p3)) == 0
+            for one, other in combinations([(self.teeth[c], self.teeth[p]) for c, p in self.wanted.rows], 2):
+                whole, parts = share_of(one, other, count)
+                good &= whole % parts == 0
             found[good] = count
         return found
 
