@@ -14,7 +14,7 @@ from plans.gears.synthesis import TIP, Searched, clear_of, search
 from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
-from plans.scene.scene import Scene
+from plans.scene.scene import Meaning, Scene
 from plans.words.words import message
 
 
@@ -26,9 +26,11 @@ class GearsSurvey(NamedTuple):
     searched: Searched | None = None  # where its teeth are sought by a wanted ratio
 
 
-def survey_of(scene: Scene) -> GearsSurvey:
+def survey_of(meaning: Meaning) -> GearsSurvey:
     """Examine a train: its names, its axes, its planets, its mobility; all faults that do not follow from others."""
-    reading = _TrainReading(scene, scene.of(GearsForm).gears, [])
+    if any(path[:2] == ("gears", table) for path in meaning.doubts for table in ("wheels", "carriers", "module")):
+        return GearsSurvey(None, [])  # what is not read well is there for all that
+    reading = _TrainReading(meaning.scene, meaning.scene.of(GearsForm).gears, [])
     for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
         step()
         if reading.faults:

@@ -199,3 +199,8 @@ def test_all_that_a_train_lacks_is_told_at_once() -> None:
     with pytest.raises(SceneError) as told:
         parse_scene('sheets = ["gears"]\n[gears]\n')
     assert all(f"gears.{key}: expected" in str(told.value) for key in ("wheels", "meshes", "drive", "output"))
+    with pytest.raises(SceneError, match="teeth = 24") as told:  # neither a mesh nor the drive lacks wheel 1
+        train("1=24.5 2=30", "1-2", "2", carriers="")
+    assert len(told.value.faults) == 1
+    with pytest.raises(SceneError, match="as a bare number in mm"):
+        parse_scene('sheets = ["gears"]\n[gears]\nmodule = "3 kg"')
