@@ -16,7 +16,7 @@ from plans.gears.study import GearsStudy, of_gear, pair_of
 from plans.model.gears import FRAME, BoxGear, ToothedWheel, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
-DIGITS, ROUNDED = 5, 1e-9
+DIGITS = 5
 
 
 class GearsNotes(NamedTuple):
@@ -181,12 +181,12 @@ class GearsNotes(NamedTuple):
 
     def _powers(self, gear: BoxGear) -> Iterator[str]:
         """Tell the power that is put in and what flows through joints; what is more than that circulates."""
-        powers, drive = self.speeds.powers(gear), self.study.train.drives[0][0]
+        powers = self.speeds.powers(gear)
         if powers:
             told = ((f"P_{{{of_gear(name, gear)}}}", of_gear(f"P_{name}", gear), size) for name, size in powers.items())
             parts = [self._equal(letter, Slot(name, size, DIGITS)) for letter, name, size in told]
-            circulates = any(abs(power) > abs(powers[drive]) * (1 + ROUNDED) for power in powers.values())
-            yield self._said("gears circulating" if circulates else "gears powers", powers=joined(",  ", parts))
+            said = "gears circulating" if self.speeds.circulates(gear) else "gears powers"
+            yield self._said(said, powers=joined(",  ", parts))
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""
