@@ -29,6 +29,7 @@ DOZEN = 12  # steps that are told at first sight
 DIGITS, FULL = 5, 10  # of a number on the screen, and of one in JSON
 TOLD = 3  # lines in which a letter stands
 UNIT = 1e-12  # by which a direction may be off the length 1
+GREEK = {"omega": "ω", "epsilon": "ε", "lambda": "λ", "eta": "η"}  # as a keyboard writes them
 LONG = re.compile(r"-?\d+\.\d{5,}(e[-+]\d+)?")
 SIGNS: Final = str.maketrans({"{": "", "}": "", "−": "-", "′": "'"})  # of lettering, and of the names of marks
 
@@ -114,7 +115,8 @@ def own_names(name: str) -> list[str]:
     (['M_ур', 'M_bal'], ['F_−II', 'F_-II'], ['ω3', 'ω_3'])
     """
     indexed = re.sub(r"(?<=[^\W\d_])(?=\d)", "_", name)  # ω3
-    found = dict.fromkeys((name, name.translate(SIGNS), name.translate(TWINS), indexed))
+    greek = re.sub(r"^[a-z]+(?=_|$)", lambda spelt: GREEK.get(spelt[0], spelt[0]), name)
+    found = dict.fromkeys((name, name.translate(SIGNS), name.translate(TWINS), indexed, greek))
     for lettered, key in _indices():
         index = re.compile(rf"(?<=[_^]){re.escape(lettered)}(?![^\W\d_])")
         found |= dict.fromkeys(index.sub(key, letters) for letters in [*found])

@@ -13,6 +13,7 @@ from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy, of_gear, pair_of
+from plans.gears.synthesis import CLEAR
 from plans.model.gears import FRAME, BoxGear, ToothedWheel, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
@@ -76,8 +77,19 @@ class GearsNotes(NamedTuple):
             formula = f"m({teeth_letters(large.name)} {sign} {teeth_letters(small.name)})/2"
             far = Slot(f"a_{one.name}{other.name}", MILLIMETRES * float(one.module * abs(one.teeth + other.teeth) / 2))
             yield self._said("gears distance", pair=f"{one.name}{other.name}", formula=formula, far=far)
+        yield from self._cut()
         for link in train.carrier_of if (train.planets or 0) > 1 else ():
             yield from self._planets(link)
+
+    def _cut(self) -> Iterator[str]:
+        """Warn of wheels that a rack undercuts, and of rings with hardly more teeth than the wheel within."""
+        least, wheels = synthesis.USUAL_LEAST[False], self.study.train.wheels.values()
+        few = [f"{teeth_letters(w.name)} = {w.teeth}" for w in wheels if 0 < w.teeth < least]
+        pairs = (sorted(pair, key=lambda wheel: wheel.teeth) for pair in self.study.train.pairs)
+        more = [(ring, inner, -ring.teeth - inner.teeth) for ring, inner in pairs if ring.internal]
+        close = [f"{teeth_letters(a.name)} − {teeth_letters(b.name)} = {n}" for a, b, n in more if n < CLEAR]
+        yield from (self._said("gears few", least=least, parts=",  ".join(few)),) if few else ()
+        yield from (self._said("gears tips meet", clear=CLEAR, parts=",  ".join(close)),) if close else ()
 
     def _planets(self, link: str) -> Iterator[str]:
         train, count = self.study.train, self.study.train.planets or 1

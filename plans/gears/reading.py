@@ -128,6 +128,11 @@ class _TrainReading:
         if self.form.wanted is None:
             return
         wanted = wanted_of(self.form, self.raw)
+        if wanted and wanted.sign * wanted.ratio < 0:
+            ends = dict(zip(("held", "driving", "driven"), wanted.ends, strict=True))
+            kind = "only_positive" if wanted.sign > 0 else "only_negative"
+            self.report(("wanted", "ratio"), kind, **ends, would=-self.form.wanted.ratio)
+            return
         self.searched = search(wanted) if wanted else None
         if self.searched is None:
             self.report(("wanted",), "wanted_scheme")

@@ -46,6 +46,13 @@ class Wanted(NamedTuple):
         off = abs(self.ratio) * self.tolerance
         return self.ratio - off, self.ratio + off
 
+    @property
+    def sign(self) -> int:
+        """The sign that the ratio has whatever the teeth; 0 where it hangs on them: that of slips s_i is known."""
+        slips = {link_of(central): -1 if central in self.raw.rings else 1 for central, _ in self.rows}
+        held, driving, driven = (slips.get(link, 0) for link in self.ends)
+        return (held - driving) * (held - driven)
+
     def allowed(self, wheel: str) -> tuple[int, int]:
         """Give the least and the greatest teeth of a wheel: those that it is given."""
         given = self.raw.teeth[wheel]

@@ -85,6 +85,21 @@ def test_a_worked_train_has_the_printed_ratio_by_both_roads(name: str) -> None:
     assert float(f"{n:.10g}") == pytest.approx(rpm, rel=1e-10)
 
 
+def test_a_worked_row_has_the_printed_velocity_and_planet() -> None:
+    """M9.1, for ω_1 = 100 rad/s."""
+    _, comparison = compared(train(*WORKED["simple row"][0]))
+    drawn = {one.name: one.construction[0] for one in comparison.findings}
+    found = {name: 100 * drawn[name] / drawn["ω_1"] for name in ("v_O2", "ω_2", "ω_H")}
+    assert found == pytest.approx({"v_O2": 2.4, "ω_2": -66.66666667, "ω_H": 28.57142857}, rel=1e-9)
+
+
+def test_undercut_and_tips_that_meet_are_told_on_the_sheet() -> None:
+    scene = train("1=9 2=22 2'=22 3=-25", "1-2 2'-3", "3", "", "")
+    study = Study(scene).of(GearsStudy)
+    told = " ".join(map(str, GearsNotes(study, TrainSpeeds(study.train), drafting_of(scene)).fit()))
+    assert "z < 17:  z_{1} = 9" in told and "z_{3} − z_{2'} = 3" in told
+
+
 def test_the_gears_of_a_box_and_a_differential_have_the_printed_speeds() -> None:
     wheels, carriers = "1=24 2=18 3=-0 4=30 5=18 6=-0", "H1=2 H2=5"
     study, comparison = compared(train(wheels, "1-2 2-3 4-5 5-6", "H2", f"{BOX}\n{ENGAGED}", carriers))
