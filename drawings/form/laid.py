@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import chain
+from types import MappingProxyType
 from typing import Any, Final, NamedTuple
 
 from drawings.layout.table import RuledTable, TableRow
@@ -19,7 +20,7 @@ from drawings.layout.table import table as ruled
 from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
 from drawings.lettering.words import WRITTEN, numerals, verbatim, with_index, word
-from drawings.page.page import Drafting
+from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.sheets.kind import FRAME, PLAN, figure_of, table_of
@@ -196,6 +197,12 @@ class LaidFigure(NamedTuple):
     axes: tuple[str, ...]  # the letters of a graph's ordinate and abscissa
     of: Mapping[str, str]
     arrows: tuple[str, ...] = ()  # the vectors that are asked for there, by their letters
+    times: float = 1.0  # what its marks measure over what it is laid out by: velocities over heights
+    rays: Mapping[str, str] = MappingProxyType({})  # the data of a second pole, that of rays
+
+    def marked(self, scale: Scale) -> Scale:
+        """Give the scale of its marks where it is laid out at some scale."""
+        return scale if self.times == 1 else Scale(float(f"{scale.mu * self.times:.12g}"), self.letter, self.unit)
 
     @property
     def scales(self) -> tuple[str, ...]:
@@ -226,7 +233,7 @@ def figures(leaf: Leaf, kind: str, known: Given, parts: int = PARTS) -> Iterator
         inner = (_heading(found) for found in groups(group.strokes))
         heading, pending = next((found for found in inner if found is not None), pending), None
         if what and heading is not None and known.says(heading.title):
-            yield from _figure(group, what, heading, parts)
+            yield from _figure(group, what, heading, parts, leaf.metadata.get("scales", {}))
 
 
 def tables(leaf: Leaf, kind: str, known: Given) -> Iterator[LaidTable]:
@@ -250,7 +257,7 @@ def _heading(group: Group) -> Heading | None:
     return Heading(_marked(title), _marked(under))
 
 
-def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[LaidFigure]:
+def _figure(group: Group, what: str, heading: Heading, parts: int, scales: Mapping[str, float]) -> Iterator[LaidFigure]:
     marks = [mark for mark in groups(group.strokes) if "scale" in mark.data]
     poles = [mark for mark in marks if mark.data["kind"] == "pole"]
     scale = SCALE.search(heading.under)
@@ -259,7 +266,10 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
         return
     data = (poles or marks)[0].data
     at = _centre(poles[0]) if poles else None
-    reach = _reach(ink, at, float(data["scale"]), PARTS if what == FRAME and parts == CENTRED else parts)
+    mu = float(data["scale"])
+    laid = scales.get(group.name, mu) if ";" in heading.under else mu
+    settled = parts == CENTRED and (what == FRAME or laid != mu)
+    reach = _reach(ink, at, laid, PARTS if settled else parts)
     axes = _axes([text for text in _loose(group) if LETTER.fullmatch(_level(text))][:2])
     pole = poles[0].data if poles else {}
     of = {key: data[key] for key in ("plan", "position") if key in data}
@@ -268,7 +278,8 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
     # One that is lettered itself has a title
     letters = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
     arrows = tuple(sorted(set(letters)))
-    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of, arrows)
+    laid_out = (scale[2], data["unit"], reach, axes, of, arrows, mu / laid)
+    yield LaidFigure(group.name, what, heading, pole, *laid_out, poles[1].data if len(poles) > 1 else {})
 
 
 def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: str) -> Iterator[str]:

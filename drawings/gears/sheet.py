@@ -27,7 +27,7 @@ from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from plans.analytic.gears import TrainSpeeds
-from plans.gears.kutzbach import ANGULAR, LINEAR, LINES
+from plans.gears.kutzbach import ANGULAR, LINES
 from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy
 from plans.model.gears import BoxGear
@@ -112,6 +112,6 @@ def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[
     return table.filled(write).write(box, drafting)
 
 
-FORM: Final = {LINES: PLAN, LINEAR: PLAN, ANGULAR: PLAN}
+FORM: Final = {LINES: PLAN, ANGULAR: PLAN}
 SCALES: Final = {LINES: "gears", ANGULAR: "speeds"}
 SHEETS: Final = {GEARS: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(SPEEDS, RESULTS, SOLUTIONS))}
