@@ -17,6 +17,7 @@ from typing import NamedTuple
 from geometry.board import Board, Mark
 from geometry.errors import DraftError
 from plans.model.gears import FRAME, BoxGear, Train, bodies
+from plans.scene.faults import TWINS
 from plans.words.words import because, message
 
 POINTS = "ABCDEFGKLNPQRSUVWXYZ"  # letters of mesh points: O is an axis, H a carrier, T a brake, M a clutch
@@ -41,7 +42,9 @@ class TrainPoint(NamedTuple):
 
 def spots_of(train: Train) -> tuple[TrainPoint, ...]:
     """Give the axes, then the mesh points, then the centres of planets, each with the links that move as one there."""
-    found, letters = list[TrainPoint](), iter([*POINTS, *(f"{one}{k}" for k in range(1, 10) for one in POINTS)])
+    taken = {name[0].translate(TWINS) for name in (*train.links, *train.brakes, *train.clutches)}
+    free = [one for one in POINTS if one not in taken] or [*POINTS]
+    found, letters = list[TrainPoint](), iter([*free, *(f"{one}{k}" for k in range(1, 10) for one in free)])
     fixed = [link for link in train.links if link not in train.carrier_of]
     for height in dict.fromkeys(train.heights[link] for link in fixed):
         links = tuple(link for link in fixed if train.heights[link] == height)
