@@ -90,9 +90,10 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     for one, other in train.pairs:
         numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
     for gear in train.gears:
-        if (ratio := TrainSpeeds(train).ratio(gear)) is not None:
-            numbers[of_gear(study.ratio_name, gear)] = float(ratio)
-            numbers[of_gear(f"n_{train.output}", gear)] = TrainSpeeds(train).true(gear)[train.output] * 30 / math.pi
+        ratio, speed = TrainSpeeds(train).ratio(gear), TrainSpeeds(train).true(gear)[train.output]
+        numbers[of_gear(f"n_{train.output}", gear)] = speed * 30 / math.pi
+        told = (f"ω_{train.output}", speed) if ratio is None else (study.ratio_name, float(ratio))
+        numbers[of_gear(told[0], gear)] = told[1]
     if train.single:
         numbers |= {f"given J_{link}": size for link, size in train.inertia.items()}
         numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
