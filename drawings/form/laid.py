@@ -19,7 +19,7 @@ from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
 from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
-from drawings.lettering.words import WRITTEN, numerals, verbatim, with_index, word
+from drawings.lettering.words import WRITTEN, decimal, numerals, verbatim, with_index, word
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
@@ -30,6 +30,8 @@ from plans.words.words import words
 
 NUMERAL = re.compile(WRITTEN)
 TOLD = 3  # digits: a number of fewer counts or names something, and tells no value
+QUANTITY = re.compile(r"-?\d+(?:\.\d+)?\s*(?:[^\W\d_][^-_^{}\\]*|[°%]|$)")  # as a scene writes it: "340 N*m"
+SIGNS = str.maketrans("-*", "−·")
 INDEXED = re.compile(r"[^\W\d_]+_[^\W_]+")  # a letter with its index: "F_g"
 SKETCH = "sketch"  # where points lie about is what the plan of positions has to find
 # Degrees of two turns, or mm of a plate, by which the rows of a table count, though no scene gives them.
@@ -126,6 +128,8 @@ def _said(key: str, value: Any, language: str) -> str:
     name, key = key, key.rpartition(".")[2]
     own = key == "name" and f"form_value.{value}" not in words(language)  # of a cam, whatever it looks like
     joined = verbatim(value) if own else _inner(value, language)
+    if value is True:
+        return _worded("form_key", name, language)
     if key[:1].isupper() or key[:1].isdigit():  # the name of a point, or the number of a link
         return f"{key} {joined}" if isinstance(value, list | dict) else f"{key} = {joined}"
     return f"{_worded('form_key', name, language)} {joined}"
@@ -141,8 +145,15 @@ def _written(value: Any, language: str) -> str:
             return str(words(language)["form_value.yes" if value else "form_value.no"])
         case str():
             said = str(words(language).get(f"form_value.{value}", value))
+            if QUANTITY.fullmatch(said):
+                return _lettered(said, language)
             return said if INDEXED.fullmatch(said) else verbatim(said)
-    return f"{Decimal(repr(value)):f}"  # no power of ten: it would be read as two numbers
+    return _lettered(f"{Decimal(repr(value)):f}", language)  # no power of ten: it would be read as two numbers
+
+
+def _lettered(quantity: str, language: str) -> str:
+    """Write a number of a scene, with the unit that it has there, as sheets write numbers."""
+    return decimal(quantity.translate(SIGNS), language)
 
 
 def _inner(value: Any, language: str) -> str:

@@ -73,6 +73,15 @@ class ShownLinear(NamedTuple):
         return {name: _longer(ends[0], ends[-1], past) for name, ends in rows}
 
     @property
+    def free_ends(self) -> dict[str, complex]:
+        """The end of each line that is farthest from those of all others: there it is named."""
+        lines, found = self.lines, dict[str, complex]()
+        for name, (low, high) in lines.items():
+            others = [end for one, ends in lines.items() if one != name for end in (*ends, 0j)]
+            found[name] = max((high, low), key=lambda end: min(abs(end - other) for other in others or [0j]))
+        return found
+
+    @property
     def resting(self) -> str:
         """The links that rest, after the frame."""
         lines = self.plan.lines
@@ -181,9 +190,12 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
             at = place.on(complex(_left(shown), float(spot.height)))
             yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, math.pi)
         if spot.links[0] != FRAME:
-            image = place.on(shown.zero + shown.images[spot.letter])
-            yield labels.beside(image, with_index(spot.image), hand.letter, BESIDE, -0.6)
-    for name, (_, end) in shown.lines.items():
-        yield labels.beside(place.on(shown.zero + end), name, hand.number, BESIDE, math.pi / 2)
+            image = shown.images[spot.letter]
+            way = -0.6 if image.real > 0 else math.pi - 0.6  # what rests or goes back has its letter on that side
+            at = place.on(shown.zero + image)
+            yield labels.beside(at, with_index(spot.image), hand.letter, BESIDE, way)
+    for name, end in shown.free_ends.items():
+        up = math.pi / 2 if end == shown.lines[name][1] else -math.pi / 2
+        yield labels.beside(place.on(shown.zero + end), name, hand.number, BESIDE, up)
     top = place.on(complex(shown.zero, shown.scheme.reach[1] + PAST * shown.high))
     yield labels.beside(top, shown.resting, hand.number, BESIDE, math.pi / 2)

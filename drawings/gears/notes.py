@@ -139,8 +139,8 @@ class GearsNotes(NamedTuple):
         for one in train.willis:
             first, other, carrier = (body[link] for link in (one.first.link, one.other.link, one.carrier or FRAME))
             if len({first, other, carrier}) > 1:
-                ways = (_over_carrier(link, carrier) for link in (first, other))
-                yield "{} = {}{}".format(next(ways), ratio_letters(one), _bracketed(next(ways)))
+                over, under = (_over_carrier(link, carrier) for link in (first, other))
+                yield f"{over} = {ratio_letters(one)}{_bracketed(under)}"
 
     def _ratio(self, gear: BoxGear) -> Phrase:
         driving, driven, ratio = self.study.train.drives[0][0], self.study.train.output, self.speeds.ratio(gear)

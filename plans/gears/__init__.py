@@ -25,6 +25,7 @@ class GearsTechnique(Technique):
     form = late("form:GearsForm")
     comparison = late("quantities:compare_gears", "gears.study:GearsStudy")
     numbers = late("quantities:numbers")
+    marks = late("quantities:marks")
 
     def survey(self, meaning: Meaning) -> Survey:
         from plans.gears.reading import survey_of

@@ -6,15 +6,16 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from geometry.board import Mark, Reading
+from geometry.board import Mark, Reading, behind
 from geometry.precision import Error, errors
 from plans.analytic.gears import TrainSpeeds, speeds, velocity
+from plans.explanation import Explanation, NoMark, explained_by
 from plans.gears.kutzbach import ANGULAR, AXIS, LINEAR, KutzbachPlan
 from plans.gears.study import GEARS, GearsStudy, of_gear
 from plans.gears.synthesis import listed
 from plans.model.motion import Gap
 from plans.quantity import Comparison, Numbers, Quantity, numbers_of
-from plans.words.words import because
+from plans.words.words import because, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -111,6 +112,30 @@ def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -
     yield Quantity.of(
         named, (ratio, float(true)), DATA * abs(ratio) * sum(off), abs(float(true)), Reading(driven, turned)
     )
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark of the shown plans, of the first gear that has it, or of the one that is asked for.
+
+    Of what is let go for a moment only the plan's own marks are told, with what they rest on.
+    """
+    letters, _, which = name.partition(",")
+    plans = [plan for plan in study.of(GearsStudy).plans if which in ("", plan.gear.name)]
+    rows = [(plan, found) for plan in plans if (found := _shown(plan, letters)) is not None]
+    if not rows:
+        return explained_by(study.quantities(GEARS), position, name)
+    plan, mark = rows[0]
+    units = {plan.linear.subject: "m", plan.angular.subject: "rad/s"} if mark.step.op != "turn" else {}
+    others = ", ".join(f"{letters},{one.gear.name}" for one, _ in rows[1:] if one.gear != plan.gear)
+    notes = (message("gears.also", gear=plan.gear.name, names=others),) if others else ()
+    return Explanation(message("explain.name", mark=name), tuple(behind(mark)), units, notes)
+
+
+def _shown(plan: KutzbachPlan, letters: str) -> Mark | None:
+    """Find a mark of a plan by its letters; the velocity of a point that rests ends where the point is."""
+    images = {name.lower(): mark for name, mark in plan.images.items()}
+    boards = (board[letters] for board in (plan.linear, plan.angular) if letters in board)
+    return images.get(letters) or next(boards, None)
 
 
 def numbers(study: Study, by: str) -> Numbers:
