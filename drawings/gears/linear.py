@@ -23,6 +23,7 @@ MARGINS = Margins(3.0, 3.0, 2.6)  # paper around it for letters, in their sizes
 LETTERS = 24.0  # it is drawn at least so many letters large
 BETWEEN = 0.12  # of the height: from the scheme to the triangles
 PAST = 0.06  # of the height: how far lines go past their points
+RACK = 2.0  # of that: how far the upright line of a rack goes past its mesh point
 ALIKE = 1e-6  # of the height: lines so near each other are one
 SHORT = 0.6  # mm: a shorter velocity is a point
 
@@ -70,7 +71,9 @@ class ShownLinear(NamedTuple):
             for key, (links, ends) in found.items()
             if any(key)
         )
-        return {name: _longer(ends[0], ends[-1], past) for name, ends in rows}
+        slides = {link_letters(spot.rack): self.images[spot.letter] for spot in self.scheme.spots if spot.rack}
+        upright = {name: (end - RACK * 1j * past, end + RACK * 1j * past) for name, end in slides.items()}
+        return {name: _longer(ends[0], ends[-1], past) for name, ends in rows} | upright
 
     @property
     def free_ends(self) -> dict[str, complex]:
@@ -180,7 +183,8 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
         yield from shown.scheme.letters(place, hand, labels)
     for spot in shown.scheme.spots:
         if shown.schemed and spot.links[0] != FRAME:
-            yield labels.beside(place.on(shown.scheme.contact(spot)), with_index(spot.letter), hand.letter, BESIDE, 0.6)
+            at, way = place.on(shown.scheme.contact(spot)), -0.6 if spot.rack else 0.6
+            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, way)
         elif not spot.height:
             yield labels.beside(place.on(complex(shown.zero)), spot.letter, hand.letter, BESIDE, -2.6)
         elif shown.schemed:

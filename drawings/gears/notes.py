@@ -123,7 +123,8 @@ class GearsNotes(NamedTuple):
 
     def ratios(self) -> Iterator[str]:
         """Tell the ratio of each gear, by Willis's formula where that gives it at once, and the driven speed."""
-        yield from map(self._ratio, self.study.train.gears)
+        for gear in self.study.train.gears:
+            yield from (self._ratio(gear), *self.racks(gear))
 
     def solved(self) -> Iterator[str]:
         """Tell the ratios, before each that its formulas give only together these for the links as they turn."""
@@ -131,6 +132,20 @@ class GearsNotes(NamedTuple):
             if not [*self._stopped(gear)]:
                 yield from self._together(gear)
             yield self._ratio(gear)
+            yield from self.racks(gear)
+
+    def racks(self, gear: BoxGear) -> Iterator[Phrase]:
+        """Tell how fast a rack goes by its wheel, and how far in a turn of the driving link."""
+        train, slot, drive = self.study.train, self.drafting.slot, self.study.train.drives[0][0]
+        for rack, name in train.racks.items():
+            wheel, sign = train.wheels[name], "" if train.rack_side(rack) > 0 else "−"
+            formula = f"{sign}ω_{{{wheel.link}}}·{module_letter(train, wheel)}·{teeth_letters(name)}/2"
+            v = slot(Slot(of_gear(f"v_{rack}", gear), self.speeds.rack(gear, rack), DIGITS))
+            yield joined("", (f"v_{{{of_gear(rack, gear)}}} = {formula} = ", v, f" {self.drafting.word('m/s')}"))
+            if (travel := self.speeds.travel(gear, rack)) is not None:
+                h = slot(Slot(of_gear(f"h_{rack}", gear), travel, DIGITS))
+                letters = f"h_{{{of_gear(rack, gear)}}} = 2π·v_{{{rack}}}/ω_{{{drive}}}"
+                yield self._said("gears rack", rack=rack, link=drive, letters=letters, far=h)
 
     def _together(self, gear: BoxGear) -> Iterator[str]:
         """Write Willis's formulas for what turns as one and what rests: w_1 - w_H = U_13^(H)(w_3 - w_H)."""
@@ -207,6 +222,11 @@ class GearsNotes(NamedTuple):
         """Tell the load, and how the moments that balance it are found."""
         train = self.study.train
         if train.load is not None:
+            if self.study.force is not None:
+                rack, force = self.study.force
+                wheel = train.wheels[train.racks[rack]]
+                arm = f"{module_letter(train, wheel)}·{teeth_letters(wheel.name)}/2"
+                yield self._said("gears force", rack=rack, force=Slot("force", force), arm=arm, link=wheel.link)
             yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
             for gear in filter(self.study.closed, train.gears):
                 yield from self._powers(gear)
@@ -243,8 +263,9 @@ def ratio_letters(one: Willis) -> str:
 
 def module_letter(train: Train, wheel: ToothedWheel) -> str:
     """Letter the module of a wheel: m, and where the train has several by the first mesh of that one, m_12."""
-    pairs = [pair for pair in train.pairs if pair[0].module == wheel.module]
-    return "m" if len(pairs) == len(train.meshes) else f"m_{{{pairs[0][0].name}{pairs[0][1].name}}}"
+    meshes = *train.meshes, *((wheel, rack) for rack, wheel in train.racks.items())
+    alike = [mesh for mesh in meshes if train.wheels[mesh[0]].module == wheel.module]
+    return "m" if len(alike) == len(meshes) else f"m_{{{''.join(alike[0])}}}"
 
 
 def _over_carrier(link: str, carrier: str) -> str:

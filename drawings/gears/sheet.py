@@ -28,10 +28,10 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.kutzbach import ANGULAR, LINES
-from plans.gears.quantities import GearsComparison
+from plans.gears.quantities import GearsComparison, tabled
 from plans.gears.study import GEARS, GearsStudy
 from plans.model.gears import BoxGear
-from plans.quantity import Comparison, Quantity, by_hand
+from plans.quantity import Quantity, by_hand
 from plans.study import Study
 
 SPEEDS, RESULTS = "speeds", "results"  # the tables
@@ -73,16 +73,11 @@ def _title(key: str, gear: BoxGear, drafting: Drafting) -> str:
     return drafting.word("gears in gear", title=title, gear=gear.name) if gear.name else title
 
 
-def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
+def results(comparison: GearsComparison, drafting: Drafting) -> RuledTable:
     """Tell angular velocities and ratios by plan and by analysis, and what a hand may be out."""
-    lines = [value_row(one, label(one, drafting), (0,), drafting.language) for one in told(comparison)]
+    lines = [value_row(one, label(one, drafting), (0,), drafting.language) for one in tabled(comparison)]
     heads = tuple(drafting.word(key) for key in COLUMNS)
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS, least=6)
-
-
-def told(comparison: Comparison) -> list[Quantity]:
-    """List what the table of results tells: what turns, and the ratios."""
-    return [one for one in comparison.of(ANGULAR) if one.analysis[0]]
 
 
 def label(one: Quantity, drafting: Drafting) -> str:

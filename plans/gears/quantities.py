@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 DATA = 2.0  # times the bound of the record: heights and speeds that it is given are rounded themselves
+TURN = 2000 * math.pi  # of a rate, to millimetres in a turn
 ROUNDED = 16 * 2.0**-52  # of a sum of some squares
 
 
@@ -52,6 +53,7 @@ def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
             pair = complex(mark.point).real, float(true[link])
             yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
     yield from _ratio(study, plan, bound)
+    yield from _racks(study, plan, bound)
     yield from _inertia(study, plan, bound)
     yield from _moments(study, plan)
     spots = {spot.letter: spot for spot in study.spots}
@@ -136,6 +138,29 @@ def _shown(plan: KutzbachPlan, letters: str) -> Mark | None:
     images = {name.lower(): mark for name, mark in plan.images.items()}
     boards = (board[letters] for board in (plan.linear, plan.angular) if letters in board)
     return images.get(letters) or next(boards, None)
+
+
+def _racks(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
+    """Compare the velocity of each rack, and how far it goes in a turn of the driving link: h = 2 pi v/omega."""
+    found, drive = TrainSpeeds(study.train), study.train.drives[0][0]
+    for spot in (spot for spot in study.spots if spot.rack):
+        mark, true = plan.velocities[spot.letter], found.rack(plan.gear, spot.rack)
+        off = DATA * float(bound[mark].place.max())
+        pair = complex(mark.point).real, true
+        yield Quantity.of((LINEAR, of_gear(f"v_{spot.rack}", plan.gear), "m/s"), pair, off, abs(true), mark)
+        if (travel := found.travel(plan.gear, spot.rack)) is not None:
+            over, turned = plan.speeds[drive], plan.linear.turn(f"h_{spot.rack}", mark, 1j * TURN, because("gear_turn"))
+            speed = complex(over.point).real
+            off = TURN * (off + abs(pair[0] / speed) * DATA * float(bound[over].place.max())) / abs(speed)
+            named = LINEAR, of_gear(f"h_{spot.rack}", plan.gear), "mm"
+            yield Quantity.of(named, (TURN * pair[0] / speed, travel), off, abs(travel), Reading(over, turned))
+
+
+def tabled(found: GearsComparison) -> list[Quantity]:
+    """List what the table of results tells: what turns, the ratios, and the racks."""
+    racks = {f"{letter}_{rack}" for rack in found.analysis.train.racks for letter in "vh"}
+    slides = [one for one in found.of(LINEAR) if one.name.partition(",")[0] in racks]
+    return [one for one in (*found.of(ANGULAR), *slides) if one.analysis[0]]
 
 
 def numbers(study: Study, by: str) -> Numbers:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -82,6 +83,17 @@ def test_a_worked_train_has_the_printed_ratio_by_both_roads(name: str) -> None:
     assert drawn[study.ratio_name] == pytest.approx(float(ratio), rel=1e-12)
     n = drawn[f"ω_{study.train.body_of[driven]}"] * 30 / 3.141592653589793
     assert float(f"{n:.10g}") == pytest.approx(rpm, rel=1e-10)
+
+
+def test_racks_go_as_far_in_a_turn_as_their_wheel_rolls() -> None:
+    """Of a jack, pi m z/U and the force by powers; the second rack on a wheel goes the other way."""
+    scene = train("1=20 2=60 2'=15", "1-2 2'-4 2'-5", "4", "force = 6000", "", "1=300").content.decode()
+    racks = "wheels = { 4 = { rack = true }, 5 = { rack = true },"
+    study, comparison = compared(parse_scene(scene.replace("wheels = {", racks)))
+    found = {one.name: float(one.construction[0]) for one in comparison.findings}
+    assert comparison.agrees and found["v_4"] == pytest.approx(-10 / 3 * math.pi * 0.03, rel=1e-12) == -found["v_5"]
+    assert found["h_4"] == pytest.approx(-4 * 15 * math.pi / 3, rel=1e-12)
+    assert found["M_1"] * found["ω_1"] == pytest.approx(6000 * abs(found["v_4"]), rel=1e-12)
 
 
 def test_the_gears_of_a_box_and_a_differential_have_the_printed_speeds() -> None:
