@@ -89,7 +89,7 @@ def test_racks_go_as_far_in_a_turn_as_their_wheel_rolls() -> None:
     """Of a jack, pi m z/U and the force by powers; the second rack on a wheel goes the other way."""
     scene = train("1=20 2=60 2'=15", "1-2 2'-4 2'-5", "4", "force = 6000", "", "1=300").content.decode()
     racks = "wheels = { 4 = { rack = true }, 5 = { rack = true },"
-    study, comparison = compared(parse_scene(scene.replace("wheels = {", racks)))
+    _, comparison = compared(parse_scene(scene.replace("wheels = {", racks)))
     found = {one.name: float(one.construction[0]) for one in comparison.findings}
     assert comparison.agrees and found["v_4"] == pytest.approx(-10 / 3 * math.pi * 0.03, rel=1e-12) == -found["v_5"]
     assert found["h_4"] == pytest.approx(-4 * 15 * math.pi / 3, rel=1e-12)
