@@ -146,8 +146,8 @@ class _Formulas:
 
     def _within(self, wheel: GearWheel, curvature: float) -> bool:
         """Tell whether the involute of a wheel reaches a radius of curvature, m."""
-        foot, tip = _foot(wheel, self.root(wheel)), self.roll(wheel)
-        return (curvature / wheel.base - foot) * (curvature / wheel.base - tip) <= 0
+        end, tip = foot(wheel, self.root(wheel)), self.roll(wheel)
+        return (curvature / wheel.base - end) * (curvature / wheel.base - tip) <= 0
 
 
 class Flank(NamedTuple):
@@ -164,7 +164,7 @@ def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
     """Give a flank: an involute by its polar equation, below it what the corner of the tool leaves."""
     half = wheel.width / (2 * wheel.radius) + inv(wheel.rack.angle)  # of a tooth, of a ring's space, at the base circle
     high = math.sqrt((tip / wheel.base) ** 2 - 1)
-    rolls = np.linspace(_foot(wheel, root), high, count)
+    rolls = np.linspace(foot(wheel, root), high, count)
     if wheel.internal:
         return Flank(_ring_corner(wheel, half, root, count), _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
     depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
@@ -172,8 +172,8 @@ def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
     return Flank(_trochoid(wheel, depth, count), spots)
 
 
-def _foot(wheel: GearWheel, root: float) -> float:
-    """Give the tangent of the profile angle where the involute begins."""
+def foot(wheel: GearWheel, root: float) -> float:
+    """Give the tangent of the profile angle where the involute begins: below 0 of a wheel that is undercut."""
     if wheel.internal:
         corner = wheel.corner(root)
         return (math.sqrt((root - corner) ** 2 - wheel.base**2) + corner) / wheel.base
@@ -198,7 +198,7 @@ def _trochoid(wheel: GearWheel, depth: float, count: int) -> Complexes:
 
 def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> Complexes:
     """Give the arc between root circle and involute of an internal wheel."""
-    corner, low = wheel.corner(root), _foot(wheel, root)
+    corner, low = wheel.corner(root), foot(wheel, root)
     string = low * wheel.base - corner
     off = half - corner / wheel.base - string / wheel.base + math.atan(string / wheel.base)
     lean = np.linspace(off, half - low + math.pi / 2, count)  # of the corner's radius, from the y axis

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from geometry.board import Mark, Span
-from plans.analytic.involute import flank, solve
+from plans.analytic.involute import flank, foot, solve
 from plans.explanation import Explanation, NoMark, explained_by
 from plans.involute.action import MESH, slack
 from plans.involute.flanks import Flanks
 from plans.involute.generation import GENERATION
-from plans.involute.limits import lowest
 from plans.involute.study import POINTS, InvoluteStudy
 from plans.model.involute import PairSizes, WheelSizes
 from plans.quantity import Comparison, Quantity, Shown
@@ -83,10 +82,10 @@ class _ComparedPair(NamedTuple):
             if found := self.study.generated.get(flanks.wheel.number):
                 n, base = flanks.wheel.number, flanks.wheel.base
                 root, begin = abs(complex(found.points[0])), abs(complex(np.atleast_1d(found.involute.point)[0]))
-                end = math.hypot(base, lowest(flanks.wheel, theirs.root))
                 yield Quantity.of((GENERATION, f"d_f{n}", "m"), (2 * root, 2 * theirs.root), 2 * self.slack)
-                if lowest(flanks.wheel, theirs.root) >= 0:  # else the fillet cuts the involute a little further out
-                    yield Quantity.of((GENERATION, f"d_l{n}", "m"), (2 * begin, 2 * end), 2 * self.slack)
+                if (end := foot(flanks.wheel, theirs.root)) >= 0:  # else the fillet cuts the involute further out
+                    ends = 2 * begin, 2 * base * math.hypot(1.0, end)
+                    yield Quantity.of((GENERATION, f"d_l{n}", "m"), ends, 2 * self.slack)
 
     def left(self) -> Iterator[Quantity]:
         """See that tooth and space fill the operating pitch, and how far whole profiles are from the formulas."""
