@@ -26,11 +26,12 @@ MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", 
 MILLIMETRES = 3  # decimals
 # By the unit of a quantity: times which it is told, with how many decimals, in which unit.
 UNITS = {"m": (1e3, MILLIMETRES, "mm"), "rad": (math.degrees(1.0), 4, "°"), "1": (1.0, 3, "")}
-DIGITS = 6  # of the data
+DIGITS, SHARES = 9, 4  # enough for all decimals of data and notes; decimals of what is told in modules, of degrees
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
 EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
 LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
+FINE = {"α", "α_w", "y", "Δy", "k", "u"}  # told with more decimals than millimetres are
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
 
@@ -72,11 +73,15 @@ def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Itera
     for letter, both in rows.items():
         unit = "" if letter in "zxk" else f", {mm}"
         word = drafting.word(f"involute {letter}")
-        yield f"{word} {with_index(letter)}{unit}", [None if math.isnan(one) else float(one) for one in both]
+        places = SHARES if letter == "x" else MILLIMETRES
+        yield (
+            f"{word} {with_index(letter)}{unit}",
+            [None if math.isnan(one) else round(float(one), places) for one in both],
+        )
 
 
 def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
-    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules."""
+    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules, rounded as in tables."""
     rack = pair.rack
     moved = round((sizes.distance - pair.standard) / rack.module, EXACT) + 0.0
     found = {"α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance, "ρ*": rack.rounding}
@@ -84,7 +89,8 @@ def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
     found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
     found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
     found["u"] = -pair.sense * pair.teeth[1] / pair.teeth[0]
-    return found | {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+    found |= {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+    return {name: round(one, SHARES if name in FINE else MILLIMETRES) for name, one in found.items()}
 
 
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
@@ -100,7 +106,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from cells(DATA, row, [None if one is None else (one, FAR) for one in both], digits=DIGITS)
     for name, value in noted(pair, sizes).items():
         lost = name == "k"
-        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
+        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=DIGITS)
 
 
 def _side(pair: InvolutePair, sizes: PairSizes, number: int) -> Complexes:
@@ -119,12 +125,16 @@ def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     for name, far in spots.items():
         yield Expected(Kind.POINT, MESH, name, far * along, FAR * sizes.distance, may_lack=name == "P")
     yield Expected(Kind.ANGLE, MESH, "α_w", sizes.angle, FAR)
+    shown = [one.shown for one in placed(pair, sizes)]
+    apart = Expected(Kind.LENGTH, MESH, "a_w", sizes.distance, FAR * sizes.distance)  # broken off where one is far
+    told = noted(pair, sizes)["a_w"]
+    yield from [*measured(apart, told, digits=DIGITS)][not all(shown) :] if any(shown) else ()
     for k, one in enumerate(placed(pair, sizes)):
         n = one.wheel.number
         slack = FAR * one.sizes.operating
+        yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
         if one.shown:
             yield Expected(Kind.POINT, MESH, f"O_{n}", one.centre, slack)
-            yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
         last = sizes.angle
         last += tips[k] / one.wheel.base - math.tan(sizes.angle) if one.unrolled else 0.0
         for name, curve in one.circles(last).items():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.involute.due import noted
+from drawings.involute.due import DIGITS, noted
 from drawings.lettering.words import Phrase, Slot
 from drawings.page.page import Drafting
 from plans.involute.study import InvoluteStudy
@@ -50,7 +50,7 @@ class InvoluteNotes(NamedTuple):
 
     def _said(self, key: str, *names: str) -> Phrase:
         known = noted(self.pair, self.sizes)
-        return self.drafting.phrase(key, **{_part(name): Slot(name, known[name], 5) for name in names})
+        return self.drafting.phrase(key, **{_part(name): Slot(name, known[name], DIGITS) for name in names})
 
 
 def _part(name: str) -> str:
