@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark, Span
+from geometry.board import Mark, Span, behind
 from plans.analytic.involute import flank, foot, solve
 from plans.explanation import Explanation, NoMark, explained_by
 from plans.involute.action import MESH, slack
@@ -17,6 +17,7 @@ from plans.involute.generation import GENERATION
 from plans.involute.study import POINTS, InvoluteStudy
 from plans.model.involute import PairSizes, WheelSizes
 from plans.quantity import Comparison, Quantity, Shown
+from plans.words.words import message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -110,5 +111,7 @@ assert {name for _, name, _ in SIZES} <= set(WheelSizes._fields)
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark: places and lengths are metres."""
-    found = explained_by(study.comparison(MESH).findings, position, name)
+    found, board = explained_by(study.comparison(MESH).findings, position, name), study.of(InvoluteStudy).action.board
+    if isinstance(found, NoMark) and name in board and name not in found.names:
+        return Explanation(message("explain.name", mark=name), behind(board[name]), {MESH: "m"})
     return found._replace(units={MESH: "m"}) if isinstance(found, Explanation) else found
