@@ -172,7 +172,8 @@ PAIRS = {  # of involute wheels: what is given, and of the paper
 
 
 def pairs() -> Iterator[Odd]:
-    said = {"far wheel": "is shared inversely", "few teeth": "колеса 1 тоньше 0,25m", "plain pair": "Δy = 0", "steep rack": "α = 25°"}
+    said = {"far wheel": "is shared inversely", "plain pair": "Δy = 0", "steep rack": "α = 25°"}
+    said |= {"few teeth": "колеса 1 тоньше 0,25m"}
     for name, (given, paper) in PAIRS.items():
         text = f'sheets = ["involute"]\n[involute]\nmodule = 5\n{given}\n[sheet]\n{paper}\n'
         yield Odd(name, text, (said[name],) if name in said else ())
