@@ -61,23 +61,14 @@ def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Itera
     mm, wheels = drafting.word("mm"), pair.wheels
     heights = [1e3 * abs(one.tip - one.root) for one in sizes.wheels]
     rows = {
-        "m": [1e3 * pair.rack.module] * 2,
-        "z": pair.teeth,
-        "x": pair.shifts,
-        "d": [2e3 * wheel.radius for wheel in wheels],
-        "d_b": [2e3 * wheel.base for wheel in wheels],
-        "h": heights,
-        "k": [wheel.spanned for wheel in wheels],
-        "D": [1e3 * one.pin for one in sizes.wheels],
-    }
+        "m": [1e3 * pair.rack.module] * 2, "z": pair.teeth, "x": pair.shifts,
+        "d": [2e3 * wheel.radius for wheel in wheels], "d_b": [2e3 * wheel.base for wheel in wheels], "h": heights,
+        "k": [wheel.spanned for wheel in wheels], "D": [1e3 * one.pin for one in sizes.wheels],
+    }  # fmt: skip
     for letter, both in rows.items():
-        unit = "" if letter in "zxk" else f", {mm}"
-        word = drafting.word(f"involute {letter}")
+        row = f"{drafting.word(f'involute {letter}')} {with_index(letter)}{'' if letter in 'zxk' else f', {mm}'}"
         places = SHARES if letter == "x" else MILLIMETRES
-        yield (
-            f"{word} {with_index(letter)}{unit}",
-            [None if math.isnan(one) else round(float(one), places) for one in both],
-        )
+        yield row, [None if math.isnan(one) else round(float(one), places) for one in both]
 
 
 def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
@@ -128,8 +119,8 @@ def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     yield Expected(Kind.ANGLE, MESH, "α_w", sizes.angle, FAR)
     shown = [one.shown for one in placed(pair, sizes)]
     apart = Expected(Kind.LENGTH, MESH, "a_w", sizes.distance, FAR * sizes.distance)  # broken off where one is far
-    told = noted(pair, sizes)["a_w"]
-    yield from [*measured(apart, told, digits=DIGITS)][not all(shown) :] if any(shown) else ()
+    both = [*measured(apart, noted(pair, sizes)["a_w"], digits=DIGITS)]
+    yield from both[not all(shown) :] if any(shown) else ()
     for k, one in enumerate(placed(pair, sizes)):
         n = one.wheel.number
         slack = FAR * one.sizes.operating

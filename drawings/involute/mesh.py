@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.involute.due import DIGITS, noted
+from drawings.involute.due import DIGITS, MILLIMETRES
+from drawings.kinds.axes import arrow
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.words import Slot, joined, telling, with_index
 from drawings.page.page import Drafting
-from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
@@ -35,7 +35,7 @@ SQUARE = 3.0  # mm: side of the mark of a right angle
 ANGLE, TURN = 30.0, (12.0, math.radians(40), math.radians(100))  # mm: radius of the angle's arc; arrow of a rotation
 COMMON = 34.0  # mm of the common tangent to either side of P
 OFF, RUN, WAY = 4.0, (3.0, 15.0), 9.0  # mm: off a root circle, along it, the arrow of a rotation; to a far centre
-ASIDE, LEFT = 20.0, 22.0  # mm: the dimension of a_w beside the centres of an internal pair, left of all of another
+LEFT = 20.0  # mm: the dimension of a_w from all of a pair, from the centre of an internal one
 
 
 class ShownMesh(NamedTuple):
@@ -48,7 +48,6 @@ class ShownMesh(NamedTuple):
     strings: Mapping[str, tuple[complex, complex]]  # of the flanks unrolled, by the number at the base circle
     active: tuple[tuple[Complexes, Complexes], ...]  # the parts of the flanks in P that touch, with the ways inwards
     angle: float
-    told: float  # the distance of the axes, mm
 
     @property
     def known(self) -> list[complex]:
@@ -83,9 +82,7 @@ def shown(study: InvoluteStudy) -> ShownMesh:
     active = tuple(
         touching(flanks, *ends) for flanks, *ends in zip(study.flanks, action.feet, action.strings, strict=True)
     )
-    return ShownMesh(
-        marks, wheels, teeth, circles, strings, active, action.angle, noted(study.pair, study.sizes)["a_w"]
-    )
+    return ShownMesh(marks, wheels, teeth, circles, strings, active, action.angle)
 
 
 def touching(flanks: Flanks, foot: float, long: float) -> tuple[Complexes, Complexes]:
@@ -98,13 +95,9 @@ def touching(flanks: Flanks, foot: float, long: float) -> tuple[Complexes, Compl
 
 def measure(mesh: ShownMesh, drafting: Drafting) -> Picture:
     """Measure the room that a mesh needs."""
-    hand = drafting.hand
-    title, second = heading_width(drafting.word("involute mesh"), hand), mesh.wheels[1]
-    more = (TURN[0] + 2 * BESIDE) * hand.symbol + hand.letter
-    above = 0.0 if second.wheel.internal else more
-    below = 0.0 if second.wheel.internal or mesh.wheels[0].shown else more
-    side = 0.0 if second.wheel.internal else LEFT / 3 * hand.symbol
-    margins = around(MARGINS, hand, side, below, above)
+    hand, outer = drafting.hand, not mesh.wheels[1].wheel.internal
+    title, more = heading_width(drafting.word("involute mesh"), hand), outer * (LEFT * hand.symbol + hand.letter)
+    margins = around(MARGINS, hand, outer * LEFT / 3 * hand.symbol, 0.0 if mesh.wheels[0].shown else more, more)
     return picture(NAME, mesh.known, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
@@ -120,18 +113,13 @@ def polyline(places: Complexes, place: Place, style: LineStyle) -> Polyline:
     return Polyline(tuple(map(place.on, places.tolist())), False, style)
 
 
-def _arrow(start: complex, tip: complex, hand: Hand) -> Iterator[Stroke]:
-    yield Line(start, tip, hand.drafted)
-    yield from filter(None, [arrowhead(start, tip, hand.symbol)])
-
-
 class _DrawnMesh:
     """A mesh at its place on paper."""
 
     def __init__(self, mesh: ShownMesh, place: Place, drafting: Drafting) -> None:
         self.mesh, self.place, self.hand, self.drafting = mesh, place, drafting.hand, drafting
         self.spots = {name: place.on(spot) for name, spot in mesh.points.items()}
-        self.way = cmath.exp(1j * mesh.angle)
+        self.way, self.inner = cmath.exp(1j * mesh.angle), mesh.wheels[1].wheel.internal
 
     def lines(self) -> Iterator[Stroke]:
         """Draw circles, strings, teeth, the line of action, the points."""
@@ -186,7 +174,7 @@ class _DrawnMesh:
             inwards, towards = self.place.on(one.centre) - end, pole - end
             side, along = (SQUARE * hand.symbol * way / abs(way) for way in (inwards, towards))
             begin = self.place.on(self.mesh.inner(one))
-            yield from (Line(begin, end, hand.drafted),) if one.shown else _arrow(end, begin, hand)
+            yield from (Line(begin, end, hand.drafted),) if one.shown else arrow(end, begin, hand)
             yield Polyline((end + side, end + side + along, end + along), False, hand.drafted)
 
     @property
@@ -200,31 +188,32 @@ class _DrawnMesh:
     @property
     def _beyond(self) -> dict[str, complex]:
         """Where arrows along the line of centres end that point to centres which are not shown."""
-        internal = self.mesh.wheels[1].wheel.internal
-        (low, high), long = self._upright, 1j * ((0 if internal else PAST) + WAY) * self.hand.symbol
-        far = {f"O_{one.wheel.number}": one.centre.imag for one in self.mesh.wheels if not one.shown}
-        return {name: high + long if up > 0 else low - long for name, up in far.items()}
+        (low, high), long = self._upright, 1j * ((0 if self.inner else PAST) + WAY) * self.hand.symbol
+        far = (one for one in self.mesh.wheels if not one.shown)
+        return {f"O_{one.wheel.number}": high + long if one.centre.imag > 0 else low - long for one in far}
 
     def _apart(self) -> Iterator[Stroke]:
         """Draw the arrows to far centres, and dimension the distance of the axes: broken off where one is far."""
         low, high = self._upright
         for end in self._beyond.values():
-            yield from _arrow(low if end.imag < low.imag else high, end, self.hand)
-        if size := self._distance:
-            (start, end), *extensions = size.lines
-            short = (end, start) if "O_1" in self.spots else (start, end)
-            broken = *_arrow(*short, self.hand), Line(*extensions["O_1" not in self.spots], self.hand.drafted)
-            yield from broken if self._beyond else size.draw(self.hand)
+            yield from arrow(low if end.imag < low.imag else high, end, self.hand)
+        if (size := self._distance) and not self._beyond:
+            yield from size.draw(self.hand)
+        elif size:
+            far = "O_1" in self._beyond
+            head = arrowhead(*size.lines[0][:: 1 if far else -1], self.hand.symbol)
+            yield from (*(Line(*size.lines[k], self.hand.drafted) for k in (0, 1 + far)), *filter(None, [head]))
 
     @property
     def _distance(self) -> Dimension | None:
-        if len(self._beyond) > 1:
-            return None
-        (start, end), near = ((self.spots | self._beyond)[name] for name in ("O_1", "O_2")), self.mesh.wheels[1].wheel
-        left = min(self.place.on(spot).real for spot in self.mesh.known) - LEFT * self.hand.symbol - start.real
-        text = joined("", ("a_{w} = ", self.drafting.slot(Slot("a_w", self.mesh.told, DIGITS))))
+        """The distance of the axes, left of the teeth; none where neither of them is shown."""
+        first, second = (one.centre for one in self.mesh.wheels)
+        start, end = ((self.spots | self._beyond)[name] for name in ("O_1", "O_2"))
+        left = start.real if self.inner else min(self.place.on(spot).real for spot in self.mesh.known)
+        told = self.drafting.slot(Slot("a_w", round(1e3 * abs(second - first), MILLIMETRES), DIGITS))
         states = None if self._beyond else Statement(Kind.LENGTH, NAME, "a_w", scale=self.place.scale.mu)
-        return Dimension(text, start, end, complex(-ASIDE * self.hand.symbol if near.internal else left), states)
+        off = complex(left - LEFT * self.hand.symbol - start.real)
+        return Dimension(joined("", ("a_{w} = ", told)), start, end, off, states) if len(self._beyond) < 2 else None
 
     def _rotations(self) -> Iterator[Stroke]:
         """Draw how the wheels turn: wheel 1 clockwise."""
@@ -265,7 +254,7 @@ class _DrawnMesh:
         if size := self._distance:
             (start, end), *_ = size.lines
             spot = start + (0.25 if self._beyond else 0.75) * (end - start)
-            side = math.pi if self.mesh.wheels[1].wheel.internal else 0.0
+            side = math.pi * self.inner
             yield telling(NAME, labels.beside(spot, size.letter, hand.number, BESIDE, side), size.letter)
         for name, curve in self.mesh.circles.items():
             end, before = self.place.on(complex(curve[0])), self.place.on(complex(curve[1]))

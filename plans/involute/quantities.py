@@ -104,10 +104,7 @@ class _ComparedPair(NamedTuple):
         return np.concatenate([known.fillet, known.involute[1:]])
 
     def _loose(self, flanks: Flanks, theirs: WheelSizes, order: int) -> float:
-        """Give how far rounding moves points along a flank, m: a fillet crosses an involute the flatter, the lower.
-
-        Of order 1 it is how far it moves them from the centre: where the involute begins both curves are all but level.
-        """
+        """Give how far rounding moves points along a flank, m, or (1) outwards: a low fillet crosses it flatly."""
         low, base = -foot(flanks.wheel, theirs.root), flanks.wheel.base
         return self.slack + (base * min(EPS / low**2, low) * low**order if low > 0 else 0.0)
 
