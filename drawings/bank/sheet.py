@@ -209,10 +209,8 @@ def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
             yield exhibit(compensators, layout, drafting)
 
 
-SCALES: Final = dict.fromkeys((SCHEME, "star", "shaft"), "scheme") | {
-    "order_forces-": "force",
-    "order_moments-": "moment",
-}
+POLYGONS: Final = {"order_forces-": "force", "order_moments-": "moment"}
+SCALES: Final = dict.fromkeys((SCHEME, "star", "shaft"), "scheme") | POLYGONS
 PLANS = (*SCALES, "force_hodograph", "moment_hodograph")
 FORM: Final = dict.fromkeys(PLANS, PLAN) | dict.fromkeys(("force_graph", "moment_graph"), GRAPH)
 TABLES = ("orders", "compensators", "results")
