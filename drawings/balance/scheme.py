@@ -297,10 +297,10 @@ class SchemeFigure:
         return lowered(name), self._hand.letter
 
     def _points(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self._hand
-        if self.shown.state != ALONE:
-            yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
-        yield from self.pairs.letters(self.shown.named, labels)
+        hand, marks = self._hand, [] if self.shown.state == ALONE else [self.place.on(self.shown.centre)]
+        for spot in marks:
+            yield labels.beside(spot, CENTRE, hand.letter, MASS * hand.symbol + 0.8)
+        yield from self.pairs.letters(self.shown.named, labels, *marks)
 
     def _weights(self, labels: Labels) -> Iterator[Stroke]:
         for weight in self.shown.weights:
