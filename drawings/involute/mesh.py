@@ -18,7 +18,7 @@ from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import TurnArrow, arrowhead, fit_dashes, rotation
+from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
 from plans.involute.flanks import Flanks
 from plans.involute.study import InvoluteStudy
 from plans.model.motion import Complexes
@@ -200,9 +200,9 @@ class _DrawnMesh:
         if (size := self._distance) and not self._beyond:
             yield from size.draw(self.hand)
         elif size:
-            far = "O_1" in self._beyond
-            head = arrowhead(*size.lines[0][:: 1 if far else -1], self.hand.symbol)
-            yield from (*(Line(*size.lines[k], self.hand.drafted) for k in (0, 1 + far)), *filter(None, [head]))
+            far, (start, end) = "O_1" in self._beyond, size.lines[0]
+            yield from arrow(*((start, end) if far else (end, start)), self.hand)
+            yield Line(*size.lines[1 + far], self.hand.drafted)
 
     @property
     def _distance(self) -> Dimension | None:
