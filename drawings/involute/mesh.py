@@ -200,9 +200,10 @@ class _DrawnMesh:
         if (size := self._distance) and not self._beyond:
             yield from size.draw(self.hand)
         elif size:
-            far = "O_1" in self._beyond
-            head = arrowhead(*size.lines[0][:: 1 if far else -1], self.hand.symbol)
-            yield from (*(Line(*size.lines[k], self.hand.drafted) for k in (0, 1 + far)), *filter(None, [head]))
+            far, (start, end) = "O_1" in self._beyond, size.lines[0]
+            head = arrowhead(start, end, self.hand.symbol) if far else arrowhead(end, start, self.hand.symbol)
+            yield from (Line(*ends, self.hand.drafted) for ends in (size.lines[0], size.lines[1 + far]))
+            yield from [head] if head else ()
 
     @property
     def _distance(self) -> Dimension | None:
