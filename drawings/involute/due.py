@@ -59,10 +59,10 @@ def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
 def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Iterator[tuple[str, list[float | None]]]:
     """Give the rows of the data of both wheels, as GOST 2.403 has them: module, teeth, shift, circles, measuring."""
     mm, wheels = drafting.word("mm"), pair.wheels
-    heights = [1e3 * abs(one.tip - one.root) for one in sizes.wheels]
     rows = {
         "m": [1e3 * pair.rack.module] * 2, "z": pair.teeth, "x": pair.shifts,
-        "d": [2e3 * wheel.radius for wheel in wheels], "d_b": [2e3 * wheel.base for wheel in wheels], "h": heights,
+        "d": [2e3 * wheel.radius for wheel in wheels], "d_b": [2e3 * wheel.base for wheel in wheels],
+        "h": [1e3 * abs(one.tip - one.root) for one in sizes.wheels],
         "k": [wheel.spanned for wheel in wheels], "D": [1e3 * one.pin for one in sizes.wheels],
     }  # fmt: skip
     for letter, both in rows.items():
@@ -79,8 +79,7 @@ def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
     found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
     found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
     found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
-    found["x_Σ"] = pair.total
-    found["u"] = -pair.sense * pair.teeth[1] / pair.teeth[0]
+    found |= {"x_Σ": pair.total, "u": -pair.sense * pair.teeth[1] / pair.teeth[0]}
     found |= {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
     return {name: round(one, SHARES if name in FINE else MILLIMETRES) for name, one in found.items()}
 
@@ -103,8 +102,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 
 def _side(pair: InvolutePair, sizes: PairSizes, number: int) -> Complexes:
     wheel, found = pair.wheels[number], sizes.wheels[number]
-    side = flank(wheel, found.tip, found.root, POINTS)
-    return np.concatenate([side.fillet, side.involute[1:]])
+    return flank(wheel, found.tip, found.root, POINTS)
 
 
 def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:

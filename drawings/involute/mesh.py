@@ -257,7 +257,8 @@ class _DrawnMesh:
             side = math.pi * self.inner
             yield telling(NAME, labels.beside(spot, size.letter, hand.number, BESIDE, side), size.letter)
         for name, curve in self.mesh.circles.items():
-            end, before = self.place.on(complex(curve[0])), self.place.on(complex(curve[1]))
+            ends = curve[:-3:-1] if self.inner and name in ("d_a2", "d_w2", "d_f2") else curve  # of a ring left
+            end, before = self.place.on(complex(ends[0])), self.place.on(complex(ends[1]))
             yield labels.beside(end, self._letter(name), hand.number, BESIDE, cmath.phase(end - before))
         for name, (start, _) in self.mesh.strings.items():
             one = self.mesh.wheels[int(name[0]) - 1]

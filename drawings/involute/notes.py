@@ -46,10 +46,9 @@ class InvoluteNotes(NamedTuple):
             yield self._said("involute relief", "k")
         yield self._said("involute ratio", "g_α", "p_b", "ε_α", "α_w")
         yield self._said("involute tips", "s_a1/m", "s_a2/m")
-        for number, one in enumerate(self.sizes.wheels, 1):
-            if one.tip_thickness < (THIN - ROUNDED) * self.pair.rack.module:
-                least = self.drafting.number(THIN)
-                yield self.drafting.word("involute thin", number=number, least=least)
+        least, word = self.drafting.number(THIN), self.drafting.word
+        thin = (one.tip_thickness < (THIN - ROUNDED) * self.pair.rack.module for one in self.sizes.wheels)
+        yield from (word("involute thin", number=n, least=least) for n, narrow in enumerate(thin, 1) if narrow)
 
     def measured(self) -> Iterator[str]:
         """Say over how many teeth and pins is measured, and what the numbers at the base circles are."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
@@ -150,24 +149,18 @@ class _Formulas:
         return (curvature / wheel.base - end) * (curvature / wheel.base - tip) <= 0
 
 
-class Flank(NamedTuple):
-    """The right side of a space, its middle on the y axis above the wheel's centre: fillet, then involute, m.
+def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Complexes:
+    """Give the right side of a space, its middle on the y axis above the wheel's centre, m.
 
-    Points of the fillet go from the root circle to the involute, those of the involute on to the tip circle.
+    So many points of what the tool's corner leaves, from the root circle; then an involute by its polar equation.
     """
-
-    fillet: Complexes
-    involute: Complexes
-
-
-def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
-    """Give a flank: an involute by its polar equation, below it what the corner of the tool leaves."""
     half = wheel.width / (2 * wheel.radius) + inv(wheel.rack.angle)  # of a tooth, of a ring's space, at the base circle
     high = math.sqrt((tip / wheel.base) ** 2 - 1)
     begin = foot(wheel, root)
     if wheel.internal:
-        rolls = np.linspace(begin, high, count)
-        return Flank(_ring_corner(wheel, half, root, count), _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
+        rolls = np.linspace(begin, high, count)[1:]
+        spots = _polar(wheel.base, rolls, half - rolls + np.arctan(rolls))
+        return np.concatenate([_ring_corner(wheel, half, root, count), spots])
     depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
     low, up = wheel.rack.angle, math.pi / 2  # the normals of the fillet where it joins the involute or crosses it
     for _ in range(HALVINGS if begin < 0 else 0):
@@ -177,9 +170,9 @@ def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
         beyond = roll > 0 and math.atan2(spot.real, spot.imag) < math.pi / wheel.teeth - half + roll - math.atan(roll)
         low, up = (lean, up) if beyond else (low, lean)
     begin = roll if begin < 0 else begin
-    rolls = np.linspace(begin, high, count)
+    rolls = np.linspace(begin, high, count)[1:]
     spots = _polar(wheel.base, rolls, math.pi / wheel.teeth - half + rolls - np.arctan(rolls))
-    return Flank(_trochoid(wheel, depth, np.linspace(math.pi / 2, low, count)), spots)
+    return np.concatenate([_trochoid(wheel, depth, np.linspace(math.pi / 2, low, count)), spots])
 
 
 def foot(wheel: GearWheel, root: float) -> float:

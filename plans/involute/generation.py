@@ -51,10 +51,7 @@ def generated(wheel: GearWheel, tip: float, count: int, board: Board | None = No
 
 
 def _joined(wheel: GearWheel) -> tuple[float, float]:
-    """Give the corner's normal and how far from P_0 the flank touches where fillet and involute join, rad and m.
-
-    That is where the straight flank ends; of a wheel that is undercut where the fillet crosses the involute.
-    """
+    """Give the corner's normal, and how far from P_0 the flank touches, where the fillet ends: undercut, it crosses."""
     rack, m, r = wheel.rack, wheel.rack.module, wheel.radius
     leg, sine, slant = (rack.straight - wheel.shift) * m, math.sin(rack.angle), cmath.exp(-1j * rack.angle)
     low, high, far = rack.angle, math.pi / 2, leg / sine

@@ -16,7 +16,6 @@ from plans.involute.flanks import Flanks
 from plans.involute.generation import GENERATION
 from plans.involute.study import POINTS, InvoluteStudy
 from plans.model.involute import EPS, PairSizes, WheelSizes
-from plans.model.motion import Complexes
 from plans.quantity import Comparison, Quantity, Shown
 from plans.words.words import message
 
@@ -85,7 +84,7 @@ class _ComparedPair(NamedTuple):
                 n = flanks.wheel.number
                 root, begin = abs(complex(found.points[0])), abs(complex(np.atleast_1d(found.involute.point)[0]))
                 yield Quantity.of((GENERATION, f"d_f{n}", "m"), (2 * root, 2 * theirs.root), 2 * self.slack)
-                ends = 2 * begin, 2 * abs(complex(self._known(flanks, theirs)[POINTS - 1]))
+                ends = 2 * begin, 2 * abs(complex(flank(flanks.wheel, theirs.tip, theirs.root, POINTS)[POINTS - 1]))
                 yield Quantity.of((GENERATION, f"d_l{n}", "m"), ends, 2 * self._loose(flanks, theirs, 1))
 
     def left(self) -> Iterator[Quantity]:
@@ -95,13 +94,10 @@ class _ComparedPair(NamedTuple):
         gap = pitch - first.operating_thickness - second.operating_thickness
         yield Quantity.of((MESH, "j_w", "m"), (gap, 0.0), 2 * self.slack, pitch)
         for flanks, theirs in zip(self.study.flanks, self.theirs.wheels, strict=True):
-            off = float(np.abs(self.study.profile(flanks) - self._known(flanks, theirs)).max())
+            known = flank(flanks.wheel, theirs.tip, theirs.root, POINTS)
+            off = float(np.abs(self.study.profile(flanks) - known).max())
             loose = self._loose(flanks, theirs, 0)
             yield Quantity.of((GENERATION, f"Δ_{flanks.wheel.number}", "m"), (off, 0.0), loose, theirs.tip)
-
-    def _known(self, flanks: Flanks, theirs: WheelSizes) -> Complexes:
-        known = flank(flanks.wheel, theirs.tip, theirs.root, POINTS)
-        return np.concatenate([known.fillet, known.involute[1:]])
 
     def _loose(self, flanks: Flanks, theirs: WheelSizes, order: int) -> float:
         """Give how far rounding moves points along a flank, m, or (1) outwards: a low fillet crosses it flatly."""

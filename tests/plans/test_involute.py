@@ -183,7 +183,7 @@ def test_the_pinion_touches_the_ring_everywhere_and_cuts_nowhere(pair: InvoluteP
 @pytest.mark.parametrize("pair", PAIRS[:12])
 def test_pins_touch_both_flanks_and_lie_farthest_apart(pair: InvolutePair) -> None:
     for flanks, sizes in zip(InvoluteStudy(pair).flanks, solve(pair).wheels, strict=True):
-        spots, cut = flank(flanks.wheel, sizes.tip, sizes.root, 4001).involute, flanks.wheel
+        spots, cut = flank(flanks.wheel, sizes.tip, sizes.root, 4001)[4000:], flanks.wheel
         middle = abs(complex(flanks.pins[0].point) - complex(flanks.centre.point))
         assert np.abs(spots - 1j * middle).min() == pytest.approx(sizes.pin / 2, rel=1e-6)  # by a grid of the flank
         apart = middle * np.abs(1 - np.exp(1j * math.tau * np.arange(cut.teeth) / cut.teeth)).max()
