@@ -109,7 +109,8 @@ class TurnGraph(NamedTuple):
         hand, unit = drafting.hand, drafting.word(self.unit)
         axes = standing(room, spot, self.span, (self.letter.lstrip("Σz"), self.unit), drafting)
         graph = Graph(self.name, axes, hand)
-        lines: list[Stroke] = [heading(spot.box, self.title, drafting.scale(spot.scale, axes.up), hand)]
+        told = f";  {drafting.word('compensated force')}" if len(self.curves) > 1 else ""
+        lines: list[Stroke] = [heading(spot.box, self.title, drafting.scale(spot.scale, axes.up) + told, hand)]
         lines += axes.lines((0.0, TURN), self.span, hand, self.name)
         for curve in self.curves:
             for k in stations(curve):
