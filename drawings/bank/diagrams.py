@@ -113,14 +113,14 @@ class TurnGraph(NamedTuple):
         lines: list[Stroke] = [heading(spot.box, self.title, drafting.scale(spot.scale, axes.up) + told, hand)]
         lines += axes.lines((0.0, TURN), self.span, hand, self.name)
         apart = (text_width(Text(0j, "360", hand.number)) + SPARE * hand.number) * axes.across.mu
-        told = stations(self.curves[0])[:: every(apart / TURN * STATIONS, STATIONS)]
+        shown = stations(self.curves[0])[:: every(apart / TURN * STATIONS, STATIONS)]
         for curve in self.curves:
-            for k in told:
+            for k in shown:
                 part = graph._replace(name=curve.plan)
                 lines += part.station(float(curve.angles[k]), [float(curve.values[k])], number(curve, k), k)
             lines.append(graph.stated(curve.plan, graph.curve(curve.angles, curve.values, getattr(hand, curve.style))))
         first, ends = self.curves[0], graph.ends((TURN, ", ".join(ANGLE)), (self.span[1], f"{self.letter}, {unit}"))
-        numbers = (graph.number(float(first.angles[k]), number(first, k), first.values[k]) for k in told)
+        numbers = (graph.number(float(first.angles[k]), number(first, k), first.values[k]) for k in shown)
         return Part(self.name, tuple(lines), (*ends, *_letters(self, graph), *numbers))
 
 
