@@ -313,7 +313,8 @@ def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
     """Give the title of a scheme; beside figures over the turn, with numbers of their own, by the crank's angle."""
     place = drafting.word("position", position=shown.shown)
     if shown.state == ALONE:
-        place = f"φ = {drafting.number(math.degrees(shown.bones.study.turn.phi[shown.shown]) % 360)}°"
+        sense = -1 if shown.bones.mechanism.drive.omega < 0 else 1
+        place = f"φ = {drafting.number(sense * math.degrees(shown.bones.study.turn.phi[shown.shown]) % 360)}°"
     return f"{drafting.word(f'scheme {shown.state}')}, {place}"
 
 
