@@ -138,7 +138,8 @@ class _Answer:
         left = self.marked & ~self.near & ~self.follows
         if not left.any():
             return None, None
-        named = next((mistake for mistake in map(self._fitted, self.asked.mistakes) if self._tells(mistake, left)), None)
+        known = map(self._fitted, self.asked.mistakes)
+        named = next((mistake for mistake in known if self._tells(mistake, left)), None)
         fitting = [
             (int(fits.sum()), -self._out(mistake), mistake, factor)
             for base in ((self.asked.true, *self.going_on) if left.sum() >= SEVERAL else ())
