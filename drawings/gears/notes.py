@@ -137,7 +137,7 @@ class GearsNotes(NamedTuple):
                         ways[b] = ways[a][0] + over, ways[a][1] + under
         top, low = ways.get(body[driven], ("", ""))
         if top or low:
-            bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
+            bare = top[1:-1] if top.count("(1") == 1 and top[0] + top[-1] == "()" and not low else top
             yield f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare
 
     def _steps(self, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:
@@ -174,6 +174,8 @@ class GearsNotes(NamedTuple):
         train = self.study.train
         if train.load is not None:
             yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
+            if train.load == self.study.resisted:
+                yield self._said("gears load of machine")
             for gear in filter(self.study.closed, train.gears):
                 yield from self._powers(gear)
             if not all(map(self.speeds.moments, train.gears)):

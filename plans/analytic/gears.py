@@ -9,24 +9,7 @@ from fractions import Fraction
 
 from plans.model.gears import FRAME, BoxGear, Train, joint_name
 from plans.model.motion import Gap
-from plans.model.trains import Row, equations, matrix, reduced
-
-
-def shares(train: Train, gear: BoxGear) -> Mapping[str, tuple[Fraction, ...]]:
-    """Give the speed of each link as shares of those of the drives."""
-    count, links = len(train.drives), train.links
-    rows = [*matrix(train, gear, count), *_drives(train)]
-    return {link: tuple(row[len(links) :]) for link, row in zip(links, reduced(rows, len(links)), strict=True)}
-
-
-def _drives(train: Train) -> list[Row]:
-    """Give the equation of each drive: its link has its own speed."""
-    found = []
-    for k, (link, _) in enumerate(train.drives):
-        row = [Fraction(0)] * (len(train.links) + len(train.drives))
-        row[train.links.index(link)] = row[len(train.links) + k] = Fraction(1)
-        found.append(row)
-    return found
+from plans.model.trains import equations, inertia, matrix, reduced, shares
 
 
 def speeds(train: Train, gear: BoxGear) -> Mapping[str, Fraction]:
@@ -92,16 +75,7 @@ class TrainSpeeds:
 
     def inertia(self, gear: BoxGear, link: str) -> float | None:
         """Give the moment of inertia kg*m2 of all links, reduced to one; nothing where it rests or none is given."""
-        train, shares = self.train, self.shares(gear)
-        if not (train.inertia or train.masses) or not train.single or not shares[link][0]:
-            return None
-        turns = {name: (share[0] / shares[link][0]) for name, share in shares.items()}
-        total = sum(train.count(one) * size * float(turns[one]) ** 2 for one, size in train.inertia.items())
-        for one, mass in train.masses.items():
-            carrier = train.carrier_of[one]
-            arm = turns[carrier] * (train.heights[one] - train.heights[carrier])
-            total += train.count(one) * mass * float(arm) ** 2
-        return total
+        return inertia(self.train, gear, link)
 
     def moments(self, gear: BoxGear) -> Mapping[str, float]:
         """Give the moments N*m on the driving and the held links that balance the load, which resists the motion."""

@@ -11,7 +11,7 @@ from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.readers import either, many, named, one
-from plans.scene.scene import TechniqueForm
+from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
 WHEEL = re.compile(r"(?!0['′]*$)[0-9A-ZА-ЯЁ][0-9A-Za-zА-Яа-яЁё]*['′]*")  # 0 is the frame
@@ -156,6 +156,17 @@ class GearsTable(Table):
         return (self.drive,) if isinstance(self.drive, DrivingLinkTable) else self.drive
 
 
+class CrankTable(Table):
+    """Of the drive what the train needs: whether its driven link is on the crank's shaft."""
+
+    train: bool = key(
+        f.FLAG,
+        False,
+        meaning="Whether the driven link of [gears] is on the crank's shaft: it gives the crank its speed, and the "
+        "machine its ratio and its inertia.",
+    )
+
+
 class GearsForm(TechniqueForm):
     """What a scene says of a gear train."""
 
@@ -164,3 +175,10 @@ class GearsForm(TechniqueForm):
         meaning="A gear train (зубчатый механизм): ordinary, planetary, differential, a box.",
         missing=Missing("table", EXAMPLE, {}),
     )
+    drive: CrankTable = key(table(CrankTable), CrankTable(), meaning="Whether the train is before the crank.")
+
+
+def geared(scene: Scene) -> bool:
+    """Tell whether a train is before the crank of a scene."""
+    form = scene.part("gears")
+    return isinstance(form, GearsForm) and form.drive.train

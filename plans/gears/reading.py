@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
-from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
+from plans.gears.crank import CrankTrain
+from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable, geared
 from plans.gears.synthesis import Searched, search
+from plans.linkage.reading.form import LinkageForm
 from plans.model.gears import FRAME, BoxGear, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
@@ -31,11 +34,27 @@ class GearsSurvey(NamedTuple):
 def survey_of(scene: Scene) -> GearsSurvey:
     """Examine a train: its names, its axes, its planets, its mobility; all faults that do not follow from others."""
     reading = _TrainReading(scene, scene.of(GearsForm).gears, [])
-    for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
+    steps = reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities
+    for step in (*steps, reading.crank):
         step()
         if reading.faults:
             return GearsSurvey(None, reading.faults)
     return GearsSurvey(reading.train, [], reading.searched)
+
+
+def crank_train(scene: Scene) -> CrankTrain | None:
+    """Give the train before the crank of a scene; nothing where there is none, or it has faults."""
+    train = survey_of(scene).train if geared(scene) else None
+    return None if train is None else CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed)
+
+
+def with_speed(scene: Scene) -> Scene:
+    """Give a scene with the speed of its crank, with any where the train before it has faults."""
+    if not geared(scene):
+        return scene
+    train, linkage = crank_train(scene), scene.of(LinkageForm)
+    speed = train.speed if train is not None else linkage.drive.speed or Decimal(1)
+    return scene.changed(linkage.changed(drive=linkage.drive.changed(speed=speed)))
 
 
 def millimetres(length: Fraction) -> str:
@@ -236,6 +255,11 @@ class _TrainReading:
                 self.report(path, "locked_train" if not found else "too_held", **parts)
             elif not determined(train, gear):
                 self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
+
+    def crank(self) -> None:
+        """See that the train fits the crank that it is before."""
+        if geared(self.scene):
+            self.faults += CrankTrain(self.train, self.form.drives[0].speed).faults(self.scene)
 
     def _freed(self, gear: BoxGear, wanted: int) -> str:
         """Name the links that, held too, leave the mobility that is wanted."""

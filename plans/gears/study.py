@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 from functools import cached_property
 
-from plans.gears.form import GearsForm, WheelTable
+from plans.gears.form import GearsForm, WheelTable, geared
 from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, TrainPoint, plans_of, spots_of
 from plans.gears.reading import GearsSurvey
 from plans.model.gears import BoxGear, Train, bare, joint_name
@@ -26,7 +26,9 @@ class GearsStudy:
         survey = study.scene.meaning.of(GearsSurvey)
         train, self.searched = survey.train, survey.searched
         assert train is not None  # it is without faults
-        self.train, self.made, self._form = train, set[str](), study.scene.of(GearsForm).gears
+        self.made, self._form = set[str](), study.scene.of(GearsForm).gears
+        self.resisted = study.driving if geared(study.scene) else None  # N*m, by a machine whose crank it turns
+        self.train = train if train.load is not None else replace(train, load=self.resisted)
 
     @property
     def lacking(self) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -12,12 +13,16 @@ import pytest
 from drawings.gears.notes import GearsNotes
 from drawings.page.page import drafting_of
 from plans.analytic.gears import TrainSpeeds
+from plans.dynamics.quantities import DynamicsComparison
+from plans.dynamics.study import DynamicsStudy
 from plans.gears.quantities import GearsComparison, compare_gears
 from plans.gears.study import GearsStudy
 from plans.model.gears import BoxGear
 from plans.scene.faults import SceneError
 from plans.scene.scene import Scene, parse_scene
 from plans.study import Study
+from tests.plans.dynamics_scenes import text
+from tests.plans.scenes import changed
 from tests.rows import over
 
 BOX = 'brakes = { T1 = "3", T2 = "6" }\nclutches = { M1 = ["1", "H1"], M2 = ["4", "H2"] }\njoined = [["H1", "4"]]'
@@ -199,3 +204,67 @@ def test_all_that_a_train_lacks_is_told_at_once() -> None:
     with pytest.raises(SceneError) as told:
         parse_scene('sheets = ["gears"]\n[gears]\n')
     assert all(f"gears.{key}: expected" in str(told.value) for key in ("wheels", "meshes", "drive", "output"))
+
+
+# The machine unit: motor, planetary row, open pair, the slider-crank of the planing load; at 120 rpm clockwise of it.
+UNIT = """[gears]
+wheels = { 1 = 20, 2 = 36, 3 = { internal = true }, 4 = 20, 5 = 50 }
+meshes = ["1-2", "2-3", "4-5"]
+carriers = { H = ["2"] }
+planets = 4
+joined = [["H", "4"]]
+fixed = ["3"]
+drive = { link = "1", speed = "-1680 rpm" }
+output = "5"
+inertia = { H = 0.4 }
+"""
+MOTOR = 'motor = { rotor = 0.05, starting = "40 N*m", synchronous = "1800 rpm"%s }\n'
+BY_TRAIN = text(asked=f'fluctuation = "1/25"\n{MOTOR % ""}flywheel = {{ on = "H" }}\n{UNIT}')
+BY_TRAIN = changed(BY_TRAIN, ('speed = "120 rpm"', "train = true"))
+
+
+def test_a_machine_behind_a_train_moves_as_with_the_ratio_and_the_inertia_that_this_has() -> None:
+    """Methods 4.3: 12.42898788 kg·m2 at 60° of rotor, carrier and linkage; U = 5.6·2.5 turned back."""
+    shaft = "flywheel = { ratio = 2.5 }\nshafts = [{ inertia = 0.4, ratio = 2.5 }]\n"
+    alone = Study(parse_scene(text(asked=f'fluctuation = "1/25"\n{MOTOR % ", ratio = 14"}{shaft}')))
+    geared = Study(parse_scene(BY_TRAIN))
+    one, other = (study.of(DynamicsComparison) for study in (alone, geared))
+    made = geared.of(DynamicsStudy)
+    assert one.agrees and other.agrees and made.linkage.mechanism.drive.omega == pytest.approx(math.pi * 4, rel=1e-15)
+    assert made.task.present + 0.1289878783 == pytest.approx(12.42898788, rel=1e-9)
+    for road in ("construction", "analysis", "exact"):
+        told, mine = getattr(one, road), getattr(other, road)
+        assert mine.flywheel.whole == pytest.approx(told.flywheel.whole, rel=1e-12)
+        assert mine.speeds.omega == pytest.approx(told.speeds.omega, rel=1e-12)
+    assert other.exact.run.omega == pytest.approx(one.exact.run.omega, rel=1e-9)
+    assert made.wheel.inertia * 2.5**2 == pytest.approx(made.flywheel.inertia, rel=1e-12)
+
+
+def test_what_the_motor_gives_in_a_turn_of_the_crank_is_what_the_loads_take() -> None:
+    study = Study(parse_scene(BY_TRAIN))
+    cycle = study.of(DynamicsComparison).construction.cycle
+    found = {one.name: float(one.construction[0]) for one in study.of(GearsComparison).findings}
+    assert 2 * math.pi * found["U_15"] * found["M_1"] == pytest.approx(-cycle.net, rel=1e-12)
+    assert sum(one.name in ("U_15", "J_red,5", "M_1") for one in study.of(DynamicsComparison).findings) == 3
+    assert found["J_red,5"] == pytest.approx(0.4 * 2.5**2, rel=1e-12)
+
+
+UNFIT = (
+    (("train = true", 'train = true\nspeed = "118 rpm"'), "12.56637 rad/s, not 12.35693 rad/s"),
+    (("fluctuation", "speed = 13\nfluctuation"), "-175.9292 rad/s / (-14) = 12.56637 rad/s, not 13 rad/s"),
+    (('on = "H"', 'on = "2"'), "2 is none; there are 1, 3, 4, 5, H"),
+    (('on = "H"', 'on = "H", ratio = 2'), "either ratio or on"),
+    (("train = true", 'train = true\ngear = { radius = "30 mm", at = 0 }'), "there are 25 mm"),
+    (('fixed = ["3"]\n', 'brakes = { T = "3" }\nengaged = { I = ["T"], II = ["T"] }\n'), "no one ratio"),
+    (("train = true", "train = false"), "drive.speed: expected this angular speed"),
+    (("train = true\n", 'speed = "120 rpm"\n'), "H is none; there are -"),
+    ((UNIT, ""), "drive.train = true: expected [gears] in the file"),
+)
+
+
+@over("row", range(len(UNFIT)))
+def test_a_crank_that_does_not_fit_its_train_is_told_with_numbers(row: int) -> None:
+    change, words = UNFIT[row]
+    with pytest.raises(SceneError) as told:
+        _ = Study(parse_scene(changed(BY_TRAIN, change))).of(DynamicsStudy).cycle
+    assert words in str(told.value), str(told.value)
