@@ -49,9 +49,10 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     sought = ["", *_table(solutions(searched, drafting, None))] if searched else []
     told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
     tables = [line for each in told for line in ("", *_table(each))]
+    head = chapter(drafting.language, GEARS)
     return Chapters(
         subject=[
-            chapter(drafting.language, GEARS).lstrip(),
+            head if study.techniques[0] != GEARS else head.lstrip(),
             *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
             *sought,
         ],
