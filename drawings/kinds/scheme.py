@@ -212,13 +212,14 @@ class Joints:
             data = subject.data("pole" if name == zero else "point", name, value, self.place.scale)
             yield Group(self.symbol(name, self.place.on(value)), "", data, name)
 
-    def letters(self, named: Mapping[str, complex], labels: Labels) -> Iterator[Stroke]:
-        """Letter named places, each where the bars at it leave the widest angle free."""
-        bars = list(self.bars())
+    def letters(self, named: Mapping[str, complex], labels: Labels, *marks: complex) -> Iterator[Stroke]:
+        """Letter named places, each where the bars at it leave the widest angle free, nearest to it alone."""
+        bars, spots = list(self.bars()), {*marks, *map(self.place.on, named.values())}
         for name, value in named.items():
             spot, clear = self.place.on(value), self.clear(name)
             side = free_side(spot, bars, clear + ARROW_LENGTH)
-            yield labels.beside(spot, with_index(name), self.sheet.letter, clear + 1.0, side)
+            others = [(far, far) for far in spots if far != spot]
+            yield labels.beside(spot, with_index(name), self.sheet.letter, clear + 1.0, side, others)
 
     def symbol(self, name: str, at: complex, centre: bool = False) -> tuple[Stroke, ...]:
         """Draw a named place on paper: a hinge, a mass centre, or a point that is neither."""

@@ -9,7 +9,7 @@ from plans.techniques import Technique, late
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from plans.scene.scene import Meaning, Scene, Survey
+    from plans.scene.scene import Scene
     from plans.study import Made, Study
 
 
@@ -28,13 +28,10 @@ class GearsTechnique(Technique):
 
     form = late("form:GearsForm")
     completed = late("reading:with_speed")
+    survey = late("reading:survey_of")
     comparison = late("quantities:compare_gears", "gears.study:GearsStudy")
     numbers = late("quantities:numbers")
-
-    def survey(self, meaning: Meaning) -> Survey:
-        from plans.gears.reading import survey_of
-
-        return survey_of(meaning.scene)
+    marks = late("quantities:marks")
 
     def asks(self, scene: Scene) -> Iterable[str]:
         from plans.gears.form import geared
