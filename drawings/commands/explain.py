@@ -115,9 +115,9 @@ def own_names(name: str) -> list[str]:
     (['M_ур', 'M_bal'], ['F_−II', 'F_-II'], ['ω3', 'ω_3'], ['omega_H', 'ω_H'])
     """
     indexed = re.sub(r"(?<=[^\W\d_])(?=\d)", "_", name)  # ω3
-    head, line, index = name.partition("_")
+    head, line, rest = name.partition("_")
     greek = html.unescape(f"&{head};") if line else ""
-    spelt = f"{greek}_{index}" if len(greek) == 1 else name
+    spelt = f"{greek}_{rest}" if len(greek) == 1 else name
     found = dict.fromkeys((name, name.translate(SIGNS), name.translate(TWINS), indexed, spelt))
     for lettered, key in _indices():
         index = re.compile(rf"(?<=[_^]){re.escape(lettered)}(?![^\W\d_])")
