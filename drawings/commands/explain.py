@@ -82,14 +82,15 @@ def explained(study: Study, position: int, name: str) -> Explanation:
         return _explained(found, name, position)
     of, _, bare = name.rpartition(":")
     if told := standing(study, own_names(bare), of):
-        return Explanation(message("explain.name", mark=name), (), {}, tuple(_as_it_stands(name, told)))
+        return Explanation(message("explain.name", mark=name), (), {}, tuple(_as_it_stands(study, name, told)))
     raise UnknownMark(_no_mark(name, none))
 
 
-def _as_it_stands(name: str, told: Sequence[str]) -> Iterator[Message]:
+def _as_it_stands(study: Study, name: str, told: Sequence[str]) -> Iterator[Message]:
     """Tell of a letter that rests on no step what such a letter means, and what sheets and report say of it."""
     names = own_names(name.rpartition(":")[2])
-    keys = [*names, *(letters.rstrip("0123456789") for letters in names), f"{names[0].partition('_')[0]}_"]
+    own = (f"{technique} {letters}" for technique in study.techniques for letters in names)
+    keys = [*own, *names, *(letters.rstrip("0123456789") for letters in names), f"{names[0].partition('_')[0]}_"]
     yield from [message(f"letter.{key}") for key in keys if f"letter.{key}" in words(ENGLISH)][:1]
     yield from (message("explain.stands", text=text) for text in told[:TOLD])
 

@@ -78,7 +78,7 @@ def _counts(numeral: re.Match[str]) -> bool:
 def given(scene: Scene) -> Given:
     """Gather the numbers of a scene."""
     numbers = {abs(number) for number in _numbers(tomllib.loads(_text(scene)))}
-    return Given(tuple(sorted({number * unit for number in numbers for unit in UNITS})))
+    return Given((*sorted({number * unit for number in numbers for unit in UNITS}), *_numbers(_rules(scene))))
 
 
 def data(scene: Scene) -> list[str]:
@@ -87,7 +87,13 @@ def data(scene: Scene) -> list[str]:
     known = techniques()
     names = dict.fromkeys(name for technique in scene.techniques for name in known[technique].tables)
     lines = [line for name in names if name in tables for line in _lines(name, tables[name], language)]
-    return [word(language, "form given"), *lines]
+    return [word(language, "form given"), *lines, *_rules(scene)]
+
+
+def _rules(scene: Scene) -> list[str]:
+    """Tell what is usual in a technique where the scene does not give it."""
+    language, known = scene.sheet.language, words(scene.sheet.language)
+    return [word(language, f"form {one}") for one in scene.techniques if f"sheet.form {one}" in known]
 
 
 def _text(scene: Scene) -> str:

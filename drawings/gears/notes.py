@@ -13,10 +13,11 @@ from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy, of_gear, pair_of
+from plans.gears.synthesis import CLEAR
 from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
-DIGITS, ROUNDED = 5, 1e-9
+DIGITS = 5
 
 
 class GearsNotes(NamedTuple):
@@ -92,6 +93,7 @@ class GearsNotes(NamedTuple):
             formula = f"{module_letter(train, one)}({terms})/2"
             far = Slot(f"a_{one.name}{other.name}", MILLIMETRES * float(one.module * abs(one.teeth + other.teeth) / 2))
             yield self._said("gears distance", pair=f"{one.name}{other.name}", formula=formula, far=far)
+        yield from self._cut()
         for link in train.carrier_of if (train.planets or 0) > 1 else ():
             yield from self._planets(link)
 
@@ -107,6 +109,16 @@ class GearsNotes(NamedTuple):
         for key, a, b in (("first", one, other), ("second", other, one)):
             said[key] = Slot(f"δ_{a.name}", math.degrees(math.atan(a.teeth / b.teeth)), DIGITS)
         return self._said("gears cones", letter=module_letter(self.study.train, one), **said)
+
+    def _cut(self) -> Iterator[str]:
+        """Warn of wheels that a rack undercuts, and of rings with hardly more teeth than the wheel within."""
+        least, wheels = synthesis.USUAL_LEAST[False], self.study.train.wheels.values()
+        few = [f"{teeth_letters(w.name)} = {w.teeth}" for w in wheels if 0 < w.teeth < least and not w.side]
+        pairs = (sorted(pair, key=lambda wheel: wheel.teeth) for pair in self.study.train.pairs)
+        more = [(ring, inner, -ring.teeth - inner.teeth) for ring, inner in pairs if ring.internal]
+        close = [f"{teeth_letters(a.name)} − {teeth_letters(b.name)} = {n}" for a, b, n in more if n < CLEAR]
+        yield from (self._said("gears few", least=least, parts=",  ".join(few)),) if few else ()
+        yield from (self._said("gears tips meet", clear=CLEAR, parts=",  ".join(close)),) if close else ()
 
     def _planets(self, link: str) -> Iterator[str]:
         train, count = self.study.train, self.study.train.planets or 1
@@ -255,12 +267,12 @@ class GearsNotes(NamedTuple):
 
     def _powers(self, gear: BoxGear) -> Iterator[str]:
         """Tell the power that is put in and what flows through joints; what is more than that circulates."""
-        powers, drive = self.speeds.powers(gear), self.study.train.drives[0][0]
+        powers = self.speeds.powers(gear)
         if powers:
             told = ((f"P_{{{of_gear(name, gear)}}}", of_gear(f"P_{name}", gear), size) for name, size in powers.items())
             parts = [self._equal(letter, Slot(name, size, DIGITS)) for letter, name, size in told]
-            circulates = any(abs(power) > abs(powers[drive]) * (1 + ROUNDED) for power in powers.values())
-            yield self._said("gears circulating" if circulates else "gears powers", powers=joined(",  ", parts))
+            said = "gears circulating" if self.speeds.circulates(gear) else "gears powers"
+            yield self._said(said, powers=joined(",  ", parts))
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""

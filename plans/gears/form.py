@@ -42,16 +42,9 @@ def check_mesh(value: object) -> tuple[str, str]:
     return check_part(found[1]), check_part(found[2])
 
 
-def check_module(value: object) -> Decimal:
-    """Read a module: a number is of millimetres."""
-    bare = isinstance(value, int | float | Decimal) and not isinstance(value, bool)
-    return units.length(f"{value} mm" if bare else value)
-
-
 PART = one(check_part, lambda: forms.text(f"^{WHEEL.pattern}$", 8), "name")
 TEETH = one(check_teeth, lambda: {**forms.whole(LEAST_TEETH), "maximum": MOST_TEETH}, "number")
 MESH = one(check_mesh, lambda: forms.text(r"^[^\s-]+\s*-\s*[^\s-]+$"), '"1-2"')
-MODULE = one(check_module, lambda: {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}, "mm")
 SIDES = ("left", "right", "up", "down")
 SIDE = one(lambda value: f.choice(value, SIDES), lambda: forms.choice(SIDES), "name")
 NAMES = many(PART, f.NO_REPEATS, first=f.FEW)
@@ -69,7 +62,7 @@ class WheelTable(Table):
         None,
         meaning="Of a bevel wheel (коническое колесо) its side of the apex: left or right, or up or down across these.",
     )
-    module: Decimal | None = key(MODULE, None, meaning="Module of its own, mm.")
+    module: Decimal | None = key(f.MILLIMETRES, None, meaning="Module of its own, mm.")
 
     def check(self) -> None:
         """See that a rack, which has no circle, is told no teeth."""
@@ -105,7 +98,9 @@ class GearsTable(Table):
         meaning='Wheels that mesh (зацепления): ["1-2", "2\'-3"].',
         missing=Missing("list of meshes", 'meshes = ["1-2"]'),
     )
-    module: Decimal = key(MODULE, Decimal("0.001"), meaning="Module, mm, of all wheels without one of their own.")
+    module: Decimal = key(
+        f.MILLIMETRES, Decimal("0.001"), meaning="Module, mm, of all wheels without one of their own."
+    )
     carriers: Mapping[str, tuple[str, ...]] = key(
         named(PART, NAMES, first=f.FEW),
         {},

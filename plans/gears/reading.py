@@ -11,15 +11,14 @@ from typing import Any, NamedTuple
 from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
-from plans.gears.synthesis import Searched, search
-from plans.model.gears import ACROSS, FRAME, BoxGear, Train, assembly, centre_of, link_of
+from plans.gears.synthesis import TIP, Searched, clear_of, search
+from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, centre_of, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
-from plans.scene.scene import Scene
+from plans.scene.scene import Meaning, Scene
 from plans.words.words import message
 
 HALF_TURN = 180
-TIP = 2  # modules by which the tips of a planet stand beyond its pitch circle, both sides
 
 
 class GearsSurvey(NamedTuple):
@@ -30,9 +29,11 @@ class GearsSurvey(NamedTuple):
     searched: Searched | None = None  # where its teeth are sought by a wanted ratio
 
 
-def survey_of(scene: Scene) -> GearsSurvey:
+def survey_of(meaning: Meaning) -> GearsSurvey:
     """Examine a train: its names, its axes, its planets, its mobility; all faults that do not follow from others."""
-    reading = _TrainReading(scene, scene.of(GearsForm).gears, [])
+    if any(path[:2] == ("gears", table) for path in meaning.doubts for table in ("wheels", "carriers", "module")):
+        return GearsSurvey(None, [])  # what is not read well is there for all that
+    reading = _TrainReading(meaning.scene, meaning.scene.of(GearsForm).gears, [])
     for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
         step()
         if reading.faults:
@@ -185,6 +186,11 @@ class _TrainReading:
         if self.form.wanted is None:
             return
         wanted = None if self.raw.sides else wanted_of(self.form, self.raw)
+        if wanted and wanted.sign * wanted.ratio < 0:
+            ends = dict(zip(("held", "driving", "driven"), wanted.ends, strict=True))
+            kind = "only_positive" if wanted.sign > 0 else "only_negative"
+            self.report(("wanted", "ratio"), kind, **ends, would=-self.form.wanted.ratio)
+            return
         self.searched = search(wanted) if wanted else None
         if self.searched is None:
             self.report(("wanted",), "wanted_scheme")
@@ -272,21 +278,21 @@ class _TrainReading:
                 sizes = {"tip": f"{row.tip:.6g}", "share": f"{HALF_TURN / count:.6g}", "most": int(HALF_TURN / row.tip)}
                 self.report(("planets",), "cones_touching", name=row.cross.name, count=count, **sizes)
             for own in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
-                self._neighbours(own.name, float(train.heights[link] - train.heights[carrier]), count)
+                self._neighbours(own, abs(train.heights[link] - train.heights[carrier]), count)
             for one in assembly(train, link):
                 if one.share.denominator != 1:
                     parts = {"share": f"{abs(float(one.share)):.6g}", "likely": _dividing(one.share * count)}
                     kind = "blocks_not_put_in" if one.blocks else "not_put_in"
                     self.report(("planets",), kind, **one.parts(count), **parts)
 
-    def _neighbours(self, name: str, far: float, count: int) -> None:
+    def _neighbours(self, wheel: ToothedWheel, far: Fraction, count: int) -> None:
         """See that 2 a sin(pi/k) > d_a = m(z + 2)."""
-        wheel = self.train.wheels[name]
-        tips, chord = float(wheel.module) * (wheel.teeth + TIP), 2 * far * math.sin(math.pi / count)
-        if chord <= tips:
-            most = math.ceil(math.pi / math.asin(min(tips / (2 * far), 1.0))) - 1
-            sizes = {"chord": f"{1000 * chord:.6g}", "tips": f"{1000 * tips:.6g}", "most": max(most, 1)}
-            self.report(("planets",), "touching", name=name, count=count, **sizes)
+        across = 2 * far / wheel.module
+        if wheel.teeth > clear_of(count, across):
+            most = next(k for k in range(1, count) if wheel.teeth > clear_of(k + 1, across))
+            chord, tips = 2000 * float(far) * math.sin(math.pi / count), millimetres(wheel.module * (wheel.teeth + TIP))
+            sizes = {"chord": f"{chord:.6g}", "tips": tips, "most": most}
+            self.report(("planets",), "touching", name=wheel.name, count=count, **sizes)
 
     def mobilities(self) -> None:
         """See that each gear leaves as many mobilities as there are drives, and that these determine all links."""
