@@ -53,7 +53,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
             *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
             *sought,
         ],
-        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia(), *notes.moments())), *tables],
+        values=["", *map(entry, (*notes.willis(), *notes.solved(), *notes.inertia(), *notes.moments())), *tables],
     )
 
 

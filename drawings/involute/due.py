@@ -68,7 +68,7 @@ def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Itera
     for letter, both in rows.items():
         row = f"{drafting.word(f'involute {letter}')} {with_index(letter)}{'' if letter in 'zxk' else f', {mm}'}"
         places = SHARES if letter == "x" else MILLIMETRES
-        yield row, [None if math.isnan(one) else round(float(one), places) for one in both]
+        yield row, [None if math.isnan(one) else round(one, places) for one in both]
 
 
 def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
@@ -94,7 +94,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
             yield from cells(name, row, [one for one in known for _ in range(2)])
     for row, both in data_rows(pair, sizes, drafting):
-        yield from cells(DATA, row, [None if one is None else (one, FAR) for one in both], digits=DIGITS)
+        numbers = [one if one is None or isinstance(one, int) else (one, FAR) for one in both]
+        yield from cells(DATA, row, numbers, digits=DIGITS)
     for name, value in noted(pair, sizes).items():
         lack = name in ("k", "x_Σ")
         yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lack, digits=DIGITS)

@@ -18,7 +18,7 @@ from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import TurnArrow, arrowhead, fit_dashes, rotation
+from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
 from plans.involute.flanks import Flanks
 from plans.involute.study import InvoluteStudy
 from plans.model.motion import Complexes
@@ -201,9 +201,8 @@ class _DrawnMesh:
             yield from size.draw(self.hand)
         elif size:
             far, (start, end) = "O_1" in self._beyond, size.lines[0]
-            head = arrowhead(start, end, self.hand.symbol) if far else arrowhead(end, start, self.hand.symbol)
-            yield from (Line(*ends, self.hand.drafted) for ends in (size.lines[0], size.lines[1 + far]))
-            yield from [head] if head else ()
+            yield from arrow(*((start, end) if far else (end, start)), self.hand)
+            yield Line(*size.lines[1 + far], self.hand.drafted)
 
     @property
     def _distance(self) -> Dimension | None:

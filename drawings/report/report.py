@@ -160,15 +160,8 @@ def _quantities(technique: str, study: Study, _: Mapping[str, Sequence[Leaf]]) -
     language = study.scene.sheet.language
     heads = [word(language, key) for key in ("table.quantity", "sheet.by plan", "sheet.by analysis")]
     found = (finding for finding in study.quantities(technique) if finding.plan != EQUILIBRIUM)
-    rows = (
-        row(
-            [
-                heading(finding, language),
-                *(_size(finding, road, language) for road in (finding.construction, finding.analysis)),
-            ]
-        )
-        for finding in found
-    )
+    both = ((one, _size(one, one.construction, language), _size(one, one.analysis, language)) for one in found)
+    rows = (row([heading(finding, language), *sizes]) for finding, *sizes in both)
     return Chapters(values=[chapter(language, technique), *header(heads), *rows])
 
 

@@ -11,6 +11,8 @@ from plans.model.gears import FRAME, BoxGear, Train, joint_name
 from plans.model.motion import Gap
 from plans.model.trains import Row, equations, matrix, reduced
 
+ROUNDED = 2.0**-40  # of powers: far above what their sums lose, far below what circulates anywhere
+
 
 def shares(train: Train, gear: BoxGear) -> Mapping[str, tuple[Fraction, ...]]:
     """Give the speed of each link as shares of those of the drives."""
@@ -90,6 +92,17 @@ class TrainSpeeds:
         """Give the speeds rad/s of all links, each rounded once."""
         return {link: float(speed) for link, speed in speeds(self.train, gear).items()}
 
+    def rack(self, gear: BoxGear, rack: str) -> float:
+        """Give the velocity m/s of a rack: that of its wheel's pitch circle."""
+        wheel = self.train.wheels[self.train.racks[rack]]
+        return float(speeds(self.train, gear)[wheel.link] * self.train.rack_side(rack) * wheel.radius)
+
+    def travel(self, gear: BoxGear, rack: str) -> float | None:
+        """Give how far a rack goes, mm, in a turn of the driving link: pi m z over the ratio of its wheel."""
+        wheel = self.train.wheels[self.train.racks[rack]]
+        share = self.shares(gear)[wheel.link][0] * self.train.rack_side(rack)
+        return float(share) * math.pi * float(2000 * wheel.radius) if self.train.single else None
+
     def inertia(self, gear: BoxGear, link: str) -> float | None:
         """Give the moment of inertia kg*m2 of all links, reduced to one; nothing where it rests or none is given."""
         train, shares = self.train, self.shares(gear)
@@ -116,6 +129,17 @@ class TrainSpeeds:
         links = {joint_name(pair): pair[0] for pair in self.train.joints}
         links[self.train.drives[0][0]] = self.train.drives[0][0]
         return {name: moment * speeds[links[name]] for name, moment in moments.items() if name in links}
+
+    def circulates(self, gear: BoxGear) -> bool:
+        """Whether a row gives a joined shaft, or takes from it, more power than the drive brings (циркуляция)."""
+        powers, drive = self.powers(gear), self.train.drives[0][0]
+        given = dict.fromkeys(self.train.links, 0.0) | {drive: -powers[drive]}
+        given[self.train.output] += powers[drive]
+        for pair in self.train.joints:
+            given[pair[0]] -= powers[joint_name(pair)]
+            given[pair[1]] += powers[joint_name(pair)]
+        engaged = {link for pair in gear.locked for link in pair}  # what a clutch gives its shafts is not found
+        return any(abs(given[link]) > abs(powers[drive]) * (1 + ROUNDED) for link in given.keys() - engaged)
 
     def ratio(self, gear: BoxGear) -> Fraction | None:
         """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from plans.techniques import Technique, late
 
 if TYPE_CHECKING:
-    from plans.scene.scene import Meaning, Survey
     from plans.study import Made, Study
 
 
@@ -23,13 +22,10 @@ class GearsTechnique(Technique):
     }
 
     form = late("form:GearsForm")
+    survey = late("reading:survey_of")
     comparison = late("quantities:compare_gears", "gears.study:GearsStudy")
     numbers = late("quantities:numbers")
-
-    def survey(self, meaning: Meaning) -> Survey:
-        from plans.gears.reading import survey_of
-
-        return survey_of(meaning.scene)
+    marks = late("quantities:marks")
 
     def study(self, study: Study) -> Made:
         from plans.gears.study import GearsStudy

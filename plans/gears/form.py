@@ -42,26 +42,25 @@ def check_mesh(value: object) -> tuple[str, str]:
     return check_part(found[1]), check_part(found[2])
 
 
-def check_module(value: object) -> Decimal:
-    """Read a module: a number is of millimetres."""
-    bare = isinstance(value, int | float | Decimal) and not isinstance(value, bool)
-    return units.length(f"{value} mm" if bare else value)
-
-
 PART = one(check_part, lambda: forms.text(f"^{WHEEL.pattern}$", 8), "name")
 TEETH = one(check_teeth, lambda: {**forms.whole(LEAST_TEETH), "maximum": MOST_TEETH}, "number")
 MESH = one(check_mesh, lambda: forms.text(r"^[^\s-]+\s*-\s*[^\s-]+$"), '"1-2"')
-MODULE = one(check_module, lambda: {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}, "mm")
 NAMES = many(PART, f.NO_REPEATS, first=f.FEW)
 TWO = f.pair(PART, '["1", "H"]')
 
 
 class WheelTable(Table):
-    """A wheel: its teeth, whether it is a ring, a module of its own."""
+    """A wheel: its teeth, whether it is a ring or a rack, a module of its own."""
 
     teeth: int | None = key(TEETH, None, meaning="Number of teeth; default: found from coaxiality.")
     internal: bool = key(f.FLAG, False, meaning="Whether the teeth are inside, as of a ring (внутренние зубья).")
-    module: Decimal | None = key(MODULE, None, meaning="Module of its own, mm.")
+    rack: bool = key(f.FLAG, False, meaning="Whether it is a rack (рейка), a wheel without end, which slides.")
+    module: Decimal | None = key(f.MILLIMETRES, None, meaning="Module of its own, mm.")
+
+    def check(self) -> None:
+        """See that a rack, which has no circle, is told no teeth."""
+        if self.rack and (self.internal or self.teeth is not None):
+            raise wrong("toothed_rack", at=("internal" if self.internal else "teeth",))
 
 
 class DrivingLinkTable(Table):
@@ -89,7 +88,9 @@ class GearsTable(Table):
         meaning='Wheels that mesh (зацепления): ["1-2", "2\'-3"].',
         missing=Missing("list of meshes", 'meshes = ["1-2"]'),
     )
-    module: Decimal = key(MODULE, Decimal("0.001"), meaning="Module, mm, of all wheels without one of their own.")
+    module: Decimal = key(
+        f.MILLIMETRES, Decimal("0.001"), meaning="Module, mm, of all wheels without one of their own."
+    )
     carriers: Mapping[str, tuple[str, ...]] = key(
         named(PART, NAMES, first=f.FEW),
         {},
@@ -130,7 +131,10 @@ class GearsTable(Table):
         None,
         meaning="Moment that resists the driven link, N*m: those that balance it are found.",
     )
-    output: str = key(PART, meaning="The driven link.", missing=Missing("driven link", 'output = "H"', "1"))
+    force: Decimal | None = key(
+        f.not_negative(units.FORCE), None, meaning="Force that resists the driven rack, N, in place of a moment."
+    )
+    output: str = key(PART, meaning="The driven link, or a rack.", missing=Missing("driven link", 'output = "H"', "1"))
     planets: int | None = key(
         one(f.whole, lambda: forms.whole(1), "number", least=1),
         None,
@@ -147,8 +151,9 @@ class GearsTable(Table):
         """See that something turns."""
         if not any(drive.speed for drive in self.drives):
             raise wrong("zero", kind="angular speed", at=("drive",))
-        if self.load is not None and len(self.drives) > 1:
-            raise wrong("load_of_differential", at=("load",))
+        for name in ("load", "force"):
+            if getattr(self, name) is not None and len(self.drives) > 1:
+                raise wrong("load_of_differential", at=(name,))
 
     @property
     def drives(self) -> tuple[DrivingLinkTable, ...]:

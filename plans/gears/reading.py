@@ -10,14 +10,12 @@ from typing import Any, NamedTuple
 from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
-from plans.gears.synthesis import Searched, search
-from plans.model.gears import FRAME, BoxGear, Train, assembly, link_of
+from plans.gears.synthesis import TIP, Searched, clear_of, search
+from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
-from plans.scene.scene import Scene
+from plans.scene.scene import Meaning, Scene
 from plans.words.words import message
-
-TIP = 2  # modules by which the tips of a planet stand beyond its pitch circle, both sides
 
 
 class GearsSurvey(NamedTuple):
@@ -28,9 +26,11 @@ class GearsSurvey(NamedTuple):
     searched: Searched | None = None  # where its teeth are sought by a wanted ratio
 
 
-def survey_of(scene: Scene) -> GearsSurvey:
+def survey_of(meaning: Meaning) -> GearsSurvey:
     """Examine a train: its names, its axes, its planets, its mobility; all faults that do not follow from others."""
-    reading = _TrainReading(scene, scene.of(GearsForm).gears, [])
+    if any(path[:2] == ("gears", table) for path in meaning.doubts for table in ("wheels", "carriers", "module")):
+        return GearsSurvey(None, [])  # what is not read well is there for all that
+    reading = _TrainReading(meaning.scene, meaning.scene.of(GearsForm).gears, [])
     for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
         step()
         if reading.faults:
@@ -58,7 +58,8 @@ class _TrainReading:
     def names(self) -> None:
         """See that what is named is there: wheels, links, brakes, clutches."""
         form = self.form
-        links = [*dict.fromkeys((*map(link_of, self.wheels), *form.carriers))]
+        racks = {name for name, wheel in self.wheels.items() if wheel.rack}
+        links = [*dict.fromkeys((*(link_of(name) for name in self.wheels if name not in racks), *form.carriers))]
         central = [link for link in links if link not in {p for some in form.carriers.values() for p in some}]
         for k, mesh in enumerate(form.meshes):
             self._know(("meshes", k), mesh, self.wheels, "no_wheel")
@@ -67,7 +68,8 @@ class _TrainReading:
             for link in some:
                 if carrier != (first := next(one for one, of in form.carriers.items() if link in of)):
                     self.report(("carriers", carrier), "planet_twice", name=link, first=first)
-        rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed), (("output",), (form.output,))]
+        rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed)]
+        rows += [(("output",), (form.output,))] if form.output not in racks else []
         rows += [(("joined", k), some) for k, some in enumerate(form.joined)]
         rows += [(("brakes", name), (link,)) for name, link in form.brakes.items()]
         rows += [(("clutches", name), pair) for name, pair in form.clutches.items()]
@@ -90,8 +92,31 @@ class _TrainReading:
                 advice = suggestion(name, known)
                 self.report(path, kind, name=name, known=", ".join(known) or "-", suggestion=advice)
 
+    @property
+    def racks(self) -> Mapping[str, str]:
+        """The racks, each with the wheel that it meshes with."""
+        meshes = [*self.form.meshes, *(mesh[::-1] for mesh in self.form.meshes)]
+        return {one: other for one, other in meshes if self.wheels[one].rack}
+
+    def _slide(self) -> None:
+        """See that each rack meshes with one wheel of a fixed axis, and is loaded by a force."""
+        planets = {link for some in self.form.carriers.values() for link in some}
+        for name in (name for name, wheel in self.wheels.items() if wheel.rack):
+            others = [one for mesh in self.form.meshes if name in mesh for one in mesh if one != name]
+            free = [
+                one for one in others if self.wheels[one].internal or self.wheels[one].rack or link_of(one) in planets
+            ]
+            same = [one for one in self.wheels if one != name and link_of(one) == link_of(name)]
+            if len(others) > 1 or free or same:
+                self.report(("wheels", name), "rack_mesh", rack=name, others=", ".join(dict.fromkeys(others + same)))
+        slides = self.wheels[self.form.output].rack if self.form.output in self.wheels else False
+        for key, given in (("load", self.form.load), ("force", self.form.force)):
+            if given is not None and slides == (key == "load"):
+                self.report((key,), "load_of_rack" if slides else "force_of_wheel", output=self.form.output)
+
     def rings(self) -> None:
         """See that no two rings mesh, that wheels that mesh have one module, that every wheel meshes."""
+        self._slide()
         for k, mesh in enumerate(self.form.meshes):
             if link_of(mesh[0]) == link_of(mesh[1]):
                 self.report(("meshes", k), "own_mesh", first=mesh[0], second=mesh[1])
@@ -113,12 +138,12 @@ class _TrainReading:
     @property
     def raw(self) -> RawTrain:
         """The train with the teeth that it is given."""
-        form = self.form
+        form, turning = self.form, {name: wheel for name, wheel in self.wheels.items() if not wheel.rack}
         return RawTrain(
-            {name: -w.teeth if w.teeth and w.internal else w.teeth for name, w in self.wheels.items()},
+            {name: -w.teeth if w.teeth and w.internal else w.teeth for name, w in turning.items()},
             frozenset(name for name, wheel in self.wheels.items() if wheel.internal),
-            {name: self._module(name) for name in self.wheels},
-            form.meshes,
+            {name: self._module(name) for name in turning},
+            tuple(mesh for mesh in form.meshes if turning.keys() >= {*mesh}),
             form.carriers,
             (*form.joined, *form.clutches.values()),
         )
@@ -128,6 +153,11 @@ class _TrainReading:
         if self.form.wanted is None:
             return
         wanted = wanted_of(self.form, self.raw)
+        if wanted and wanted.sign * wanted.ratio < 0:
+            ends = dict(zip(("held", "driving", "driven"), wanted.ends, strict=True))
+            kind = "only_positive" if wanted.sign > 0 else "only_negative"
+            self.report(("wanted", "ratio"), kind, **ends, would=-self.form.wanted.ratio)
+            return
         self.searched = search(wanted) if wanted else None
         if self.searched is None:
             self.report(("wanted",), "wanted_scheme")
@@ -159,7 +189,7 @@ class _TrainReading:
             for mesh, far, _, wanted in wrong_axes:
                 sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
                 self.report(
-                    ("meshes", whole.meshes.index(mesh)), "not_in_plane", first=mesh[0], second=mesh[1], **sizes
+                    ("meshes", self.form.meshes.index(mesh)), "not_in_plane", first=mesh[0], second=mesh[1], **sizes
                 )
             self.train = self._train(whole, found)
 
@@ -172,10 +202,11 @@ class _TrainReading:
         sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
         pairs = {"first": "-".join(mesh), "second": "-".join(other), "name": name}
         kind = "not_coaxial" if would.denominator == 1 and would >= LEAST_TEETH else "not_coaxial_whole"
-        self.report(("meshes", raw.meshes.index(mesh)), kind, **pairs, **sizes, teeth=f"{float(would):.6g}")
+        self.report(("meshes", self.form.meshes.index(mesh)), kind, **pairs, **sizes, teeth=f"{float(would):.6g}")
 
     def _train(self, raw: RawTrain, found: Mapping[str, Fraction]) -> Train:
-        form = self.form
+        form, driving = self.form, self.racks.get(self.form.output, "")  # the wheel that moves the driven rack
+        load = form.load if form.force is None else Fraction(form.force) * raw.wheel(driving).radius
         engaged: Mapping[str, tuple[str, ...]] = form.engaged or {"": (*form.brakes, *form.clutches)}
         return Train(
             wheels={name: raw.wheel(name) for name in raw.teeth},
@@ -184,14 +215,16 @@ class _TrainReading:
             joined=form.joined,
             gears=tuple(self._gear(name, some) for name, some in engaged.items()),
             drives=tuple((drive.link, float(drive.speed)) for drive in form.drives),
-            output=form.output,
+            output=link_of(driving) if driving else form.output,
             heights=found,
             brakes=form.brakes,
             clutches=form.clutches,
             planets=self.searched.solutions[0].planets if self.searched else form.planets,
             inertia={link: float(size) for link, size in form.inertia.items()},
-            load=None if form.load is None else float(form.load),
+            load=None if load is None else float(load),
             masses={link: float(size) for link, size in form.masses.items()},
+            racks=self.racks,
+            driven=form.output if driving else "",
         )
 
     def _gear(self, name: str, engaged: tuple[str, ...]) -> BoxGear:
@@ -206,21 +239,21 @@ class _TrainReading:
             return
         for link, carrier in train.carrier_of.items():
             for own in (wheel for wheel in train.wheels.values() if wheel.link == link):
-                self._neighbours(own.name, float(train.heights[link] - train.heights[carrier]), count)
+                self._neighbours(own, abs(train.heights[link] - train.heights[carrier]), count)
             for one in assembly(train, link):
                 if one.share.denominator != 1:
                     parts = {"share": f"{abs(float(one.share)):.6g}", "likely": _dividing(one.share * count)}
                     kind = "blocks_not_put_in" if one.blocks else "not_put_in"
                     self.report(("planets",), kind, **one.parts(count), **parts)
 
-    def _neighbours(self, name: str, far: float, count: int) -> None:
+    def _neighbours(self, wheel: ToothedWheel, far: Fraction, count: int) -> None:
         """See that 2 a sin(pi/k) > d_a = m(z + 2)."""
-        wheel = self.train.wheels[name]
-        tips, chord = float(wheel.module) * (wheel.teeth + TIP), 2 * far * math.sin(math.pi / count)
-        if chord <= tips:
-            most = math.ceil(math.pi / math.asin(min(tips / (2 * far), 1.0))) - 1
-            sizes = {"chord": f"{1000 * chord:.6g}", "tips": f"{1000 * tips:.6g}", "most": max(most, 1)}
-            self.report(("planets",), "touching", name=name, count=count, **sizes)
+        across = 2 * far / wheel.module
+        if wheel.teeth > clear_of(count, across):
+            most = next(k for k in range(1, count) if wheel.teeth > clear_of(k + 1, across))
+            chord, tips = 2000 * float(far) * math.sin(math.pi / count), millimetres(wheel.module * (wheel.teeth + TIP))
+            sizes = {"chord": f"{chord:.6g}", "tips": tips, "most": most}
+            self.report(("planets",), "touching", name=wheel.name, count=count, **sizes)
 
     def mobilities(self) -> None:
         """See that each gear leaves as many mobilities as there are drives, and that these determine all links."""

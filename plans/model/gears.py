@@ -12,7 +12,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations, product
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
 
 FRAME = "0"
 
@@ -103,6 +105,8 @@ class Train:
     load: float | None = None  # N*m, that resists the driven link
     inertia: Mapping[str, float] = field(default_factory=dict)  # kg*m2 of links about their own axes, of one planet
     masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
+    racks: Mapping[str, str] = field(default_factory=dict)  # each with the wheel that moves it, of a fixed axis
+    driven: str = ""  # the rack that the driven link moves, if that is what is driven
 
     @property
     def single(self) -> bool:
@@ -139,6 +143,17 @@ class Train:
         one, other = (self.wheels[name] for name in mesh)
         y_one, y_other = self.heights[one.link], self.heights[other.link]
         return (y_one * other.teeth + y_other * one.teeth) / (one.teeth + other.teeth)
+
+    def rack_side(self, rack: str) -> int:
+        """Give 1 of a rack over its wheel, -1 of one under it, where another wheel or rack is over it already."""
+        wheel, first = self.racks[rack], next(one for one, wheel in self.racks.items() if wheel == self.racks[rack])
+        y, r = self.heights[self.wheels[wheel].link], self.wheels[wheel].radius
+        return -1 if rack != first or any(wheel in mesh and self.contact(mesh) == y + r for mesh in self.meshes) else 1
+
+    def rack_height(self, rack: str) -> Fraction:
+        """Give the height m where a rack meshes."""
+        wheel = self.wheels[self.racks[rack]]
+        return self.heights[wheel.link] + self.rack_side(rack) * wheel.radius
 
     def count(self, link: str) -> int:
         """Give how many of a link there are: of a planet as many as each carrier has."""
@@ -200,17 +215,17 @@ def bodies(links: Collection[str], joined: Collection[tuple[str, ...]]) -> Mappi
     return found
 
 
-def share_of(one: tuple[int, int], other: tuple[int, int], count: int) -> Fraction:
-    """Give what must be whole that blocks alike can be put in between two central wheels, z and that of the planet.
+def share_of(one: tuple[Any, Any], other: tuple[Any, Any], count: int) -> tuple[Any, Any]:
+    """Give what must divide into whole that blocks alike fit between two central wheels, each z and that of the planet.
 
     A planet that rolls by 1/k about either wheel must stand as the first one does, or turned by whole teeth of both its
     wheels, which are parts of their common divisor: (z_1 z_2' - z_3 z_2)/(k gcd(z_2, z_2')); of one row (z_1 + z_3)/k.
 
-    >>> share_of((20, 50), (-95, 25), 3), share_of((24, 18), (-60, 18), 5)
-    (Fraction(70, 1), Fraction(84, 5))
+    >>> [Fraction(*map(int, share_of(*row))) for row in (((20, 50), (-95, 25), 3), ((24, 18), (-60, 18), 5))]
+    [Fraction(70, 1), Fraction(84, 5)]
     """
     (z1, p1), (z3, p3) = one, other
-    return Fraction(z1 * p3 - z3 * p1, count * math.gcd(p1, p3))
+    return z1 * p3 - z3 * p1, count * np.gcd(p1, p3)
 
 
 class Assembled(NamedTuple):
@@ -245,7 +260,7 @@ def assembly(train: Train, link: str) -> Iterator[Assembled]:
     """
     count = train.planets or 1
     for (p1, one), (p3, other) in combinations(_central(train, link), 2):
-        share = share_of((one.teeth, p1.teeth), (other.teeth, p3.teeth), count)
+        share = Fraction(*map(int, share_of((one.teeth, p1.teeth), (other.teeth, p3.teeth), count)))
         yield Assembled(one, p1, other, p3, share)
     for a, b in train.pairs:
         if a.link == link and b.link in train.carrier_of:

@@ -113,6 +113,7 @@ def _kind(name: str, si: str, forms: str, listed: str, *sizes: str) -> UnitKind:
 
 SLIGHT = "1e-30"  # in SI: what is left of a zero by whatever wrote the scene is more, what a machine has is far more
 LENGTH = _kind("length", "m", "length", "m dm cm mm")
+MILLIMETRES = _kind("length", "mm", "length", "mm cm m")  # of gears, whose modules are told so everywhere
 ANGLE = _kind("angle", "deg", "angle", "deg rad")
 SPEED = _kind("angular speed", "rad/s", "angle/time speed", "rad/s 1/s rpm deg/s")
 ANGULAR_ACCELERATION = _kind("angular acceleration", "rad/s2", "angle/time2 spin", "rad/s2 1/s2 deg/s2")
@@ -217,6 +218,11 @@ def coordinate(value: object) -> Decimal:
 def length(value: object) -> Decimal:
     """Give a length in metres, between LENGTH_LEAST and LENGTH_LIMIT."""
     return _between(positive(value, LENGTH), LENGTH, LENGTH_LEAST, LENGTH_LIMIT)
+
+
+def millimetres(value: object) -> Decimal:
+    """Give a length of gears in metres: a bare number is in millimetres."""
+    return _between(positive(value, MILLIMETRES).scaleb(-3), LENGTH, LENGTH_LEAST, LENGTH_LIMIT)
 
 
 def angle(value: object) -> Decimal:

@@ -39,7 +39,8 @@ def test_the_rule_of_17_teeth(teeth: int, shift: float) -> None:
 
 def test_least_shift_and_teeth_without_undercut() -> None:
     assert [f"{least_shift(wheel(teeth, 0.0)):.10f}" for teeth in (10, 12)] == ["0.4151111078", "0.2981333294"]
-    assert f"{2 / math.sin(RACK.angle) ** 2:.8f}" == "17.09726434" and abs(least_shift(wheel(17, 0.0))) < 0.006
+    first, other = (least_shift(wheel(teeth, 0.0)) for teeth in (17, 18))  # in a line with the teeth: where it is zero
+    assert f"{17 + first / (first - other):.8f}" == "17.09726434" and abs(first) < 0.006
 
 
 # Tables of the involute function (Anuriev, vol. 2).
