@@ -8,13 +8,15 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from drawings.gears import synthesis
+from drawings.gears.efficiency import EfficiencyNotes
+from drawings.gears.willis import by_teeth, quantity, ratio_letters, ratio_named, stopped
 from drawings.lettering.gear_letters import link_letters, teeth_letters
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
-from plans.gears.study import GearsStudy, of_gear, pair_of
+from plans.gears.study import GearsStudy, of_gear
 from plans.gears.synthesis import CLEAR
-from plans.model.gears import FRAME, BoxGear, ToothedWheel, Willis, assembly, bodies
+from plans.model.gears import BoxGear, Willis, assembly
 
 MILLIMETRES = 1000.0
 DIGITS = 5
@@ -112,12 +114,8 @@ class GearsNotes(NamedTuple):
         name = ratio_letters(one)
         top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
         speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
-        driven, driving = _kept(one)
-        sign = "−" if one.ratio < 0 else ""
-        product = "·".join(teeth_letters(w.name) for w in driven), "·".join(teeth_letters(w.name) for w in driving)
-        numbers = "·".join(str(abs(w.teeth)) for w in driven), "·".join(str(abs(w.teeth)) for w in driving)
-        terms = [name, speeds, f"{sign}{_over(*product, len(driving))}", f"{sign}{_over(*numbers, len(driving))}"]
-        return joined(" = ", (*terms, self.drafting.slot(Slot(_quantity(one), float(one.ratio), DIGITS))))
+        value = self.drafting.slot(Slot(quantity(one), float(one.ratio), DIGITS))
+        return joined(" = ", (name, speeds, *by_teeth(one), value))
 
     def ratios(self) -> Iterator[str]:
         """Tell the ratio of each gear, by Willis's formula where one of its wheels is held, and the driven speed."""
@@ -127,45 +125,14 @@ class GearsNotes(NamedTuple):
                 yield self._ratio(gear, ratio)
 
     def _ratio(self, gear: BoxGear, ratio: Fraction) -> Phrase:
-        driving, driven = self.study.train.drives[0][0], self.study.train.output
-        name = f"U^{{{gear.name}}}_" if gear.name else "U_"
-        name += f"{{{pair_of(driving, driven)}}}"
+        driven = self.study.train.output
         value = self.drafting.slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
-        terms = [name, *self._stopped(gear, driving, driven)]
+        terms = [ratio_named(self.study, gear), *filter(None, (stopped(self.study.train, gear),))]
         terms += [_fraction(ratio)] if ratio.denominator != 1 else []
         speed = self.study.train.drives[0][1] * float(1 / ratio) * 30 / math.pi
         n = self.drafting.slot(Slot(of_gear(f"n_{driven}", gear), speed, DIGITS))
         unit = self.drafting.word("rpm")
         return joined("", (joined(" = ", (*terms, value)), f";  n_{{{driven}}} = ", n, f" {unit}"))
-
-    def _stopped(self, gear: BoxGear, driving: str, driven: str) -> Iterator[str]:
-        """Write the ratio by those with carriers stopped, where these lead from the driving link to the driven one."""
-        body = bodies(self.study.train.links, (*self.study.train.joined, *gear.locked))
-        ways, steps = {body[driving]: ("", "")}, [*self._steps(gear)]
-        for _ in steps:
-            for one, other, top, low in steps:
-                for a, b, over, under in ((body[one], body[other], top, low), (body[other], body[one], low, top)):
-                    if a in ways and b not in ways:
-                        ways[b] = ways[a][0] + over, ways[a][1] + under
-        top, low = ways.get(body[driven], ("", ""))
-        if top or low:
-            bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
-            yield f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare
-
-    def _steps(self, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:
-        """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
-        held = {link for link, one in bodies(self.study.train.links, [(FRAME, *gear.held)]).items() if one == FRAME}
-        for one in self.study.train.willis:
-            a, b, name = one.first.link, one.other.link, ratio_letters(one)
-            if not one.carrier:
-                yield a, b, name, ""
-            elif b in held:
-                yield a, one.carrier, f"(1 − {name})", ""
-                for third in self.study.train.willis:
-                    if third.first is one.first and third is not one and third.other.link not in held:
-                        yield third.other.link, one.carrier, f"(1 − {name}/{ratio_letters(third)})", ""
-            elif a in held:
-                yield b, one.carrier, f"(1 − 1/{name})", ""
 
     def inertia(self) -> Iterator[str]:
         """Tell the inertia of links, and how that of all is reduced."""
@@ -182,14 +149,16 @@ class GearsNotes(NamedTuple):
                 yield self._said("gears one planet")
 
     def moments(self) -> Iterator[str]:
-        """Tell the load, and how the moments that balance it are found."""
+        """Tell the load, how the moments that balance it are found, and what friction in the meshes takes."""
         train = self.study.train
         if train.load is not None:
-            yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
+            key = "gears load" if train.single else "gears load of several"
+            yield self._said(key, link=link_letters(train.output), load=Slot("load", train.load))
             for gear in filter(self.study.closed, train.gears):
                 yield from self._powers(gear)
             if not all(map(self.speeds.moments, train.gears)):
                 yield self._said("gears unbalanced")
+        yield from EfficiencyNotes(*self).all
 
     def _powers(self, gear: BoxGear) -> Iterator[str]:
         """Tell the power that is put in and what flows through joints; what is more than that circulates."""
@@ -211,30 +180,6 @@ class GearsNotes(NamedTuple):
 
     def _said(self, key: str, **parts: object) -> Phrase:
         return self.drafting.phrase(key, **parts)
-
-
-def ratio_letters(one: Willis) -> str:
-    """Letter a ratio with the carrier stopped: U_13^(H)."""
-    carrier = f"^{{({one.carrier})}}" if one.carrier else ""
-    return f"U{carrier}_{{{pair_of(one.first.link, one.other.link)}}}"
-
-
-def _quantity(one: Willis) -> str:
-    return f"U_{one.first.name}{one.other.name}^{one.carrier}"
-
-
-def _kept(one: Willis) -> tuple[list[ToothedWheel], list[ToothedWheel]]:
-    """Leave out wheels that are driven and drive: an idler changes the sign alone."""
-    driven, driving = [*one.driven], [*one.driving]
-    for wheel in one.driven:
-        if wheel in driving:
-            driven.remove(wheel)
-            driving.remove(wheel)
-    return driven, driving
-
-
-def _over(top: str, low: str, count: int) -> str:
-    return f"{top}/({low})" if count > 1 else f"{top}/{low}"
 
 
 def _fraction(value: Fraction) -> str:

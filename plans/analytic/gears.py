@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
+from typing import NamedTuple
 
 from plans.model.gears import FRAME, BoxGear, Train, joint_name
 from plans.model.motion import Gap
@@ -56,24 +58,84 @@ def velocity(train: Train, speeds: Mapping[str, Fraction], link: str, height: Fr
     return float(centre + speeds[link] * (height - train.heights[link]))
 
 
-def moments(train: Train, gear: BoxGear, load: float) -> Mapping[str, float]:
-    """Give the moments N*m on the driving link, on those that are held, through joints, by equilibrium of each link.
+class LoadBalance(NamedTuple):
+    """Forces of meshes, times half their modules, and moments N*m: on drives, on what is held, through joints."""
+
+    forces: tuple[Fraction, ...]
+    moments: Mapping[str, float]
+
+
+def balance(train: Train, gear: BoxGear, load: float, driving: Sequence[str] = ()) -> LoadBalance | None:
+    """Give what balances a load by equilibrium of each link; of meshes may be given which wheel drives, with friction.
 
     Each equation of speeds has a multiplier: of a mesh half the module times its force, of what is held its moment.
     Nothing where more conditions hold than are independent: then the moments hang on how stiff the links are.
     """
-    driving, rows = train.drives[0][0], [*equations(train, gear)]
+    drives, rows = [link for link, _ in train.drives], [*equations(train, gear)]
+    rows[: len(driving)] = map(partial(_passed_on, train), rows, train.meshes, driving)
     matrix = []
     for link in train.links:
         own = [Fraction(row.get(link, 0)) for row in rows]
-        matrix.append([*own, Fraction(link == driving), -Fraction(load) * (link == train.output)])
-    found = reduced(matrix, len(rows) + 1)
-    if len(found) < len(rows) + 1:
-        return {}
-    moments = [float(row[-1]) for row in found]
-    held, joints = moments[len(train.meshes) :], moments[len(rows) - len(train.joints) : -1]
-    through = zip(map(joint_name, train.joints), joints, strict=True)
-    return {driving: moments[-1], **dict(zip(gear.held, held, strict=False)), **dict(through)}
+        own += [Fraction(link == drive) for drive in drives]
+        matrix.append([*own, -Fraction(load) * (link == train.output)])
+    found = [row[-1] for row in reduced(matrix, len(rows) + len(drives))]
+    if len(found) < len(rows) + len(drives):
+        return None
+    forces, free = len(train.meshes), len(rows) - len(train.joints)
+    names = {**dict(zip(drives, found[len(rows) :], strict=True)), **dict(zip(gear.held, found[forces:], strict=False))}
+    names |= zip(map(joint_name, train.joints), found[free : len(rows)], strict=True)
+    return LoadBalance(tuple(found[:forces]), {name: float(moment) for name, moment in names.items()})
+
+
+def _passed_on(train: Train, row: Mapping[str, Fraction], mesh: tuple[str, str], by: str) -> Mapping[str, Fraction]:
+    """Leave the driven wheel of a mesh what friction does not take of its force; the carrier bears the difference."""
+    one, other = (train.wheels[name] for name in mesh)
+    driven = other if by == one.name else one
+    lost = (1 - train.efficiency[mesh]) * driven.teeth if by else Fraction(0)
+    carrier = train.carrier_between(one, other)
+    return {**row, driven.link: row[driven.link] - lost, carrier: row[carrier] + lost}
+
+
+def pushing(train: Train, speeds: Mapping[str, Fraction], forces: Sequence[Fraction]) -> tuple[str, ...]:
+    """Name the wheel that drives each mesh as its carrier sees it; none where no power is passed on there."""
+    found = []
+    for (one, other), force in zip(train.pairs, forces, strict=True):
+        carrier = train.carrier_between(one, other)
+        power = force * one.teeth * (speeds[one.link] - speeds.get(carrier, Fraction(0)))
+        found.append("" if not power else other.name if power > 0 else one.name)
+    return tuple(found)
+
+
+class TrainFriction(NamedTuple):
+    """What balances a load with friction: which wheels drive, the moments, the efficiency; whether it locks itself."""
+
+    driving: tuple[str, ...]
+    moments: Mapping[str, float]
+    efficiency: float
+    locks: bool
+
+
+def friction(train: Train, gear: BoxGear, load: float) -> TrainFriction | None:
+    """Find the wheels that drive by the forces themselves, with friction in them; where none agree the train locks.
+
+    Then the efficiency is that of the forces without friction, and none above zero (самоторможение).
+    """
+    turns, plain = speeds(train, gear), balance(train, gear, load)
+    if plain is None:
+        return None
+    tried, driving, found = list[tuple[str, ...]](), pushing(train, turns, plain.forces), plain
+    while driving not in tried:
+        tried.append(driving)
+        found = balance(train, gear, load, driving) or LoadBalance((Fraction(0),) * len(driving), {})
+        driving = pushing(train, turns, found.forces)
+    locks = driving != tried[-1]
+    found = (balance(train, gear, load, tried[0]) if locks else found) or LoadBalance((), {})
+    by = plain if locks else found
+    put = {link: by.moments[link] * float(turns[link]) > 0 for link, _ in train.drives}
+    powers = {link: found.moments.get(link, math.inf) * float(turns[link]) for link in put}
+    brought = sum(power for link, power in powers.items() if put[link])
+    taken = -load * float(turns[train.output]) - sum(power for link, power in powers.items() if not put[link])
+    return TrainFriction(tried[0 if locks else -1], found.moments, taken / brought, locks)
 
 
 @dataclass(frozen=True)
@@ -110,25 +172,35 @@ class TrainSpeeds:
         speed = self.true(gear)[self.train.output]
         if self.train.load is None or not speed:
             return {}
-        return moments(self.train, gear, -math.copysign(self.train.load, speed))
+        found = balance(self.train, gear, -math.copysign(self.train.load, speed))
+        return found.moments if found else {}
+
+    def friction(self, gear: BoxGear) -> TrainFriction | None:
+        """Give what balances the load with friction in the meshes, if that is given; without a load 1 N*m is one."""
+        speed = self.true(gear)[self.train.output]
+        if not self.train.efficiency or not speed:
+            return None
+        return friction(self.train, gear, -math.copysign(self.train.load or 1.0, speed))
 
     def powers(self, gear: BoxGear) -> Mapping[str, float]:
-        """Give the power W of the driving link and those through joints, from the second link to the first."""
+        """Give the power W of the driving links and those through joints, from the second link to the first."""
         speeds, moments = self.true(gear), self.moments(gear)
-        links = {joint_name(pair): pair[0] for pair in self.train.joints}
-        links[self.train.drives[0][0]] = self.train.drives[0][0]
+        links = {link: link for link, _ in self.train.drives}
+        links |= {joint_name(pair): pair[0] for pair in self.train.joints}
         return {name: moment * speeds[links[name]] for name, moment in moments.items() if name in links}
 
     def circulates(self, gear: BoxGear) -> bool:
         """Whether a row gives a joined shaft, or takes from it, more power than the drive brings (циркуляция)."""
-        powers, drive = self.powers(gear), self.train.drives[0][0]
-        given = dict.fromkeys(self.train.links, 0.0) | {drive: -powers[drive]}
-        given[self.train.output] += powers[drive]
+        powers = self.powers(gear)
+        drives = {link: powers[link] for link, _ in self.train.drives}
+        brought = sum(power for power in drives.values() if power > 0)
+        given = dict.fromkeys(self.train.links, 0.0) | {link: -power for link, power in drives.items()}
+        given[self.train.output] += sum(drives.values())
         for pair in self.train.joints:
             given[pair[0]] -= powers[joint_name(pair)]
             given[pair[1]] += powers[joint_name(pair)]
         engaged = {link for pair in gear.locked for link in pair}  # what a clutch gives its shafts is not found
-        return any(abs(given[link]) > abs(powers[drive]) * (1 + ROUNDED) for link in given.keys() - engaged)
+        return any(abs(given[link]) > brought * (1 + ROUNDED) for link in given.keys() - engaged)
 
     def ratio(self, gear: BoxGear) -> Fraction | None:
         """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 
-from plans.gears.wanted import WantedTable
+from plans.gears.wanted import EFFICIENCY, WantedTable
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -125,6 +125,15 @@ class GearsTable(Table):
         None,
         meaning="Moment that resists the driven link, N*m: those that balance it are found.",
     )
+    efficiency: Decimal | None = key(
+        EFFICIENCY,
+        None,
+        meaning='Efficiency of each mesh, its carrier stopped: a part, or "98 %"; that of the train is found.',
+        also=("eta", "η", "кпд"),
+    )
+    efficiencies: Mapping[tuple[str, str], Decimal] = key(
+        named(MESH, EFFICIENCY, first=f.FEW), {}, meaning='Efficiencies of their own, by meshes: "2\'-3" = 0.99.'
+    )
     output: str = key(PART, meaning="The driven link.", missing=Missing("driven link", 'output = "H"', "1"))
     planets: int | None = key(
         one(f.whole, lambda: forms.whole(1), "number", least=1),
@@ -142,8 +151,6 @@ class GearsTable(Table):
         """See that something turns."""
         if not any(drive.speed for drive in self.drives):
             raise wrong("zero", kind="angular speed", at=("drive",))
-        if self.load is not None and len(self.drives) > 1:
-            raise wrong("load_of_differential", at=("load",))
 
     @property
     def drives(self) -> tuple[DrivingLinkTable, ...]:

@@ -7,7 +7,7 @@ Numbers of teeth, modules and heights are exact: a ratio is a quotient of whole 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -59,9 +59,9 @@ class BoxGear(NamedTuple):
     locked: tuple[tuple[str, str], ...]
 
 
-def bare(gear: BoxGear, link: str, instead: str) -> BoxGear:
-    """Give a gear with a held link let go and another one held instead, under a name of its own."""
-    return BoxGear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
+def freed(gear: BoxGear, link: str, held: Iterable[str]) -> BoxGear:
+    """Give a gear in which one link is free and others are held, under a name of its own."""
+    return BoxGear(f"{gear.name}({link})", tuple(held), gear.locked)
 
 
 def joint_name(pair: tuple[str, str]) -> str:
@@ -105,6 +105,8 @@ class Train:
     load: float | None = None  # N*m, that resists the driven link
     inertia: Mapping[str, float] = field(default_factory=dict)  # kg*m2 of links about their own axes, of one planet
     masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
+    efficiency: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of meshes, their carrier stopped
+    factors: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of the ratios of meshes, by friction
 
     @property
     def single(self) -> bool:
@@ -136,11 +138,16 @@ class Train:
         """The wheels that mesh."""
         return ((self.wheels[one], self.wheels[other]) for one, other in self.meshes)
 
+    def rolling(self, mesh: tuple[str, str]) -> tuple[Fraction, Fraction]:
+        """Give the teeth of two wheels that mesh, those of the second times what friction makes of their ratio."""
+        one, other = (self.wheels[name].teeth for name in mesh)
+        return Fraction(one), other * self.factors.get(mesh, Fraction(1))
+
     def contact(self, mesh: tuple[str, str]) -> Fraction:
         """Give the height m of the mesh point of two wheels: it divides the line of centres as their teeth."""
-        one, other = (self.wheels[name] for name in mesh)
-        y_one, y_other = self.heights[one.link], self.heights[other.link]
-        return (y_one * other.teeth + y_other * one.teeth) / (one.teeth + other.teeth)
+        y_one, y_other = (self.heights[self.wheels[name].link] for name in mesh)
+        one, other = self.rolling(mesh)
+        return (y_one * other + y_other * one) / (one + other)
 
     def count(self, link: str) -> int:
         """Give how many of a link there are: of a planet as many as each carrier has."""

@@ -11,13 +11,14 @@ from plans.model.gears import FRAME, BoxGear, Train
 Row: TypeAlias = list[Fraction]
 
 
-def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, int]]:
+def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, Fraction]]:
     """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y."""
-    for one, other in train.pairs:
-        carrier = train.carrier_between(one, other)
-        yield {one.link: one.teeth, other.link: other.teeth, carrier: -one.teeth - other.teeth}
-    yield from ({link: 1} for link in gear.held)
-    yield from ({one: 1, other: -1} for one, other in (*gear.locked, *train.joints))
+    unit = Fraction(1)
+    for mesh, (one, other) in zip(train.meshes, train.pairs, strict=True):
+        first, second = train.rolling(mesh)
+        yield {one.link: first, other.link: second, train.carrier_between(one, other): -first - second}
+    yield from ({link: unit} for link in gear.held)
+    yield from ({one: unit, other: -unit} for one, other in (*gear.locked, *train.joints))
 
 
 def mobility(train: Train, gear: BoxGear) -> int:
