@@ -221,7 +221,8 @@ def _named(mark: Mark, of: Explanation, language: str) -> str:
     name = letter(language, written(term(language, "mark_name", mark.name), language))
     if " " in mark.name and name == mark.name:
         name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))
-    return name if mark.subject == of.home else f"{name} [{term(language, 'plan', mark.subject)}]"
+    plan, of_gear, gear = mark.subject.partition("-")
+    return name if mark.subject == of.home else f"{name} [{term(language, 'plan', plan)}{of_gear and ' '}{gear}]"
 
 
 def _value(mark: Mark, of: Explanation, digits: int) -> Message:

@@ -96,7 +96,7 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     if train.single:
         numbers |= {f"given J_{link}": size for link, size in train.inertia.items()}
         numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
-    for gear in filter(study.closed, train.gears):
+    for gear in (gear for gear in train.gears if study.closed(gear) or not train.single):
         numbers |= {of_gear(f"P_{one}", gear): power for one, power in TrainSpeeds(train).powers(gear).items()}
     numbers |= dict(_friction(study))
     numbers |= {"load": train.load} if train.load is not None else {}

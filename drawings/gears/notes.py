@@ -154,8 +154,9 @@ class GearsNotes(NamedTuple):
         if train.load is not None:
             key = "gears load" if train.single else "gears load of several"
             yield self._said(key, link=link_letters(train.output), load=Slot("load", train.load))
-            for gear in filter(self.study.closed, train.gears):
-                yield from self._powers(gear)
+            for gear in train.gears:
+                if self.study.closed(gear) or not train.single:
+                    yield from self._powers(gear)
             if not all(map(self.speeds.moments, train.gears)):
                 yield self._said("gears unbalanced")
         yield from EfficiencyNotes(*self).all
@@ -167,6 +168,7 @@ class GearsNotes(NamedTuple):
             told = ((f"P_{{{of_gear(name, gear)}}}", of_gear(f"P_{name}", gear), size) for name, size in powers.items())
             parts = [self._equal(letter, Slot(name, size, DIGITS)) for letter, name, size in told]
             said = "gears circulating" if self.speeds.circulates(gear) else "gears powers"
+            said = said if self.study.train.joints else "gears put in"
             yield self._said(said, powers=joined(",  ", parts))
 
     def read(self) -> Iterator[str]:

@@ -118,7 +118,9 @@ def _friction(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]
     put = sum(power for power in powers if power > 0)
     off = sum(abs(m) * bound[one].place.max() + out * abs(complex(one.point)) for m, out, one in rows)
     named, ratio = (ANGULAR, of_gear(study.efficiency_name, plan.gear), ""), 1 - sum(powers) / put
-    yield Quantity.of(named, (ratio, found.efficiency), DATA * float(off) / put, 1.0)
+    yield Quantity.of(
+        named, (ratio, found.efficiency), DATA * float(off) / put, 1.0, next(iter(moments.values())).shown
+    )
 
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
