@@ -12,11 +12,11 @@ from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from plans.analytic.gears import TrainFriction, TrainSpeeds, ratio_with, speeds, velocity
+from plans.analytic.gears import TrainSpeeds, ratio_with, speeds, velocity
 from plans.gears.kutzbach import ANGULAR, LINEAR, LINES, board_of
 from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy, of_gear
-from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train
+from plans.model.gears import FRAME, BoxGear, Train
 from plans.quantity import Quantity
 from plans.quantity import by_hand as slipping
 from plans.study import Study
@@ -98,46 +98,34 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
         numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
     for gear in (gear for gear in train.gears if study.closed(gear) or not train.single):
         numbers |= {of_gear(f"P_{one}", gear): power for one, power in TrainSpeeds(train).powers(gear).items()}
-    numbers |= dict(_friction(study))
     numbers |= {"load": train.load} if train.load is not None else {}
-    for name, value in numbers.items():
-        yield Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS)
-    yield from _ratios(study)
+    yield from (Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS) for name, value in numbers.items())
+    yield from _ratios(train)
+    yield from _friction(study)
     yield from _planets(study)
 
 
-def _friction(study: GearsStudy) -> Iterator[tuple[str, float]]:
+def _friction(study: GearsStudy) -> Iterator[Expected]:
     """Give the efficiencies of meshes and of the train, and its ratios with friction, by the forces of meshes."""
     train, found = study.train, TrainSpeeds(study.train)
     first = {part: mesh for mesh, part in reversed([*train.efficiency.items()])}  # the first of those that are alike
-    yield from ((f"η {'-'.join(mesh)}", float(part)) for part, mesh in first.items())
+    numbers = {f"η {'-'.join(mesh)}": float(part) for part, mesh in first.items()}
     for gear in train.gears:
         friction, ratio = found.friction(gear), found.ratio(gear)
-        if not friction:
-            continue
-        if train.single or not friction.locks:
-            yield of_gear(study.efficiency_name, gear), friction.efficiency
-        if ratio:
-            yield of_gear(f"{study.ratio_name}'", gear), friction.efficiency * float(ratio)
-        for one in train.willis:
-            parts = [_passed(train, friction, *wheels) for wheels in zip(one.driving, one.driven, strict=True)]
-            value = float(ratio_with(train, one.first.link, one.other.link, one.carrier or FRAME)) * math.prod(parts)
-            if parts != [1.0] * len(parts):
-                yield of_gear(f"U_{one.first.name}{one.other.name}^{one.carrier}'", gear), value
+        if friction:
+            part = friction.efficiency
+            numbers |= {of_gear(study.efficiency_name, gear): part} if ratio or not friction.locks else {}
+            numbers |= {of_gear(f"{study.ratio_name}'", gear): part * float(ratio)} if ratio else {}
+            yield from _ratios(friction.train, of_gear("'", gear))
+    yield from (Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS) for name, value in numbers.items())
 
 
-def _passed(train: Train, friction: TrainFriction, one: ToothedWheel, other: ToothedWheel) -> float:
-    """Give what is left of a ratio of two wheels by friction: it is less where the first of them drives."""
-    driving, names = dict(zip(map(frozenset, train.meshes), friction.driving, strict=True)), {one.name, other.name}
-    part = float(next(part for mesh, part in train.efficiency.items() if {*mesh} == names))
-    return {one.name: part, other.name: 1 / part}.get(driving[frozenset(names)], 1.0)
-
-
-def _ratios(study: GearsStudy) -> Iterator[Expected]:
+def _ratios(train: Train, mark: str = "") -> Iterator[Expected]:
     """Give the ratios with a carrier stopped: speeds of the analysis over that of the carrier."""
-    for one in study.train.willis:
-        value = float(ratio_with(study.train, one.first.link, one.other.link, one.carrier or FRAME))
-        yield Expected(Kind.PHRASE, NOTES, f"U_{one.first.name}{one.other.name}^{one.carrier}", value, digits=DIGITS)
+    for one in train.willis:
+        name = f"U_{one.first.name}{one.other.name}^{one.carrier}{mark}"
+        value = float(ratio_with(train, one.first.link, one.other.link, one.carrier or FRAME))
+        yield Expected(Kind.PHRASE, NOTES, name, value, may_lack=bool(mark), digits=DIGITS)
 
 
 def _planets(study: GearsStudy) -> Iterator[Expected]:

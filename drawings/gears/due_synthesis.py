@@ -26,15 +26,8 @@ def expected(study: GearsStudy) -> Iterator[Expected]:
     for k, one in enumerate(found.solutions[:SHOWN], 1):
         ratio, across = _found(study.train, one)
         off = 100 * (ratio - wanted) / abs(wanted)
-        told = [str(abs(teeth)) for teeth in one.teeth.values()]
-        numbers: list[tuple[float, float] | str] = [
-            *told,
-            str(one.planets),
-            (ratio, 0.0),
-            (off, ROUNDED),
-            (across, 0.0),
-        ]
-        yield from cells("solutions", str(k), numbers, digits=DIGITS)
+        told = [str(whole) for whole in (*map(abs, one.teeth.values()), one.planets)]
+        yield from cells("solutions", str(k), [*told, (ratio, 0.0), (off, ROUNDED), (across, 0.0)], digits=DIGITS)
         if k == 1:
             yield from _noted(found.wanted, off, across)
 

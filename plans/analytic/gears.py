@@ -6,13 +6,13 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from typing import NamedTuple
 
 from plans.model.gears import FRAME, BoxGear, Train, joint_name
 from plans.model.motion import Gap
 from plans.model.trains import Row, equations, matrix, reduced
 
+Mesh = tuple[str, str]
 ROUNDED = 2.0**-40  # of powers: far above what their sums lose, far below what circulates anywhere
 
 
@@ -65,18 +65,16 @@ class LoadBalance(NamedTuple):
     moments: Mapping[str, float]
 
 
-def balance(train: Train, gear: BoxGear, load: float, driving: Sequence[str] = ()) -> LoadBalance | None:
-    """Give what balances a load by equilibrium of each link; of meshes may be given which wheel drives, with friction.
+def balance(train: Train, gear: BoxGear, load: float) -> LoadBalance | None:
+    """Give what balances a load by equilibrium of each link.
 
     Each equation of speeds has a multiplier: of a mesh half the module times its force, of what is held its moment.
     Nothing where more conditions hold than are independent: then the moments hang on how stiff the links are.
     """
     drives, rows = [link for link, _ in train.drives], [*equations(train, gear)]
-    rows[: len(driving)] = map(partial(_passed_on, train), rows, train.meshes, driving)
     matrix = []
     for link in train.links:
-        own = [Fraction(row.get(link, 0)) for row in rows]
-        own += [Fraction(link == drive) for drive in drives]
+        own = [Fraction(row.get(link, 0)) for row in rows] + [Fraction(link == drive) for drive in drives]
         matrix.append([*own, -Fraction(load) * (link == train.output)])
     found = [row[-1] for row in reduced(matrix, len(rows) + len(drives))]
     if len(found) < len(rows) + len(drives):
@@ -87,55 +85,50 @@ def balance(train: Train, gear: BoxGear, load: float, driving: Sequence[str] = (
     return LoadBalance(tuple(found[:forces]), {name: float(moment) for name, moment in names.items()})
 
 
-def _passed_on(train: Train, row: Mapping[str, Fraction], mesh: tuple[str, str], by: str) -> Mapping[str, Fraction]:
-    """Leave the driven wheel of a mesh what friction does not take of its force; the carrier bears the difference."""
-    one, other = (train.wheels[name] for name in mesh)
-    driven = other if by == one.name else one
-    lost = (1 - train.efficiency[mesh]) * driven.teeth if by else Fraction(0)
-    carrier = train.carrier_between(one, other)
-    return {**row, driven.link: row[driven.link] - lost, carrier: row[carrier] + lost}
+def passed(train: Train, speeds: Mapping[str, Fraction], forces: Sequence[Fraction]) -> Mapping[Mesh, Fraction]:
+    """Give what share of its moment each mesh passes on from its first wheel: less where that drives, else more.
 
-
-def pushing(train: Train, speeds: Mapping[str, Fraction], forces: Sequence[Fraction]) -> tuple[str, ...]:
-    """Name the wheel that drives each mesh as its carrier sees it; none where no power is passed on there."""
-    found = []
-    for (one, other), force in zip(train.pairs, forces, strict=True):
-        carrier = train.carrier_between(one, other)
-        power = force * one.teeth * (speeds[one.link] - speeds.get(carrier, Fraction(0)))
-        found.append("" if not power else other.name if power > 0 else one.name)
-    return tuple(found)
+    A wheel drives that gives power to the mesh as its carrier sees it; where it gives none nothing is lost.
+    """
+    found = {}
+    for mesh, (one, other), force in zip(train.meshes, train.pairs, forces, strict=True):
+        carrier = speeds.get(train.carrier_between(one, other), Fraction(0))
+        power = force * one.teeth * (speeds[one.link] - carrier)  # that the wheel gets
+        found[mesh] = train.efficiency[mesh] ** ((power < 0) - (power > 0))
+    return found
 
 
 class TrainFriction(NamedTuple):
-    """What balances a load with friction: which wheels drive, the moments, the efficiency; whether it locks itself."""
+    """A load that is balanced with friction: what meshes pass on, moments, efficiency; whether the train locks itself.
 
-    driving: tuple[str, ...]
+    Where it does (самоторможение) no forces agree with the powers that they have, and the efficiency is that by the
+    powers without friction, which is none above zero.
+    """
+
+    train: Train
     moments: Mapping[str, float]
     efficiency: float
     locks: bool
 
 
 def friction(train: Train, gear: BoxGear, load: float) -> TrainFriction | None:
-    """Find the wheels that drive by the forces themselves, with friction in them; where none agree the train locks.
-
-    Then the efficiency is that of the forces without friction, and none above zero (самоторможение).
-    """
-    turns, plain = speeds(train, gear), balance(train, gear, load)
+    """Balance a load with friction: by its powers without, then by those that it has with it, until they agree."""
+    turns, plain, tried = speeds(train, gear), balance(train, gear, load), list[Train]()
     if plain is None:
         return None
-    tried, driving, found = list[tuple[str, ...]](), pushing(train, turns, plain.forces), plain
-    while driving not in tried:
-        tried.append(driving)
-        found = balance(train, gear, load, driving) or LoadBalance((Fraction(0),) * len(driving), {})
-        driving = pushing(train, turns, found.forces)
-    locks = driving != tried[-1]
-    found = (balance(train, gear, load, tried[0]) if locks else found) or LoadBalance((), {})
-    by = plain if locks else found
-    put = {link: by.moments[link] * float(turns[link]) > 0 for link, _ in train.drives}
-    powers = {link: found.moments.get(link, math.inf) * float(turns[link]) for link in put}
-    brought = sum(power for link, power in powers.items() if put[link])
-    taken = -load * float(turns[train.output]) - sum(power for link, power in powers.items() if not put[link])
-    return TrainFriction(tried[0 if locks else -1], found.moments, taken / brought, locks)
+    found, with_it = plain, train
+    while with_it not in tried:
+        tried.append(with_it)
+        found = balance(with_it, gear, load) or found
+        with_it = replace(train, factors=passed(train, turns, found.forces))
+    locks = with_it != tried[-1]
+    with_it = tried[1] if locks else with_it
+    lossy = balance(with_it, gear, load)
+    if lossy is None:
+        return TrainFriction(with_it, {}, 0.0, True)
+    powers = [lossy.moments[link] * float(turns[link]) for link, _ in train.drives]
+    brought = powers[0] if train.single else sum(power for power in powers if power > 0)
+    return TrainFriction(with_it, lossy.moments, 1 - (sum(powers) + load * float(turns[train.output])) / brought, locks)
 
 
 @dataclass(frozen=True)

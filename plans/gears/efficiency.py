@@ -14,17 +14,17 @@ from fractions import Fraction
 from plans.model.gears import BoxGear, Train
 from plans.model.trains import Row, matrix, reduced
 
-Mesh = tuple[str, str]
 
-
-def exponents(train: Train, gear: BoxGear) -> Mapping[Mesh, int]:
-    """Give the power x of the efficiency of each mesh, by differentiating the equations of speeds, in fractions."""
+def lossy(train: Train, gear: BoxGear) -> Train:
+    """Give the train whose speeds are to each other as moments are with friction, x by differentiating those of it."""
     speeds, slips = _speeds(train, gear, ()), list[Fraction]()
     for one, other in train.pairs:
         carrier = speeds.get(train.carrier_between(one, other), [Fraction(0)])
         slips.append((speeds[other.link][0] - carrier[0]) * other.teeth)
     driven, *changes = _speeds(train, gear, slips)[train.output]
-    return {mesh: _sign(-change * driven) for mesh, change in zip(train.meshes, changes, strict=True)}
+    powers = [(change * driven < 0) - (change * driven > 0) for change in changes]
+    factors = {mesh: train.efficiency[mesh] ** power for mesh, power in zip(train.meshes, powers, strict=True)}
+    return replace(train, gears=(gear,), factors=factors)
 
 
 def _speeds(train: Train, gear: BoxGear, slips: Sequence[Fraction]) -> Mapping[str, Row]:
@@ -37,13 +37,3 @@ def _speeds(train: Train, gear: BoxGear, slips: Sequence[Fraction]) -> Mapping[s
         rows.append([Fraction(one == link) for one in train.links] + [Fraction(0)] * more)
         rows[-1][count] = Fraction(speed)
     return {link: row[count:] for link, row in zip(train.links, reduced(rows, count), strict=True)}
-
-
-def _sign(value: Fraction) -> int:
-    return (value > 0) - (value < 0)
-
-
-def lossy(train: Train, gear: BoxGear) -> Train:
-    """Give the train whose speeds are to each other as moments are with friction."""
-    powers = exponents(train, gear).items()
-    return replace(train, gears=(gear,), factors={mesh: train.efficiency[mesh] ** power for mesh, power in powers})
