@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache
@@ -125,24 +124,21 @@ def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
         yield from (Label(text, leader) for text in inner if isinstance(text, Text))
 
 
-DETAIL = re.compile("detail-(.+)-[^-]+")  # the plan of a detail: that which it enlarges, and its letter
-
-
 def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[Key, str, list[complex]]]:
     """Give key, letter and places of every point, of the end of every vector of two letters, of every force.
 
     A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
     writes it; one that is too short to be seen as a vector has none, nor has one that a detail of its plan enlarges.
     """
-    vectors = [stroke.data for stroke in groups(strokes) if stroke.data.get("kind") == "vector"]
-    enlarged = {(of[1], data["name"]) for data in vectors if (of := DETAIL.match(data["plan"]))}
+    vectors = (stroke.data for stroke in groups(strokes) if stroke.data.get("kind") == "vector")
+    enlarged = {(data["plan"].rpartition("-")[0], data["name"]) for data in vectors}  # a detail's letter ends its name
     for stroke in groups(strokes):
         match stroke:
             case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
                 *start, name = stroke.data["name"].split(" ")
                 if start:
                     yield _key(Kind.VECTOR, stroke), name, [line.end]
-                elif (stroke.data["plan"].partition("-")[2], name) in enlarged:
+                elif (stroke.data["plan"].replace("forces-", "detail-"), name) in enlarged:
                     continue
                 elif abs(line.end - line.start) > SEEN + QUANTUM:  # one that is just so long may bear a letter or not
                     yield _key(Kind.VECTOR, stroke), stroke.title or name, along(line.start, line.end)

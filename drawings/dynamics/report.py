@@ -279,9 +279,8 @@ def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:
 
 def _works(account: Account, notes: DynamicsNotes) -> Iterator[str]:
     if account.cycle is not None:
-        yield from listed(
-            chapter(notes.drafting.language, "works"), [*notes.works(), *notes.directed(), *notes.stopping()]
-        )
+        told = *notes.works(), *notes.directed(), *notes.stopping()
+        yield from listed(chapter(notes.drafting.language, "works"), told)
         yield ""
         yield from tables.works(account.cycle, account.speeds, notes.task.divisions, notes.drafting)
 

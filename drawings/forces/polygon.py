@@ -27,28 +27,22 @@ from geometry.meet import EPS
 from plans.forces.cut import CutGroup, ForcePlan
 from plans.model.motion import NOTHING
 
-USUAL = 2.0  # times its least size: a plan is seldom drawn larger, and what is seen then needs no detail
-MANY = 4  # sides one after another that are shorter than their letters: these stand nearer to one another's
+SHORT = 0.6  # sizes of a letter: a side of a plan of the least size that even twice as large has no room for its own
 STUB = 0.2  # of a detail's size: how far the sides on either side of it are followed
-HEADED = 1.5  # mm: the shortest side of a detail, as far as its greatest size allows it
-CLEAR = 3.0  # mm: a shorter side beside one that is not seen is shown in the same detail
+HEADED = 1.5 * SEEN  # mm: a side whose head, two thirds of it, is seen
 DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its letters large, and at most
 
 
 def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int) -> tuple[ForcePolygon, ...]:
-    """Give the details of a force plan: of each run of sides that are not seen where it is drawn at its least size.
+    """Give the details of a force plan: of each run of short sides of which one is not seen at the plan's least size.
 
-    One in which all would be seen at the usual size has none, unless there are `MANY` shorter than their letters even
-    then; of a lone one the sheet lists the name. `before` details of other plans have the first letters.
+    Of a lone one the sheet lists the name. `before` details of other plans have the first letters.
     """
     least = max(room.wide, room.high) / room.least if room.least else 0.0
     letters = drafting.word("detail letters")
     sides = [force for force in shown.forces if force.kind != WHOLE]
-    short = _runs(sides, CLEAR * least)
-    hidden = (run for run in short if min(abs(sides[k].value) for k in run) < SEEN * least / USUAL)
-    runs = [run for run in hidden if len(run) > 1]
-    many = (run for run in _runs(sides, drafting.hand.letter * least / USUAL) if len(run) >= MANY)
-    runs += [run for run in many if not any({*run} & {*other} for other in runs)]
+    short = (run for run in _runs(sides, SHORT * drafting.hand.letter * least) if len(run) > 1)
+    runs = (run for run in short if min(abs(sides[k].value) for k in run) < SEEN * least)
     named = zip(letters[before:], runs, strict=False)
     return tuple(
         shown._replace(forces=tuple(sides[k] for k in run), rays=tuple(_stubs(sides, run)), detail=letter)

@@ -14,7 +14,7 @@ from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
 from plans.analytic.gears import TrainSpeeds, ratio_with, speeds, velocity
 from plans.gears.kutzbach import ANGULAR, LINEAR, LINES, board_of
-from plans.gears.quantities import GearsComparison
+from plans.gears.quantities import GearsComparison, tabled
 from plans.gears.study import GEARS, GearsStudy, of_gear
 from plans.model.gears import FRAME, BoxGear, Train
 from plans.quantity import Quantity
@@ -33,9 +33,9 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     plans = (
         one for gear in found.train.gears for one in (*_linear(found, gear, scales), *_angular(found, gear, scales))
     )
-    findings = study.comparison(GEARS).of(ANGULAR)
+    findings = tabled(study.of(GearsComparison))
     slips = slipping(study.comparison(GEARS).findings, scales)
-    results = (row for one in findings if one.analysis[0] for row in _result(one, slips, drafting))
+    results = (row for one in findings for row in _result(one, slips, drafting))
     told = _speeds(study.of(GearsComparison).analysis), due_synthesis.expected(found)
     yield from chain(plans, results, *told, _notes(found))
 
@@ -81,6 +81,7 @@ def _speeds(found: TrainSpeeds) -> Iterator[Expected]:
 def _notes(study: GearsStudy) -> Iterator[Expected]:
     """Give the numbers of the notes by the names of their quantities."""
     train, numbers = study.train, dict[str, float]()
+    found = TrainSpeeds(train)
     numbers |= {f"z_{name}": float(abs(wheel.teeth)) for name, wheel in train.wheels.items()}
     for module in {wheel.module for wheel in train.wheels.values()}:
         first = next(wheel for wheel in train.wheels.values() if wheel.module == module)
@@ -90,15 +91,20 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     for one, other in train.pairs:
         numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
     for gear in train.gears:
-        if (ratio := TrainSpeeds(train).ratio(gear)) is not None:
-            numbers[of_gear(study.ratio_name, gear)] = float(ratio)
-            numbers[of_gear(f"n_{train.output}", gear)] = TrainSpeeds(train).true(gear)[train.output] * 30 / math.pi
+        ratio, speed = found.ratio(gear), found.true(gear)[train.output]
+        numbers[of_gear(f"n_{train.output}", gear)] = speed * 30 / math.pi
+        told = (f"ω_{train.output}", speed) if ratio is None else (study.ratio_name, float(ratio))
+        numbers[of_gear(told[0], gear)] = told[1]
+        numbers |= {of_gear(f"v_{rack}", gear): found.rack(gear, rack) for rack in train.racks}
+        travels = {of_gear(f"h_{rack}", gear): found.travel(gear, rack) for rack in train.racks}
+        numbers |= {name: travel for name, travel in travels.items() if travel is not None}
     if train.single:
         numbers |= {f"given J_{link}": size for link, size in train.inertia.items()}
         numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
     for gear in (gear for gear in train.gears if study.closed(gear) or not train.single):
         numbers |= {of_gear(f"P_{one}", gear): power for one, power in TrainSpeeds(train).powers(gear).items()}
     numbers |= {"load": train.load} if train.load is not None else {}
+    numbers |= {"force": study.force[1]} if study.force else {}
     yield from (Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS) for name, value in numbers.items())
     yield from _ratios(train)
     yield from _friction(study)

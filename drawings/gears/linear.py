@@ -23,6 +23,7 @@ MARGINS = Margins(3.0, 3.0, 2.6)  # paper around it for letters, in their sizes
 LETTERS = 24.0  # it is drawn at least so many letters large
 BETWEEN = 0.12  # of the height: from the scheme to the triangles
 PAST = 0.06  # of the height: how far lines go past their points
+RACK = 2.0  # of that: how far the upright line of a rack goes past its mesh point
 ALIKE = 1e-6  # of the height: lines so near each other are one
 SHORT = 0.6  # mm: a shorter velocity is a point
 
@@ -70,7 +71,18 @@ class ShownLinear(NamedTuple):
             for key, (links, ends) in found.items()
             if any(key)
         )
-        return {name: _longer(ends[0], ends[-1], past) for name, ends in rows}
+        slides = {link_letters(spot.rack): self.images[spot.letter] for spot in self.scheme.spots if spot.rack}
+        upright = {name: (end - RACK * 1j * past, end + RACK * 1j * past) for name, end in slides.items()}
+        return {name: _longer(ends[0], ends[-1], past) for name, ends in rows} | upright
+
+    @property
+    def free_ends(self) -> dict[str, complex]:
+        """The end of each line that is farthest from those of all others: there it is named."""
+        lines, found = self.lines, dict[str, complex]()
+        for name, (low, high) in lines.items():
+            others = [end for one, ends in lines.items() if one != name for end in (*ends, 0j)]
+            found[name] = max((high, low), key=lambda end: min(abs(end - other) for other in others or [0j]))
+        return found
 
     @property
     def resting(self) -> str:
@@ -156,7 +168,8 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
         yield from shown.scheme.letters(place, hand, labels)
     for spot in shown.scheme.spots:
         if shown.schemed and spot.links[0] != FRAME:
-            yield labels.beside(place.on(shown.scheme.contact(spot)), with_index(spot.letter), hand.letter, BESIDE, 0.6)
+            at, way = place.on(shown.scheme.contact(spot)), -0.6 if spot.rack else 0.6
+            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, way)
         elif not spot.height:
             yield labels.beside(place.on(complex(shown.zero)), spot.letter, hand.letter, BESIDE, -2.6)
         elif shown.schemed:
@@ -166,9 +179,12 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
             at = place.on(complex(_left(shown), float(spot.height)))
             yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, math.pi)
         if spot.links[0] != FRAME:
-            image = place.on(shown.zero + shown.images[spot.letter])
-            yield labels.beside(image, with_index(spot.image), hand.letter, BESIDE, -0.6)
-    for name, (_, end) in shown.lines.items():
-        yield labels.beside(place.on(shown.zero + end), name, hand.number, BESIDE, math.pi / 2)
+            image = shown.images[spot.letter]
+            way = -0.6 if image.real > 0 else math.pi - 0.6  # what rests or goes back has its letter on that side
+            at = place.on(shown.zero + image)
+            yield labels.beside(at, with_index(spot.image), hand.letter, BESIDE, way)
+    for name, end in shown.free_ends.items():
+        up = math.pi / 2 if end == shown.lines[name][1] else -math.pi / 2
+        yield labels.beside(place.on(shown.zero + end), name, hand.number, BESIDE, up)
     top = place.on(complex(shown.zero, shown.scheme.reach[1] + PAST * shown.high))
     yield labels.beside(top, shown.resting, hand.number, BESIDE, math.pi / 2)

@@ -16,7 +16,7 @@ from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy, of_gear
 from plans.gears.synthesis import CLEAR
-from plans.model.gears import BoxGear, Willis, assembly
+from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
 DIGITS = 5
@@ -37,7 +37,7 @@ class GearsNotes(NamedTuple):
             *self.synthesis(),
             *self.fit(),
             *self.willis(),
-            *self.ratios(),
+            *self.solved(),
             *self.inertia(),
             *self.moments(),
             *self.read(),
@@ -48,11 +48,13 @@ class GearsNotes(NamedTuple):
         train, slot = self.study.train, self.drafting.slot
         for module in dict.fromkeys(wheel.module for wheel in train.wheels.values()):
             some = [wheel for wheel in train.wheels.values() if wheel.module == module]
+            letter = module_letter(train, some[0])
             teeth = joined(",  ", (self._equal(teeth_letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
             size = Slot(f"m {some[0].name}", MILLIMETRES * float(module))
-            yield self._said("gears teeth", module=slot(size), teeth=teeth)
+            yield self._said("gears teeth", letter=letter, module=slot(size), teeth=teeth)
         if self.study.lacking and not self.study.searched:
-            yield self._said("gears found", names=", ".join(map(teeth_letters, self.study.lacking)))
+            found = (f"{teeth_letters(name)} ({self._coaxial(name)})" for name in self.study.lacking)
+            yield self._said("gears found", names=",  ".join(found))
         for link, speed in train.drives:
             n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
             yield self._said("gears drive", link=link, n=n, omega=omega)
@@ -65,6 +67,16 @@ class GearsNotes(NamedTuple):
                 names = ", ".join(map(link_letters, self.study.engaged(gear)))
                 yield self._said("gears engaged", gear=gear.name, names=names)
 
+    def _coaxial(self, wheel: str) -> str:
+        """Write the condition of coaxiality that gives the teeth of a wheel: a_12 = a_23."""
+        train = self.study.train
+        links = {mesh: {train.wheels[name].link for name in mesh} for mesh in train.meshes}
+        axes = {mesh: {train.heights[link] for link in links[mesh]} for mesh in links}
+        own = next(mesh for mesh in axes if wheel in mesh)
+        alike = [mesh for mesh in axes if mesh != own and axes[mesh] == axes[own]]
+        known = min(alike, key=lambda mesh: (len({*mesh} & {*self.study.lacking}), links[mesh].isdisjoint(links[own])))
+        return " = ".join(f"a_{{{''.join(mesh)}}}" for mesh in (known, own))
+
     def synthesis(self, most: int | None = synthesis.SHOWN) -> Iterator[str]:
         """Tell how the teeth were found, where a ratio is wanted, and how many solutions are not listed."""
         if self.study.searched:
@@ -76,7 +88,8 @@ class GearsNotes(NamedTuple):
         for one, other in train.pairs:
             sign = "−" if one.internal or other.internal else "+"
             large, small = (other, one) if other.internal else (one, other)
-            formula = f"m({teeth_letters(large.name)} {sign} {teeth_letters(small.name)})/2"
+            terms = f"{teeth_letters(large.name)} {sign} {teeth_letters(small.name)}"
+            formula = f"{module_letter(train, one)}({terms})/2"
             far = Slot(f"a_{one.name}{other.name}", MILLIMETRES * float(one.module * abs(one.teeth + other.teeth) / 2))
             yield self._said("gears distance", pair=f"{one.name}{other.name}", formula=formula, far=far)
         yield from self._cut()
@@ -99,7 +112,8 @@ class GearsNotes(NamedTuple):
         for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
             chord = Slot(f"chord {wheel.name}", MILLIMETRES * 2 * float(far) * math.sin(math.pi / count))
             tips = Slot(f"tips {wheel.name}", MILLIMETRES * float(wheel.module * (wheel.teeth + 2)))
-            yield self._said("gears chord", wheel=wheel.name, count=count, chord=chord, tips=tips)
+            letter = module_letter(train, wheel)
+            yield self._said("gears chord", letter=letter, wheel=wheel.name, count=count, chord=chord, tips=tips)
         for one in assembly(train, link):
             key = "gears alike" if one.blocks else "gears whole"
             yield self._said(key, **one.parts(count), share=str(abs(one.share)))
@@ -118,21 +132,55 @@ class GearsNotes(NamedTuple):
         return joined(" = ", (name, speeds, *by_teeth(one), value))
 
     def ratios(self) -> Iterator[str]:
-        """Tell the ratio of each gear, by Willis's formula where one of its wheels is held, and the driven speed."""
+        """Tell the ratio of each gear, by Willis's formula where that gives it at once, and the driven speed."""
         for gear in self.study.train.gears:
-            ratio = self.speeds.ratio(gear)
-            if ratio is not None:
-                yield self._ratio(gear, ratio)
+            yield from (self._ratio(gear), *self.racks(gear))
 
-    def _ratio(self, gear: BoxGear, ratio: Fraction) -> Phrase:
-        driven = self.study.train.output
-        value = self.drafting.slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
-        terms = [ratio_named(self.study, gear), *filter(None, (stopped(self.study.train, gear),))]
+    def solved(self) -> Iterator[str]:
+        """Tell the ratios, before each that its formulas give only together these for the links as they turn."""
+        for gear in self.study.train.gears:
+            if not stopped(self.study.train, gear):
+                yield from self._together(gear)
+            yield self._ratio(gear)
+            yield from self.racks(gear)
+
+    def racks(self, gear: BoxGear) -> Iterator[Phrase]:
+        """Tell how fast a rack goes by its wheel, and how far in a turn of the driving link."""
+        train, slot, drive = self.study.train, self.drafting.slot, self.study.train.drives[0][0]
+        for rack, name in train.racks.items():
+            wheel, sign = train.wheels[name], "" if train.rack_side(rack) > 0 else "−"
+            formula = f"{sign}ω_{{{wheel.link}}}·{module_letter(train, wheel)}·{teeth_letters(name)}/2"
+            v = slot(Slot(of_gear(f"v_{rack}", gear), self.speeds.rack(gear, rack), DIGITS))
+            yield joined("", (f"v_{{{of_gear(rack, gear)}}} = {formula} = ", v, f" {self.drafting.word('m/s')}"))
+            if (travel := self.speeds.travel(gear, rack)) is not None:
+                h = slot(Slot(of_gear(f"h_{rack}", gear), travel, DIGITS))
+                letters = f"h_{{{of_gear(rack, gear)}}} = 2π·v_{{{rack}}}/ω_{{{drive}}}"
+                yield self._said("gears rack", rack=rack, link=drive, letters=letters, far=h)
+
+    def _together(self, gear: BoxGear) -> Iterator[str]:
+        """Write Willis's formulas for what turns as one and what rests: w_1 - w_H = U_13^(H)(w_3 - w_H)."""
+        train = self.study.train
+        body = bodies(train.links, (*train.joined, *gear.locked, *((FRAME, link) for link in gear.held)))
+        for one in train.willis:
+            first, other, carrier = (body[link] for link in (one.first.link, one.other.link, one.carrier or FRAME))
+            if len({first, other, carrier}) > 1:
+                over, under = (_over_carrier(link, carrier) for link in (first, other))
+                yield f"{over} = {ratio_letters(one)}{_bracketed(under)}"
+
+    def _ratio(self, gear: BoxGear) -> Phrase:
+        driving, driven, ratio = self.study.train.drives[0][0], self.study.train.output, self.speeds.ratio(gear)
+        speed, slot = self.speeds.true(gear)[driven], self.drafting.slot
+        n = slot(Slot(of_gear(f"n_{driven}", gear), speed * 30 / math.pi, DIGITS))
+        turns = joined("", (f"n_{{{driven}}} = ", n, f" {self.drafting.word('rpm')}"))
+        if ratio is None:
+            omega = slot(Slot(of_gear(f"ω_{driven}", gear), speed, DIGITS))
+            index = f"{driven},{gear.name}" if gear.name else driven
+            return joined("", (f"ω_{{{index}}} = ", omega, f" {self.drafting.word('rad/s')};  ", turns))
+        value = slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
+        formula = stopped(self.study.train, gear) or f"ω_{{{driving}}}/ω_{{{driven}}}"
+        terms = [ratio_named(self.study, gear), formula]
         terms += [_fraction(ratio)] if ratio.denominator != 1 else []
-        speed = self.study.train.drives[0][1] * float(1 / ratio) * 30 / math.pi
-        n = self.drafting.slot(Slot(of_gear(f"n_{driven}", gear), speed, DIGITS))
-        unit = self.drafting.word("rpm")
-        return joined("", (joined(" = ", (*terms, value)), f";  n_{{{driven}}} = ", n, f" {unit}"))
+        return joined("", (joined(" = ", (*terms, value)), ";  ", turns))
 
     def inertia(self) -> Iterator[str]:
         """Tell the inertia of links, and how that of all is reduced."""
@@ -152,6 +200,11 @@ class GearsNotes(NamedTuple):
         """Tell the load, how the moments that balance it are found, and what friction in the meshes takes."""
         train = self.study.train
         if train.load is not None:
+            if self.study.force is not None:
+                rack, force = self.study.force
+                wheel = train.wheels[train.racks[rack]]
+                arm = f"{module_letter(train, wheel)}·{teeth_letters(wheel.name)}/2"
+                yield self._said("gears force", rack=rack, force=Slot("force", force), arm=arm, link=wheel.link)
             key = "gears load" if train.single else "gears load of several"
             yield self._said(key, link=link_letters(train.output), load=Slot("load", train.load))
             for gear in train.gears:
@@ -182,6 +235,23 @@ class GearsNotes(NamedTuple):
 
     def _said(self, key: str, **parts: object) -> Phrase:
         return self.drafting.phrase(key, **parts)
+
+
+def module_letter(train: Train, wheel: ToothedWheel) -> str:
+    """Letter the module of a wheel: m, and where the train has several by the first mesh of that one, m_12."""
+    meshes = *train.meshes, *((wheel, rack) for rack, wheel in train.racks.items())
+    alike = [mesh for mesh in meshes if train.wheels[mesh[0]].module == wheel.module]
+    return "m" if len(alike) == len(meshes) else f"m_{{{''.join(alike[0])}}}"
+
+
+def _over_carrier(link: str, carrier: str) -> str:
+    """Write the speed of a body over that of a carrier, either of which may rest."""
+    parts = [f"{sign}ω_{{{one}}}" for sign, one in (("", link), ("−", carrier)) if one != FRAME]
+    return "0" if link == carrier else " ".join(parts).replace(" −", " − ")
+
+
+def _bracketed(text: str) -> str:
+    return f"({text})" if "−" in text else text
 
 
 def _fraction(value: Fraction) -> str:

@@ -187,7 +187,7 @@ def routed(train: Train) -> Routing:
     driven, left, right = [bodies[link] for link, _ in train.drives], -BESIDE, max(routing.columns.values()) + BESIDE
     for k, (body, (link, _)) in enumerate(zip(driven, train.drives, strict=True)):
         _end(routing, Post(INPUT, body, 0.0, 0.0, link), (left - BESIDE - k, right + BESIDE + k))
-    if bodies[train.output] not in driven:
+    if bodies[train.output] not in driven and not train.driven:
         _end(routing, Post(OUTPUT, bodies[train.output], 0.0, 0.0, train.output), (right + BESIDE, left - BESIDE))
     rest = [bodies[link] for pair in train.clutches.values() for link in pair]
     for body in dict.fromkeys(bodies.values()):

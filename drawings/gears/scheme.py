@@ -9,12 +9,12 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Final
 
-from drawings.gears.routing import ARM, BRAKE, DISC, HELD, INPUT, OUTPUT, PLATE, SUN, Post, Routing, held
+from drawings.gears.routing import ARM, BRAKE, DISC, HELD, INPUT, OUTPUT, PLATE, RIM, SUN, Post, Routing, held
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
 from drawings.lettering.words import with_index
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Line, Stroke
+from drawings.paper.strokes import Line, Polyline, Stroke
 from drawings.symbols.symbols import arrowhead, fit, ground
 from plans.gears.kutzbach import TrainPoint
 from plans.model.gears import FRAME, ToothedWheel, Train
@@ -63,14 +63,23 @@ class TrainScheme:
         """The least and the largest height m that it takes."""
         wheels = self.train.wheels.values()
         tops = [self.routing.outside(w) if w.internal else self._height(w) + float(w.radius) for w in wheels]
-        lows = [self._height(w) - float(w.radius) for w in wheels if self._both(w)]
-        return min(0.0, *lows, *map(float, self.train.heights.values())), max(tops)
+        slides = [self.back(rack) for rack in self.train.racks]
+        lows = [self._height(w) - float(w.radius) for w in wheels if self.both(w)]
+        return min(0.0, *lows, *slides, *map(float, self.train.heights.values())), max(*tops, *slides)
+
+    def back(self, rack: str) -> float:
+        """Give the height m of the back of a rack, where its guide is."""
+        return float(self.train.rack_height(rack)) + self.train.rack_side(rack) * RIM * self.routing.size
 
     def _height(self, wheel: ToothedWheel) -> float:
         return float(self.train.heights[wheel.link])
 
-    def _both(self, wheel: ToothedWheel) -> bool:
-        return not wheel.internal and (self.whole or wheel.link in self.train.carrier_of or self._height(wheel) != 0)
+    def both(self, wheel: ToothedWheel) -> bool:
+        """Tell whether a wheel is drawn on both sides of its axis."""
+        under = any(name == wheel.name and self.train.rack_side(rack) < 0 for rack, name in self.train.racks.items())
+        return not wheel.internal and (
+            under or self.whole or wheel.link in self.train.carrier_of or self._height(wheel) != 0
+        )
 
     def at(self, x: float, y: float) -> complex:
         """Give a true place from the place across and the height."""
@@ -78,6 +87,8 @@ class TrainScheme:
 
     def contact(self, spot: TrainPoint) -> complex:
         """Give where a point of the train is in the scheme: a mesh in its column, a planet's centre at its wheel."""
+        if spot.rack:
+            return self.at(self.routing.columns[self.train.racks[spot.rack]], float(spot.height))
         names = [w.name for w in self.train.wheels.values() if w.link in spot.links]
         for mesh in self.train.meshes:
             if {*mesh} <= {*names} and self.train.contact(mesh) == spot.height:
@@ -109,6 +120,8 @@ class TrainScheme:
                 yield from pen.planet(wheel)
         for link in self.train.carrier_of:
             yield from pen.hub(link)
+        for rack in self.train.racks:
+            yield from pen.rack(rack)
         for body in dict.fromkeys(self.train.body_of.values()):
             yield from pen.idle(body)
 
@@ -120,6 +133,9 @@ class TrainScheme:
             outside = self.routing.outside(wheel) - 0.03 * self.routing.size
             spot = self.at(columns[wheel.name], outside if wheel.internal else y + r * 0.55)
             yield labels.beside(place.on(spot), wheel.name, size, BESIDE, math.pi)
+        for rack in self.train.racks:
+            back = self.at(columns[self.train.racks[rack]], self.back(rack)) + (FACE + CLOSE) * STEP * self.routing.size
+            yield labels.beside(place.on(back), rack, size, BESIDE, 0.0)
         for post in self.routing.posts:
             if post.kind in (ARM, BRAKE, PLATE) and post.name not in seen:
                 seen.add(post.name)
@@ -194,7 +210,7 @@ class _SchemePen:
     def _sun(self, wheel: ToothedWheel, foot: complex) -> Iterator[Stroke]:
         reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol
         centre = self.on(self.routing.columns[wheel.name], float(self.train.heights[wheel.link]))
-        both = self.scheme.whole or self.train.heights[wheel.link] != 0
+        both = self.scheme.both(wheel)
         yield Line(centre - 1j * reach if both else foot, centre + 1j * reach, self.hand.result)
         yield from (self._bar(centre + 1j * side * reach) for side in ((1, -1) if both else (1,)))
         yield from self._cross(foot)
@@ -270,6 +286,16 @@ class _SchemePen:
         yield Line(face, top, hand.result)
         if wheel is self.routing.rings(body)[0]:
             yield from self._held(body, top)
+
+    def rack(self, rack: str) -> Iterator[Stroke]:
+        """Draw a rack from its end: its face at that of its wheel, its body, its guide at the back."""
+        side, x = self.train.rack_side(rack), self.routing.columns[self.train.racks[rack]]
+        face = self.on(x, float(self.train.rack_height(rack))) + 1j * side * MESHED * self.hand.symbol
+        back = self.on(x, self.scheme.back(rack))
+        corners = tuple(at + way * self._face for at, way in ((face, -1), (face, 1), (back, 1), (back, -1)))
+        yield Polyline(corners, True, self.hand.result)
+        guide, half = back + 1j * side * OFF * self.hand.symbol, 1.6 * self._face
+        yield from ground(guide - half, guide + half, 1j * side, self.hand)
 
     def _held(self, body: str, top: complex) -> Iterator[Stroke]:
         for name, link in held(self.train):

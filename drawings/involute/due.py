@@ -26,11 +26,12 @@ MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", 
 MILLIMETRES = 3  # decimals
 # By the unit of a quantity: times which it is told, with how many decimals, in which unit.
 UNITS = {"m": (1e3, MILLIMETRES, "mm"), "rad": (math.degrees(1.0), 4, "°"), "1": (1.0, 3, "")}
-DIGITS = 6  # of the data
+DIGITS, SHARES = 9, 4  # enough for all decimals of data and notes; decimals of what is told in modules, of degrees
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
 EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
 LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
+FINE = {"α", "α_w", "y", "Δy", "x_Σ", "k", "u"}  # told with more decimals than millimetres are
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
 
@@ -58,33 +59,29 @@ def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
 def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Iterator[tuple[str, list[float | None]]]:
     """Give the rows of the data of both wheels, as GOST 2.403 has them: module, teeth, shift, circles, measuring."""
     mm, wheels = drafting.word("mm"), pair.wheels
-    heights = [1e3 * abs(one.tip - one.root) for one in sizes.wheels]
     rows = {
-        "m": [1e3 * pair.rack.module] * 2,
-        "z": pair.teeth,
-        "x": pair.shifts,
-        "d": [2e3 * wheel.radius for wheel in wheels],
-        "d_b": [2e3 * wheel.base for wheel in wheels],
-        "h": heights,
-        "k": [wheel.spanned for wheel in wheels],
-        "D": [1e3 * one.pin for one in sizes.wheels],
-    }
+        "m": [1e3 * pair.rack.module] * 2, "z": pair.teeth, "x": pair.shifts,
+        "d": [2e3 * wheel.radius for wheel in wheels], "d_b": [2e3 * wheel.base for wheel in wheels],
+        "h": [1e3 * abs(one.tip - one.root) for one in sizes.wheels],
+        "k": [wheel.spanned for wheel in wheels], "D": [1e3 * one.pin for one in sizes.wheels],
+    }  # fmt: skip
     for letter, both in rows.items():
-        unit = "" if letter in "zxk" else f", {mm}"
-        word = drafting.word(f"involute {letter}")
-        yield f"{word} {with_index(letter)}{unit}", [None if math.isnan(one) else float(one) for one in both]
+        row = f"{drafting.word(f'involute {letter}')} {with_index(letter)}{'' if letter in 'zxk' else f', {mm}'}"
+        places = SHARES if letter == "x" else MILLIMETRES
+        yield row, [None if math.isnan(one) else round(one, places) for one in both]
 
 
 def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
-    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules."""
+    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules, rounded as in tables."""
     rack = pair.rack
     moved = round((sizes.distance - pair.standard) / rack.module, EXACT) + 0.0
     found = {"α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance, "ρ*": rack.rounding}
     found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
     found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
     found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
-    found["u"] = -pair.sense * pair.teeth[1] / pair.teeth[0]
-    return found | {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+    found |= {"x_Σ": pair.total, "u": -pair.sense * pair.teeth[1] / pair.teeth[0]}
+    found |= {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+    return {name: round(one, SHARES if name in FINE else MILLIMETRES) for name, one in found.items()}
 
 
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
@@ -97,16 +94,16 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
             yield from cells(name, row, [one for one in known for _ in range(2)])
     for row, both in data_rows(pair, sizes, drafting):
-        yield from cells(DATA, row, [None if one is None else (one, FAR) for one in both], digits=DIGITS)
+        numbers = [one if one is None or isinstance(one, int) else (one, FAR) for one in both]
+        yield from cells(DATA, row, numbers, digits=DIGITS)
     for name, value in noted(pair, sizes).items():
-        lost = name == "k"
-        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
+        lack = name in ("k", "x_Σ")
+        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lack, digits=DIGITS)
 
 
 def _side(pair: InvolutePair, sizes: PairSizes, number: int) -> Complexes:
     wheel, found = pair.wheels[number], sizes.wheels[number]
-    side = flank(wheel, found.tip, found.root, POINTS)
-    return np.concatenate([side.fillet, side.involute[1:]])
+    return flank(wheel, found.tip, found.root, POINTS)
 
 
 def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
@@ -119,12 +116,16 @@ def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     for name, far in spots.items():
         yield Expected(Kind.POINT, MESH, name, far * along, FAR * sizes.distance, may_lack=name == "P")
     yield Expected(Kind.ANGLE, MESH, "α_w", sizes.angle, FAR)
+    shown = [one.shown for one in placed(pair, sizes)]
+    apart = Expected(Kind.LENGTH, MESH, "a_w", sizes.distance, FAR * sizes.distance)  # broken off where one is far
+    both = [*measured(apart, noted(pair, sizes)["a_w"], digits=DIGITS)]
+    yield from both[not all(shown) :] if any(shown) else ()
     for k, one in enumerate(placed(pair, sizes)):
         n = one.wheel.number
         slack = FAR * one.sizes.operating
+        yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
         if one.shown:
             yield Expected(Kind.POINT, MESH, f"O_{n}", one.centre, slack)
-            yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
         last = sizes.angle
         last += tips[k] / one.wheel.base - math.tan(sizes.angle) if one.unrolled else 0.0
         for name, curve in one.circles(last).items():

@@ -46,15 +46,11 @@ class Part(NamedTuple):
 
 
 def placed(name: str, letters: Iterable[Letter], labels: Labels) -> Iterator[Stroke]:
-    """Place the letters of a figure, the largest first; one of no number keeps off the spots of others close by."""
+    """Place the letters of a figure, the largest first; one keeps off the spots of others of its size close by."""
     every = sorted(letters, key=lambda letter: -letter.size)
     for letter in every:
         apart = [(other.at, tied(abs(other.at - letter.at))) for other in every if other.size == letter.size]
-        others = [
-            (spot, spot)
-            for spot, far in apart
-            if 0 < far < CLOSE * letter.gap + letter.size and not letter.text[0].isdigit()
-        ]
+        others = [(spot, spot) for spot, far in apart if 0 < far < CLOSE * letter.gap + letter.size]
         yield telling(name, labels.beside(letter.at, letter.text, letter.size, letter.gap, letter.side, others))
 
 

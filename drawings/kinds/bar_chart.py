@@ -201,7 +201,7 @@ class BarFigure(ChartFigure):
         start, end = map(self.place.on, ends)
         line = fit_dashes([Line(start, end, course.style_of(stretch.span, self.hand))])
         data = Subject(NAME, SYMBOL, None).data("vector", bar.name, ends[1] - ends[0], self.place.scale)
-        letter = words[0] if words else self._whole(bar)
+        letter = words[0] if words else self._whole(bar) if bar.told else ""
         yield Group(tuple(line), "", data, Text(0j, letter).plain)
         for k, text in enumerate(words):
             yield self._text(self.place.on(bar.top) + 1j * (OVER + k * STEP * self.hand.number), text)
@@ -276,9 +276,9 @@ class BarFigure(ChartFigure):
             yield labels.beside(spot, str(number), self.hand.number, BESIDE, math.pi / 2)
 
     def _long(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the bars whose letters have no room over them."""
+        """Letter the bars whose letters have no room over them, of a span that is cut its longest part."""
         for bar in self._bars():
-            if not self._label(bar):
+            if bar.told and not self._label(bar):
                 text, spot = self._whole(bar), self.place.on(sum(bar.ends) / 2)
                 yield labels.beside(spot, text, self.hand.number, BESIDE, math.pi / 2)
 

@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from drawings.layout.table import Later, RuledTable
 from drawings.lettering.words import RAISED, decimal, fixed, letter, number, runs, span
 from drawings.page.page import Drafting
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, Text
 from drawings.report.formula import DIGITS, Chapters, drawn, entry, literal, mathed
 from geometry.board import Mark
 from plans.model.mechanism import Drive
@@ -39,6 +40,14 @@ def row(cells: Sequence[str]) -> str:
 def header(heads: Sequence[str]) -> list[str]:
     """Write the heads of a table's columns."""
     return [row(heads).replace("|  |", "| |"), "|" + "---|" * len(heads)]
+
+
+def ruled(table: RuledTable) -> list[str]:
+    """Write a table of a sheet, without what a hand may be out, which the sheet tells."""
+    kept = [k for k in range(len(table.heads)) if not any(isinstance(line.cells[k], Later) for line in table.lines)]
+    told = [(table.first, table.heads), *((line.name, line.cells) for line in table.lines)]
+    first, *others = ([Text(0j, str(text)).plain for text in (name, *(cells[k] for k in kept))] for name, cells in told)
+    return [*header(first), *map(row, others)]
 
 
 def united(heads: Iterable[str], drafting: Drafting) -> list[str]:
@@ -151,15 +160,8 @@ def _quantities(technique: str, study: Study, _: Mapping[str, Sequence[Leaf]]) -
     language = study.scene.sheet.language
     heads = [word(language, key) for key in ("table.quantity", "sheet.by plan", "sheet.by analysis")]
     found = (finding for finding in study.quantities(technique) if finding.plan != EQUILIBRIUM)
-    rows = (
-        row(
-            [
-                heading(finding, language),
-                *(_size(finding, road, language) for road in (finding.construction, finding.analysis)),
-            ]
-        )
-        for finding in found
-    )
+    both = ((one, _size(one, one.construction, language), _size(one, one.analysis, language)) for one in found)
+    rows = (row([heading(finding, language), *sizes]) for finding, *sizes in both)
     return Chapters(values=[chapter(language, technique), *header(heads), *rows])
 
 

@@ -147,6 +147,17 @@ class TrainSpeeds:
         """Give the speeds rad/s of all links, each rounded once."""
         return {link: float(speed) for link, speed in speeds(self.train, gear).items()}
 
+    def rack(self, gear: BoxGear, rack: str) -> float:
+        """Give the velocity m/s of a rack: that of its wheel's pitch circle."""
+        wheel = self.train.wheels[self.train.racks[rack]]
+        return float(speeds(self.train, gear)[wheel.link] * self.train.rack_side(rack) * wheel.radius)
+
+    def travel(self, gear: BoxGear, rack: str) -> float | None:
+        """Give how far a rack goes, mm, in a turn of the driving link: pi m z over the ratio of its wheel."""
+        wheel = self.train.wheels[self.train.racks[rack]]
+        share = self.shares(gear)[wheel.link][0] * self.train.rack_side(rack)
+        return float(share) * math.pi * float(2000 * wheel.radius) if self.train.single else None
+
     def inertia(self, gear: BoxGear, link: str) -> float | None:
         """Give the moment of inertia kg*m2 of all links, reduced to one; nothing where it rests or none is given."""
         train, shares = self.train, self.shares(gear)

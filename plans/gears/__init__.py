@@ -25,6 +25,7 @@ class GearsTechnique(Technique):
     survey = late("reading:survey_of")
     comparison = late("quantities:compare_gears", "gears.study:GearsStudy")
     numbers = late("quantities:numbers")
+    marks = late("quantities:marks")
 
     def study(self, study: Study) -> Made:
         from plans.gears.study import GearsStudy

@@ -50,11 +50,17 @@ TWO = f.pair(PART, '["1", "H"]')
 
 
 class WheelTable(Table):
-    """A wheel: its teeth, whether it is a ring, a module of its own."""
+    """A wheel: its teeth, whether it is a ring or a rack, a module of its own."""
 
     teeth: int | None = key(TEETH, None, meaning="Number of teeth; default: found from coaxiality.")
     internal: bool = key(f.FLAG, False, meaning="Whether the teeth are inside, as of a ring (внутренние зубья).")
+    rack: bool = key(f.FLAG, False, meaning="Whether it is a rack (рейка), a wheel without end, which slides.")
     module: Decimal | None = key(f.MILLIMETRES, None, meaning="Module of its own, mm.")
+
+    def check(self) -> None:
+        """See that a rack, which has no circle, is told no teeth."""
+        if self.rack and (self.internal or self.teeth is not None):
+            raise wrong("toothed_rack", at=("internal" if self.internal else "teeth",))
 
 
 class DrivingLinkTable(Table):
@@ -134,7 +140,10 @@ class GearsTable(Table):
     efficiencies: Mapping[tuple[str, str], Decimal] = key(
         named(MESH, EFFICIENCY, first=f.FEW), {}, meaning='Efficiencies of their own, by meshes: "2\'-3" = 0.99.'
     )
-    output: str = key(PART, meaning="The driven link.", missing=Missing("driven link", 'output = "H"', "1"))
+    force: Decimal | None = key(
+        f.not_negative(units.FORCE), None, meaning="Force that resists the driven rack, N, in place of a moment."
+    )
+    output: str = key(PART, meaning="The driven link, or a rack.", missing=Missing("driven link", 'output = "H"', "1"))
     planets: int | None = key(
         one(f.whole, lambda: forms.whole(1), "number", least=1),
         None,

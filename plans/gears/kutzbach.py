@@ -17,6 +17,7 @@ from typing import NamedTuple
 from geometry.board import Board, Mark
 from geometry.errors import DraftError
 from plans.model.gears import FRAME, BoxGear, Train, bodies
+from plans.scene.faults import TWINS
 from plans.words.words import because, message
 
 POINTS = "ABCDEFGKLNPQRSUVWXYZ"  # letters of mesh points: O is an axis, H a carrier, T a brake, M a clutch
@@ -32,6 +33,7 @@ class TrainPoint(NamedTuple):
     letter: str
     height: Fraction
     links: tuple[str, ...]
+    rack: str = ""  # that meshes there with a wheel of the link
 
     @property
     def image(self) -> str:
@@ -41,7 +43,9 @@ class TrainPoint(NamedTuple):
 
 def spots_of(train: Train) -> tuple[TrainPoint, ...]:
     """Give the axes, then the mesh points, then the centres of planets, each with the links that move as one there."""
-    found, letters = list[TrainPoint](), iter([*POINTS, *(f"{one}{k}" for k in range(1, 10) for one in POINTS)])
+    taken = {name[0].translate(TWINS) for name in (*train.links, *train.racks, *train.brakes, *train.clutches)}
+    free = [one for one in POINTS if one not in taken] or [*POINTS]
+    found, letters = list[TrainPoint](), iter([*free, *(f"{one}{k}" for k in range(1, 10) for one in free)])
     fixed = [link for link in train.links if link not in train.carrier_of]
     for height in dict.fromkeys(train.heights[link] for link in fixed):
         links = tuple(link for link in fixed if train.heights[link] == height)
@@ -49,6 +53,8 @@ def spots_of(train: Train) -> tuple[TrainPoint, ...]:
     for mesh in train.meshes:
         one, other = (train.wheels[name].link for name in mesh)
         found.append(TrainPoint(next(letters), train.contact(mesh), (one, other)))
+    for rack, wheel in train.racks.items():
+        found.append(TrainPoint(next(letters), train.rack_height(rack), (train.wheels[wheel].link,), rack))
     for link, carrier in train.carrier_of.items():
         found.append(TrainPoint(f"{AXIS}{link}", train.heights[link], (link, carrier)))
     return tuple(found)
@@ -81,6 +87,7 @@ class KutzbachPlan(NamedTuple):
     speeds: Mapping[str, Mark]  # rad/s
     tau: float
     assumed: tuple[str, ...]
+    racks: Mapping[str, Mark]  # upright lines: all points of a rack have the velocity of its mesh point
 
     @property
     def width(self) -> float:
@@ -233,7 +240,12 @@ class _Drafter:
             velocities[name] = self.board.turn(f"v_{name}", length, 1 / self.tau, because("gear_velocity"))
         lines = {link: drawing.lines[self.body[link]] for link in self.train.links}
         boards, found = (self.board, self.angular), (drawing.velocities, lines, velocities, self._speeds(lines))
-        return KutzbachPlan(self.gear, *boards, *found, self.tau, tuple(self.assumed))
+        racks = {
+            spot.rack: self.board.parallel(spot.rack, drawing.velocities[spot.letter], self.up, because("gear_rack"))
+            for spot in self.spots
+            if spot.rack
+        }
+        return KutzbachPlan(self.gear, *boards, *found, self.tau, tuple(self.assumed), racks)
 
     def _speeds(self, lines: Mapping[str, Mark]) -> dict[str, Mark]:
         """Draw the plan of angular velocities: parallels through its pole cut them off from its line."""

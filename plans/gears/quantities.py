@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from geometry.board import Mark, Reading
+from geometry.board import Mark, Reading, behind
 from geometry.precision import Error, errors
 from plans.analytic.gears import TrainSpeeds, speeds, velocity
+from plans.explanation import Explanation, NoMark, explained_by
 from plans.gears.efficiency import lossy
 from plans.gears.kutzbach import ANGULAR, AXIS, LINEAR, KutzbachPlan
 from plans.gears.study import GEARS, GearsStudy, of_gear
@@ -16,12 +17,13 @@ from plans.gears.synthesis import listed
 from plans.model.gears import Train
 from plans.model.motion import Gap
 from plans.quantity import Comparison, Numbers, Quantity, numbers_of
-from plans.words.words import because
+from plans.words.words import because, message
 
 if TYPE_CHECKING:
     from plans.study import Study
 
 DATA = 2.0  # times the bound of the record: heights and speeds that it is given are rounded themselves
+TURN = 2000 * math.pi  # of a rate, to millimetres in a turn
 ROUNDED = 16 * 2.0**-52  # of a sum of some squares
 
 
@@ -53,6 +55,7 @@ def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
             pair = complex(mark.point).real, float(true[link])
             yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), most, mark)
     yield from _ratio(study, plan, bound)
+    yield from _racks(study, plan, bound)
     yield from _inertia(study, plan, bound)
     moments = TrainSpeeds(study.train).moments(plan.gear)
     yield from _moments(study, plan, study.train, moments)
@@ -136,6 +139,53 @@ def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -
     yield Quantity.of(
         named, (ratio, float(true)), DATA * abs(ratio) * sum(off), abs(float(true)), Reading(driven, turned)
     )
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark of the shown plans, of the first gear that has it, or of the one that is asked for.
+
+    Of what is let go for a moment only the plan's own marks are told, with what they rest on.
+    """
+    letters, _, which = name.partition(",")
+    plans = [plan for plan in study.of(GearsStudy).plans if which in ("", plan.gear.name)]
+    rows = [(plan, found) for plan in plans if (found := _shown(plan, letters)) is not None]
+    if not rows:
+        return explained_by(study.quantities(GEARS), position, name)
+    plan, mark = rows[0]
+    units = {plan.linear.subject: "m", plan.angular.subject: "rad/s"} if mark.step.op != "turn" else {}
+    others = ", ".join(f"{letters},{one.gear.name}" for one, _ in rows[1:] if one.gear != plan.gear)
+    notes = (message("gears.also", gear=plan.gear.name, names=others),) if others else ()
+    return Explanation(message("explain.name", mark=name), tuple(behind(mark)), units, notes)
+
+
+def _shown(plan: KutzbachPlan, letters: str) -> Mark | None:
+    """Find a mark of a plan by its letters; the velocity of a point that rests ends where the point is."""
+    images = {name.lower(): mark for name, mark in plan.images.items()}
+    boards = (board[letters] for board in (plan.linear, plan.angular) if letters in board)
+    return images.get(letters) or next(boards, None)
+
+
+def _racks(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
+    """Compare the velocity of each rack, and how far it goes in a turn of the driving link: h = 2 pi v/omega."""
+    found, drive = TrainSpeeds(study.train), study.train.drives[0][0]
+    for spot in (spot for spot in study.spots if spot.rack):
+        mark, true = plan.velocities[spot.letter], found.rack(plan.gear, spot.rack)
+        off = DATA * float(bound[mark].place.max())
+        pair = complex(mark.point).real, true
+        yield Quantity.of((LINEAR, of_gear(f"v_{spot.rack}", plan.gear), "m/s"), pair, off, abs(true), mark)
+        if (travel := found.travel(plan.gear, spot.rack)) is not None:
+            over, turned = plan.speeds[drive], plan.linear.turn(f"h_{spot.rack}", mark, 1j * TURN, because("gear_turn"))
+            speed = complex(over.point).real
+            off = TURN * (off + abs(pair[0] / speed) * DATA * float(bound[over].place.max())) / abs(speed)
+            named = LINEAR, of_gear(f"h_{spot.rack}", plan.gear), "mm"
+            yield Quantity.of(named, (TURN * pair[0] / speed, travel), off, abs(travel), Reading(over, turned))
+
+
+def tabled(found: GearsComparison) -> list[Quantity]:
+    """List what the table of results tells: what turns, the ratios, and the racks."""
+    racks = {f"{letter}_{rack}" for rack in found.analysis.train.racks for letter in "vh"}
+    slides = [one for one in found.of(LINEAR) if one.name.partition(",")[0] in racks]
+    return [one for one in (*found.of(ANGULAR), *slides) if one.analysis[0]]
 
 
 def numbers(study: Study, by: str) -> Numbers:

@@ -58,7 +58,8 @@ class _TrainReading:
     def names(self) -> None:
         """See that what is named is there: wheels, links, brakes, clutches."""
         form = self.form
-        links = [*dict.fromkeys((*map(link_of, self.wheels), *form.carriers))]
+        racks = {name for name, wheel in self.wheels.items() if wheel.rack}
+        links = [*dict.fromkeys((*(link_of(name) for name in self.wheels if name not in racks), *form.carriers))]
         central = [link for link in links if link not in {p for some in form.carriers.values() for p in some}]
         for k, mesh in enumerate(form.meshes):
             self._know(("meshes", k), mesh, self.wheels, "no_wheel")
@@ -67,7 +68,8 @@ class _TrainReading:
             for link in some:
                 if carrier != (first := next(one for one, of in form.carriers.items() if link in of)):
                     self.report(("carriers", carrier), "planet_twice", name=link, first=first)
-        rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed), (("output",), (form.output,))]
+        rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed)]
+        rows += [(("output",), (form.output,))] if form.output not in racks else []
         rows += [(("joined", k), some) for k, some in enumerate(form.joined)]
         rows += [(("brakes", name), (link,)) for name, link in form.brakes.items()]
         rows += [(("clutches", name), pair) for name, pair in form.clutches.items()]
@@ -92,8 +94,31 @@ class _TrainReading:
                 advice = suggestion(name, known)
                 self.report(path, kind, name=name, known=", ".join(known) or "-", suggestion=advice)
 
+    @property
+    def racks(self) -> Mapping[str, str]:
+        """The racks, each with the wheel that it meshes with."""
+        meshes = [*self.form.meshes, *(mesh[::-1] for mesh in self.form.meshes)]
+        return {one: other for one, other in meshes if self.wheels[one].rack}
+
+    def _slide(self) -> None:
+        """See that each rack meshes with one wheel of a fixed axis, and is loaded by a force."""
+        planets = {link for some in self.form.carriers.values() for link in some}
+        for name in (name for name, wheel in self.wheels.items() if wheel.rack):
+            others = [one for mesh in self.form.meshes if name in mesh for one in mesh if one != name]
+            free = [
+                one for one in others if self.wheels[one].internal or self.wheels[one].rack or link_of(one) in planets
+            ]
+            same = [one for one in self.wheels if one != name and link_of(one) == link_of(name)]
+            if len(others) > 1 or free or same:
+                self.report(("wheels", name), "rack_mesh", rack=name, others=", ".join(dict.fromkeys(others + same)))
+        slides = self.wheels[self.form.output].rack if self.form.output in self.wheels else False
+        for key, given in (("load", self.form.load), ("force", self.form.force)):
+            if given is not None and slides == (key == "load"):
+                self.report((key,), "load_of_rack" if slides else "force_of_wheel", output=self.form.output)
+
     def rings(self) -> None:
         """See that no two rings mesh, that wheels that mesh have one module, that every wheel meshes."""
+        self._slide()
         for k, mesh in enumerate(self.form.meshes):
             if link_of(mesh[0]) == link_of(mesh[1]):
                 self.report(("meshes", k), "own_mesh", first=mesh[0], second=mesh[1])
@@ -115,12 +140,12 @@ class _TrainReading:
     @property
     def raw(self) -> RawTrain:
         """The train with the teeth that it is given."""
-        form = self.form
+        form, turning = self.form, {name: wheel for name, wheel in self.wheels.items() if not wheel.rack}
         return RawTrain(
-            {name: -w.teeth if w.teeth and w.internal else w.teeth for name, w in self.wheels.items()},
+            {name: -w.teeth if w.teeth and w.internal else w.teeth for name, w in turning.items()},
             frozenset(name for name, wheel in self.wheels.items() if wheel.internal),
-            {name: self._module(name) for name in self.wheels},
-            form.meshes,
+            {name: self._module(name) for name in turning},
+            tuple(mesh for mesh in form.meshes if turning.keys() >= {*mesh}),
             form.carriers,
             (*form.joined, *form.clutches.values()),
         )
@@ -166,7 +191,7 @@ class _TrainReading:
             for mesh, far, _, wanted in wrong_axes:
                 sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
                 self.report(
-                    ("meshes", whole.meshes.index(mesh)), "not_in_plane", first=mesh[0], second=mesh[1], **sizes
+                    ("meshes", self.form.meshes.index(mesh)), "not_in_plane", first=mesh[0], second=mesh[1], **sizes
                 )
             self.train = self._train(whole, found)
 
@@ -179,10 +204,11 @@ class _TrainReading:
         sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
         pairs = {"first": "-".join(mesh), "second": "-".join(other), "name": name}
         kind = "not_coaxial" if would.denominator == 1 and would >= LEAST_TEETH else "not_coaxial_whole"
-        self.report(("meshes", raw.meshes.index(mesh)), kind, **pairs, **sizes, teeth=f"{float(would):.6g}")
+        self.report(("meshes", self.form.meshes.index(mesh)), kind, **pairs, **sizes, teeth=f"{float(would):.6g}")
 
     def _train(self, raw: RawTrain, found: Mapping[str, Fraction]) -> Train:
-        form = self.form
+        form, driving = self.form, self.racks.get(self.form.output, "")  # the wheel that moves the driven rack
+        load = form.load if form.force is None else Fraction(form.force) * raw.wheel(driving).radius
         engaged: Mapping[str, tuple[str, ...]] = form.engaged or {"": (*form.brakes, *form.clutches)}
         return Train(
             wheels={name: raw.wheel(name) for name in raw.teeth},
@@ -191,15 +217,17 @@ class _TrainReading:
             joined=form.joined,
             gears=tuple(self._gear(name, some) for name, some in engaged.items()),
             drives=tuple((drive.link, float(drive.speed)) for drive in form.drives),
-            output=form.output,
+            output=link_of(driving) if driving else form.output,
             heights=found,
             brakes=form.brakes,
             clutches=form.clutches,
             planets=self.searched.solutions[0].planets if self.searched else form.planets,
             inertia={link: float(size) for link, size in form.inertia.items()},
-            load=None if form.load is None else float(form.load),
+            load=None if load is None else float(load),
             masses={link: float(size) for link, size in form.masses.items()},
             efficiency=self._efficiency(),
+            racks=self.racks,
+            driven=form.output if driving else "",
         )
 
     def _efficiency(self) -> Mapping[tuple[str, str], Fraction]:

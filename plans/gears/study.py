@@ -31,8 +31,13 @@ class GearsStudy:
     @property
     def lacking(self) -> tuple[str, ...]:
         """The wheels whose teeth coaxiality gives."""
-        wheels = self._form.wheels.items()
-        return tuple(name for name, wheel in wheels if isinstance(wheel, WheelTable) and wheel.teeth is None)
+        tables = ((name, one) for name, one in self._form.wheels.items() if isinstance(one, WheelTable))
+        return tuple(name for name, wheel in tables if wheel.teeth is None and not wheel.rack)
+
+    @property
+    def force(self) -> tuple[str, float] | None:
+        """The rack that a force N resists."""
+        return None if self._form.force is None else (self._form.output, float(self._form.force))
 
     def engaged(self, gear: BoxGear) -> tuple[str, ...]:
         """Name the brakes and clutches of a gear."""

@@ -107,6 +107,8 @@ class Train:
     masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
     efficiency: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of meshes, their carrier stopped
     factors: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of the ratios of meshes, by friction
+    racks: Mapping[str, str] = field(default_factory=dict)  # each with the wheel that moves it, of a fixed axis
+    driven: str = ""  # the rack that the driven link moves, if that is what is driven
 
     @property
     def single(self) -> bool:
@@ -148,6 +150,17 @@ class Train:
         y_one, y_other = (self.heights[self.wheels[name].link] for name in mesh)
         one, other = self.rolling(mesh)
         return (y_one * other + y_other * one) / (one + other)
+
+    def rack_side(self, rack: str) -> int:
+        """Give 1 of a rack over its wheel, -1 of one under it, where another wheel or rack is over it already."""
+        wheel, first = self.racks[rack], next(one for one, wheel in self.racks.items() if wheel == self.racks[rack])
+        y, r = self.heights[self.wheels[wheel].link], self.wheels[wheel].radius
+        return -1 if rack != first or any(wheel in mesh and self.contact(mesh) == y + r for mesh in self.meshes) else 1
+
+    def rack_height(self, rack: str) -> Fraction:
+        """Give the height m where a rack meshes."""
+        wheel = self.wheels[self.racks[rack]]
+        return self.heights[wheel.link] + self.rack_side(rack) * wheel.radius
 
     def count(self, link: str) -> int:
         """Give how many of a link there are: of a planet as many as each carrier has."""

@@ -9,12 +9,9 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups
 
-LONG, SHARP, BLUNT = (
-    5.0,
-    math.radians(20),
-    math.radians(30),
-)  # mm of a straight head on A1; its angle, and a small one's
-SHARE = 1.5  # lengths of its head that a vector has at the least: a shorter one has a smaller head
+LONG = 5.0  # mm of a straight head on A1
+SHARP, BLUNT = (math.tan(math.radians(angle / 2)) for angle in (20, 30))  # half the width by the length of one, at most
+SHARE = 1.5  # lengths of its head that a vector has at the least: a shorter one has a smaller, blunter head
 FINE = 0.02  # mm: less than a twentieth of the thinnest line
 MARKS = ("vector", "force")
 
@@ -26,7 +23,7 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
         lines = [one for one in own if isinstance(one, Line)]
         for head in own:
             if isinstance(head, Fill | Polyline) and len(head.points) == 3 and lines:
-                wrong = _wrong(lines[0], head)
+                wrong = _wrong(lines[0], head, hand)
                 if wrong:
                     yield f"{group.data.get('plan', '')} {group.data.get('name') or group.states}: its head {wrong}"
         arc = next((one for one in own if isinstance(one, Arc)), None)
@@ -57,7 +54,7 @@ def _is_head(stroke: Stroke) -> bool:
     return isinstance(stroke, Fill | Polyline) and len(stroke.points) == 3
 
 
-def _wrong(line: Line, head: Fill | Polyline) -> str:
+def _wrong(line: Line, head: Fill | Polyline, hand: Hand) -> str:
     """Say what is wrong with a head of a line that ends in its arrow."""
     tip, back, half = _parts(head)
     run = line.end - line.start
@@ -71,9 +68,9 @@ def _wrong(line: Line, head: Fill | Polyline) -> str:
     long = abs(tip - back)
     if long > min(LONG, abs(run) / SHARE) + FINE and ((tip - back) * (tip - away).conjugate()).real > 0:
         return "is too large"
-    sharp, blunt = (long * math.tan(angle / 2) for angle in (SHARP, BLUNT))
-    most = max(sharp, min(blunt, LONG * math.tan(SHARP / 2)))
-    return "" if sharp - 2 * FINE <= half <= most + 2 * FINE else "has another angle"
+    small = abs(long - abs(run) / SHARE) <= FINE
+    wide = min(hand.symbol * LONG * SHARP, long * BLUNT) if small else long * SHARP
+    return "" if abs(half - wide) <= 2 * FINE else "has another angle"
 
 
 def _parts(head: Fill | Polyline) -> tuple[complex, complex, float]:

@@ -27,7 +27,7 @@ EVERYDAY = ("four-masses", "slider-crank")
 RANDOM = (63,)  # of every day, by their numbers; others with --whole
 OTHERS = [k for k in range(60) if k not in RANDOM] if parts.whole else []
 CROWDED = "lettering that has no room touches ink"
-KNOWN = {25, 49, "shaper-loaded"}  # sheets that are right and badly drawn, to be mended
+KNOWN = {25}  # sheets that are right and badly drawn, to be mended
 WHITE = LineStyle(0.25, fill="#ffffff")
 
 
@@ -104,6 +104,11 @@ def larger(one: Fill) -> Fill:
     return one._replace(points=tuple(one.points[0] + 1.5 * (spot - one.points[0]) for spot in one.points))
 
 
+def blunter(one: Fill) -> Fill:
+    tip, *back = one.points
+    return one._replace(points=(tip, *(sum(back) / 2 + 1.5 * (spot - sum(back) / 2) for spot in back)))
+
+
 def bent(one: Polyline) -> Polyline:
     return one._replace(points=(one.points[0] + 1, *one.points[1:])) if len(one.points) == 4 else one
 
@@ -111,6 +116,7 @@ def bent(one: Polyline) -> Polyline:
 OVER = Text(200 + 200j, "B"), Line(190 + 201j, 220 + 201j)
 BREACHES: Mapping[str, tuple[object, str, Change]] = {
     "a head too large": (arrows, "forces", in_part("scheme-2-3-2", each(Fill, larger))),
+    "a blunt head of a long vector": (arrows, "forces", in_part("forces-2-3-2", each(Fill, blunter))),
     "a vector longer than to its head": (arrows, "forces", in_part("forces-2-3-2", each(Line, longer))),
     "a force off its image": (arrows, "forces", in_part("lever-2", more(Circle, "centre", 1))),
     "a tick of the bar aside": (bar, "forces", in_part("control-bar", more(Line, "start", 1))),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -101,6 +102,17 @@ def test_undercut_and_tips_that_meet_are_told_on_the_sheet() -> None:
     study = Study(scene).of(GearsStudy)
     told = " ".join(map(str, GearsNotes(study, TrainSpeeds(study.train), drafting_of(scene)).fit()))
     assert "z < 17:  z_{1} = 9" in told and "z_{3} − z_{2'} = 3" in told
+
+
+def test_racks_go_as_far_in_a_turn_as_their_wheel_rolls() -> None:
+    """Of a jack, pi m z/U and the force by powers; the second rack on a wheel goes the other way."""
+    scene = train("1=20 2=60 2'=15", "1-2 2'-4 2'-5", "4", "force = 6000", "", "1=300").content.decode()
+    racks = "wheels = { 4 = { rack = true }, 5 = { rack = true },"
+    _, comparison = compared(parse_scene(scene.replace("wheels = {", racks)))
+    found = {one.name: float(one.construction[0]) for one in comparison.findings}
+    assert comparison.agrees and found["v_4"] == pytest.approx(-10 / 3 * math.pi * 0.03, rel=1e-12) == -found["v_5"]
+    assert found["h_4"] == pytest.approx(-4 * 15 * math.pi / 3, rel=1e-12)
+    assert found["M_1"] * found["ω_1"] == pytest.approx(6000 * abs(found["v_4"]), rel=1e-12)
 
 
 def test_the_gears_of_a_box_and_a_differential_have_the_printed_speeds() -> None:

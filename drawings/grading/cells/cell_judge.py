@@ -222,10 +222,10 @@ class CellJudge:
         ordered = sorted(_factors(cells[wrong[0]].unit), key=lambda row: self._misfit(wrong, row[1]))
         for kind, _, of in ordered[: 1 if self._misfit(wrong, ordered[0][1]) <= 1 else 0]:
             yield kind, of, SEVERAL if kind == verdict.TWICE else 1, lambda key: self._numbers[key].value
-        away = float(np.median([self._numbers[key].value - cells[key].true for key in wrong]))
-        yield verdict.LEVEL, "", COURSE, lambda key: cells[key].true + away
         for step in (-1, 1):
             yield verdict.PLACE, "", COURSE, lambda key, step=step: self._beside(key, step)  # type: ignore[misc]
+        away = float(np.median([self._numbers[key].value - cells[key].true for key in wrong]))
+        yield verdict.LEVEL, "", COURSE, lambda key: cells[key].true + away
         for quantity in dict.fromkeys(cell.quantity for cell in cells.values()):
             if quantity != cells[wrong[0]].quantity:
                 yield verdict.ROW, quantity, SEVERAL, lambda key, quantity=quantity: self._other(key, quantity)  # type: ignore[misc]
