@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from drawings.gears.willis import quantity, ratio_letters, ratio_named, stopped
+from drawings.gears.willis import lettered, quantity, ratio_letters, stopped
 from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
@@ -54,11 +54,11 @@ class EfficiencyNotes(NamedTuple):
         value, said = self._slot(of_gear(self.study.efficiency_name, gear), found.efficiency), list[str]()
         if lossy.single:
             ratio = TrainSpeeds(lossy).ratio(gear) if determined(lossy, gear) else None
-            name, slot = ratio_named(self.study, gear), of_gear(f"{self.study.ratio_name}'", gear)
-            said.append(
-                joined(" = ", filter(None, (primed(name), primed(stopped(lossy, gear)), self._slot(slot, ratio or 0))))
-            )
-            said.append(joined(" = ", (name.replace("U", "η"), f"{primed(name)}/{name}", value)))
+            name, slot = lettered(self.study.ratio_name, gear), of_gear(f"{self.study.ratio_name}'", gear)
+            whole = primed(name), primed(stopped(lossy, gear)), self._slot(slot, ratio or 0)
+            said.append(joined(" = ", filter(None, whole)))
+            terms = "·".join((f"{primed(name)}/{name}", *map(_letter, lossy.sliding)))  # a driven rack has its own
+            said.append(joined(" = ", (lettered(self.study.efficiency_name, gear), terms, value)))
         elif not found.locks:
             said.append(joined(" = ", ("η", self.drafting.phrase("gears given out"), value)))
         if found.locks:

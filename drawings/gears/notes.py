@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from drawings.gears import synthesis
 from drawings.gears.efficiency import EfficiencyNotes
-from drawings.gears.willis import by_teeth, quantity, ratio_letters, ratio_named, stopped
+from drawings.gears.willis import by_teeth, lettered, quantity, ratio_letters, stopped
 from drawings.lettering.gear_letters import link_letters, teeth_letters
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
@@ -178,7 +178,7 @@ class GearsNotes(NamedTuple):
             return joined("", (f"ω_{{{index}}} = ", omega, f" {self.drafting.word('rad/s')};  ", turns))
         value = slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
         formula = stopped(self.study.train, gear) or f"ω_{{{driving}}}/ω_{{{driven}}}"
-        terms = [ratio_named(self.study, gear), formula]
+        terms = [lettered(self.study.ratio_name, gear), formula]
         terms += [_fraction(ratio)] if ratio.denominator != 1 else []
         return joined("", (joined(" = ", (*terms, value)), ";  ", turns))
 

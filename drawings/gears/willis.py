@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from drawings.lettering.gear_letters import teeth_letters
-from plans.gears.study import GearsStudy, pair_of
+from drawings.lettering.words import with_index
+from plans.gears.study import pair_of
 from plans.model.gears import FRAME, BoxGear, Train, Willis, bodies
 
 
@@ -36,10 +37,13 @@ def _over(top: list[str], low: list[str]) -> str:
     return f"{'·'.join(top)}/({'·'.join(low)})" if len(low) > 1 else f"{'·'.join(top)}/{low[0]}"
 
 
-def ratio_named(study: GearsStudy, gear: BoxGear) -> str:
-    """Letter the ratio of a train in a gear: U^II_1H."""
-    raised = f"^{{{gear.name}}}" if gear.name else ""
-    return f"U{raised}_{{{pair_of(study.train.drives[0][0], study.train.output)}}}"
+def lettered(name: str, gear: BoxGear) -> str:
+    """Letter what a train has in a gear, its ratio or its efficiency.
+
+    >>> lettered("U_1H", BoxGear("II", (), ()))
+    'U^{II}_{1H}'
+    """
+    return with_index(f"{name[0]}^{{{gear.name}}}{name[1:]}" if gear.name else name)
 
 
 def stopped(train: Train, gear: BoxGear) -> str:

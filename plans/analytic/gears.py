@@ -184,7 +184,9 @@ class TrainSpeeds:
         speed = self.true(gear)[self.train.output]
         if not self.train.efficiency or not speed:
             return None
-        return friction(self.train, gear, -math.copysign(self.train.load or 1.0, speed))
+        slides = math.prod(map(float, self.train.sliding.values()))  # of a driven rack
+        found = friction(self.train, gear, -math.copysign((self.train.load or 1.0) / slides, speed))
+        return found._replace(efficiency=found.efficiency * slides) if found else None
 
     def powers(self, gear: BoxGear) -> Mapping[str, float]:
         """Give the power W of the driving links and those through joints, from the second link to the first."""

@@ -96,7 +96,8 @@ class GearsStudy:
     @property
     def efficiency_name(self) -> str:
         """The letter of the efficiency: η_1H; of a train with several drives η."""
-        return self.ratio_name.replace("U", "η") if self.train.single else "η"
+        train = self.train
+        return f"η_{pair_of(train.drives[0][0], train.driven or train.output)}" if train.single else "η"
 
 
 def pair_of(one: str, other: str) -> str:

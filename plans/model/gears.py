@@ -145,6 +145,11 @@ class Train:
         one, other = (self.wheels[name].teeth for name in mesh)
         return Fraction(one), other * self.factors.get(mesh, Fraction(1))
 
+    @property
+    def sliding(self) -> Mapping[tuple[str, str], Fraction]:
+        """The mesh of the driven rack with its efficiency, if a rack is driven and that is given."""
+        return {mesh: part for mesh, part in self.efficiency.items() if self.driven and self.driven in mesh}
+
     def contact(self, mesh: tuple[str, str]) -> Fraction:
         """Give the height m of the mesh point of two wheels: it divides the line of centres as their teeth."""
         y_one, y_other = (self.heights[self.wheels[name].link] for name in mesh)

@@ -7,6 +7,7 @@ import math
 import random
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
@@ -187,6 +188,14 @@ def test_efficiency_is_that_of_textbooks_by_the_rule_and_by_forces(row: int) -> 
     assert found and found.efficiency == pytest.approx(float(EFFICIENT[row][1]), rel=1e-12) and comparison.agrees
     assert found.locks == (found.efficiency <= 0) == ("locks itself" in told)
     assert drawn == ([] if found.locks else [pytest.approx(found.efficiency, rel=1e-9)])
+
+
+def test_the_mesh_of_a_driven_rack_takes_its_part_too() -> None:
+    text = (Path(__file__).parents[2] / "drawings/gallery/press-rack.toml").read_text("utf-8")
+    _, comparison = compared(parse_scene(text.replace("\n[sheet]", "\nefficiency = 0.96\n[sheet]")))
+    drawn = {one.name: float(one.construction[0]) for one in comparison.findings}
+    assert comparison.agrees and drawn["η_14"] == pytest.approx(0.96**3, rel=1e-12)
+    assert drawn["M_fr,1"] == pytest.approx(drawn["M_1"] / 0.96**3, rel=1e-12)
 
 
 def test_two_drives_share_the_load_and_what_friction_takes() -> None:
