@@ -92,8 +92,8 @@ def passed(train: Train, speeds: Mapping[str, Fraction], forces: Sequence[Fracti
     """
     found = {}
     for mesh, (one, other), force in zip(train.meshes, train.pairs, forces, strict=True):
-        carrier = speeds.get(train.carrier_between(one, other), Fraction(0))
-        power = force * one.teeth * (speeds[one.link] - carrier)  # that the wheel gets
+        carrier = "" if one.link in train.crossing else train.carrier_between(one, other)
+        power = force * train.rolling(mesh)[0] * (speeds[one.link] - speeds.get(carrier, Fraction(0)))  # it gets that
         found[mesh] = train.efficiency[mesh] ** ((power < 0) - (power > 0))
     return found
 

@@ -11,20 +11,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from plans.model.gears import BoxGear, Train
+from plans.model.gears import BoxGear, Train, centre_of
 from plans.model.trains import Row, matrix, reduced
 
 
 def lossy(train: Train, gear: BoxGear) -> Train:
     """Give the train whose speeds are to each other as moments are with friction, x by differentiating those of it."""
     speeds, slips = _speeds(train, gear, ()), list[Fraction]()
-    for one, other in train.pairs:
-        carrier = speeds.get(train.carrier_between(one, other), [Fraction(0)])
-        slips.append((speeds[other.link][0] - carrier[0]) * other.teeth)
+    for mesh, (one, other) in zip(train.meshes, train.pairs, strict=True):
+        carrier = "" if other.link in train.crossing else train.carrier_between(one, other)
+        slips.append((speeds[other.link][0] - speeds.get(carrier, [Fraction(0)])[0]) * train.rolling(mesh)[1])
     driven, *changes = _speeds(train, gear, slips)[train.output]
     powers = [(change * driven < 0) - (change * driven > 0) for change in changes]
     factors = {mesh: train.efficiency[mesh] ** power for mesh, power in zip(train.meshes, powers, strict=True)}
-    return replace(train, gears=(gear,), factors=factors)
+    made = replace(train, gears=(gear,), factors=factors)
+    centres = {link: made.heights[rows[0].level.link] + centre_of(rows) for link, rows in made.crossing.items()}
+    return replace(made, heights={**made.heights, **centres})
 
 
 def _speeds(train: Train, gear: BoxGear, slips: Sequence[Fraction]) -> Mapping[str, Row]:

@@ -12,11 +12,15 @@ Row: TypeAlias = list[Fraction]
 
 
 def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, Fraction]]:
-    """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y."""
+    """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y.
+
+    Of an axis across the speed is that over its carrier, so that this has no part in it.
+    """
     unit = Fraction(1)
     for mesh, (one, other) in zip(train.meshes, train.pairs, strict=True):
-        first, second = train.rolling(mesh)
-        yield {one.link: first, other.link: second, train.carrier_between(one, other): -first - second}
+        turned = dict(zip((one.link, other.link), train.rolling(mesh), strict=True))
+        level = sum((teeth for link, teeth in turned.items() if link not in train.crossing), Fraction(0))
+        yield {**turned, train.carrier_between(one, other): -level}
     yield from ({link: unit} for link in gear.held)
     yield from ({one: unit, other: -unit} for one, other in (*gear.locked, *train.joints))
 

@@ -26,12 +26,13 @@ from tests.rows import over
 BOX = 'brakes = { T1 = "3", T2 = "6" }\nclutches = { M1 = ["1", "H1"], M2 = ["4", "H2"] }\njoined = [["H1", "4"]]'
 ENGAGED = 'engaged = { I = ["T1", "T2"], II = ["T1", "M2"], III = ["T2", "M1"], IV = ["M1", "M2"] }'
 FIXED = 'fixed = ["3"]'
+SIDES = {"<": "left", ">": "right", "^": "up", "v": "down"}
 EIGHT = 8 * 2.0**-52
 WINCH = 'joined = [["H", "4"], ["3", "6"]]'
 
 
 def train(wheels: str, meshes: str, output: str, more: str = "", carriers: str = "H=2", drive: str = "1=1000") -> Scene:
-    """Write a train: teeth by wheels, negative of a ring, 0 for what coaxiality gives, -0 of a ring."""
+    """Write a train: teeth by wheels, negative of a ring, 0 for what coaxiality gives, -0 of a ring, ^20 bevel, up."""
     rows = [f'"{name}" = {{ {_teeth(count)} }}' for name, count in map(_halves, wheels.split())]
     lines = ['sheets = ["gears"]', "[gears]", "module = 4", f"wheels = {{ {', '.join(rows)} }}"]
     lines += [f"meshes = {json.dumps(meshes.split())}", f'output = "{output}"', more]
@@ -47,6 +48,8 @@ def _halves(row: str) -> tuple[str, str]:
 
 
 def _teeth(count: str) -> str:
+    if count[0] in SIDES:
+        return f'teeth = {count[1:]}, bevel = "{SIDES[count[0]]}"'
     count, _, module = count.partition("*")
     number = "" if count.strip("-") == "0" else f", teeth = {count.strip('-')}"
     own = f", module = {module}" if module else ""
@@ -73,6 +76,10 @@ WORKED = {
     "idler": (("1=30 2=15 3=35", "1-2 2-3", "3", "", ""), {}, Fraction(7, 6), 857.1428571),
     "idler and ring": (("1=30 2=15 3=-35", "1-2 2-3", "3", "", ""), {}, Fraction(-7, 6), -857.1428571),
     "reversed": (("1=40 2=38 2'=39 3=39", "1-2 2'-3", "1", FIXED, "H=2", "H=1000"), {}, Fraction(20), 50),
+    # Bevel wheels: 1 + z_2 z_3/(z_1 z_2') = 1 + 30·40/(20·25); on one side 1 - 25·60/(50·40); by a pinion -45/15·60/20.
+    "bevel block": (("1=<20 2=^30 2'=^25 3=>40", "1-2 2'-3", "H", FIXED), {}, Fraction(17, 5), 294.1176471),
+    "bevel wheels of one side": (("1=<50 2=^25 2'=^40 3=<60", "1-2 2'-3", "H", FIXED), {}, Fraction(1, 4), 4000),
+    "bevel pair": (("1=v15 2=>45 2'=20 3=60", "1-2 2'-3", "3", "", ""), {}, Fraction(-9), -111.1111111),
     "planet found": (("1=20 2=0 3=-80", "1-2 2-3", "H", FIXED), {"2": 30}, Fraction(5), 200),
 }
 
@@ -88,6 +95,40 @@ def test_a_worked_train_has_the_printed_ratio_by_both_roads(name: str) -> None:
     assert drawn[study.ratio_name] == pytest.approx(float(ratio), rel=1e-12)
     n = drawn[f"ω_{study.train.body_of[driven]}"] * 30 / 3.141592653589793
     assert float(f"{n:.10g}") == pytest.approx(rpm, rel=1e-10)
+
+
+HELD, TRIPLE = 'fixed = ["1"]', ("1=27 2=27 2'=33 2''=24 3=21 4=30", "1-2 2'-3 2''-4", "1")
+# As printed, a speed, rpm, or a ratio: Khurmi, Gupta, Theory of Machines, ch. 13; Norton, Design of Machinery, ex. 9-5;
+# Shigley, Mechanical Engineering Design, ch. 13; Ford's T, low and reverse; the hub AW of Sturmey and Archer, per cent;
+# the reduction of the motor of Toyota's Prius (SAE 2009-01-0726); the planetary part of a course project (a pump).
+HANDBOOKS = (
+    (("1=32 2=0 3=-72", "1-2 2-3", "1", FIXED, "H=2", "H=18"), "n_1 = 58.5"),
+    (("1=32 2=0 3=-72", "1-2 2-3", "1", FIXED, "H=2", "H=18"), "n_2 = -46.8"),
+    (("1=40 2=0 3=-90", "1-2 2-3", "H", FIXED, "H=2", "1=1"), "n_H = 0.308"),
+    (("1=40 2=0 3=-90", "1-2 2-3", "H", "", "H=2", "1=1 3=-0.5"), "n_H = -0.04"),
+    (("1=75 2=45 2'=90 3=30", "1-2 2'-3", "3", HELD, "H=2", "H=-100"), "n_3 = 400"),
+    (("1=28 2=18 3=-0 1'=26 5=18 4=-0", "1-2 2-3 1'-5 5-4", "4", "", "H=2,5", "H=100 3=-10"), "n_4 = -5.4"),
+    (("1=40 2=20 3=-80", "1-2 2-3", "3", "", "H=2", "1=-100 H=-200"), "n_3 = -250"),
+    (("1=20 2=30 3=-80", "1-2 2-3", "H", FIXED, "H=2", "1=-100"), "n_H = -20"),
+    (("1=20 2=30 3=-80", "1-2 2-3", "H", FIXED, "H=2", "1=-100"), "n_2 = 33.33"),
+    ((*TRIPLE, FIXED, "H=2", "H=1000"), "U = 2.75"),
+    ((*TRIPLE, 'fixed = ["4"]', "H=2", "H=1000"), "U = -4"),
+    (("1=20 2=20 3=-60", "1-2 2-3", "H", HELD, "H=2", "3=100"), "n_H = 75"),
+    (("1=20 2=20 3=-60", "1-2 2-3", "3", HELD, "H=2", "H=100"), "n_3 = 133"),
+    (("1=22 2=18 3=-58", "1-2 2-3", "3", "", "", "1=1000"), "U = -2.636"),
+    (("1=18 2=45 3=-108", "1-2 2-3", "H", FIXED), "U = 7"),
+)
+
+
+@over("asked, printed", HANDBOOKS)
+def test_an_example_of_a_handbook_is_found_as_printed_by_both_roads(asked: tuple[str, ...], printed: str) -> None:
+    study, comparison = compared(train(*asked))
+    name, _, value = printed.partition(" = ")
+    wanted = study.ratio_name if name == "U" else name.replace("n", "ω")
+    found = next(one for one in comparison.findings if one.name == wanted)
+    for road in (found.construction, found.analysis):
+        size = float(road[0]) * (1 if name == "U" else 30 / math.pi)
+        assert f"{size:.{len(value.partition('.')[2])}f}" == value
 
 
 def test_a_worked_row_has_the_printed_velocity_and_planet() -> None:
@@ -124,6 +165,20 @@ def test_the_gears_of_a_box_and_a_differential_have_the_printed_speeds() -> None
     study, comparison = compared(train("1=20 2=15 3=-0", "1-2 2-3", "H", drive="1=1000 3=200"))
     speed = next(one for one in comparison.findings if one.name == "ω_H").construction[0]
     assert comparison.agrees and speed * 30 / 3.141592653589793 == pytest.approx(428.5714286, rel=1e-9)
+
+
+def test_the_carrier_of_a_car_has_the_mean_speed_of_its_half_axles() -> None:
+    rng = random.Random(77)
+    for _ in range(30):
+        crown, pinion, side, planet = (rng.randint(12, 60) for _ in range(4))
+        wheels, more = f"4=<{crown} 5=v{pinion} 1=<{side} 2=^{planet} 3=>{side}", 'joined = [["H", "4"]]'
+        drives = f"5={rng.randint(1, 3000)} 1={rng.randint(-900, 900)}"
+        study, comparison = compared(train(wheels, "4-5 1-2 2-3", "3", more, drive=drives))
+        found = {one.name: float(one.construction[0]) for one in comparison.findings}
+        assert comparison.agrees and found["ω_1"] + found["ω_3"] == pytest.approx(2 * found["ω_H"], rel=1e-9)
+        assert found["ω_H"] == pytest.approx(study.train.drives[0][1] * pinion / crown, rel=1e-12)
+        rolled = (found["ω_1"] - found["ω_3"]) / 2 * side / planet  # on its arm, as a wheel between two racks
+        assert found["ω_2"] == pytest.approx(rolled, rel=1e-9, abs=1e-9)
 
 
 def test_the_inertia_of_a_planetary_train_is_reduced_to_either_shaft() -> None:
@@ -173,6 +228,7 @@ EFFICIENT = (
     ((*OUTER, "1", FIXED, "H=2", "H=1000"), (1 - U) / (1 - U * E)),
     ((*OUTER, "H", FIXED), (1 - U / E) / (1 - U)),
     ((*CLOSE, "1", FIXED, "H=2", "H=1000"), Fraction(1, 10000) / (1 - Fraction(9999, 10000) * E)),
+    (("1=<20 2=^30 3=>20", "1-2 2-3", "H", FIXED), (1 + E) / 2),  # bevel wheels
     ((*CLOSE, "H", FIXED), (1 - Fraction(9999, 10000) / E) * 10000),  # it locks itself
 )
 
@@ -298,6 +354,11 @@ BAD = (
     ),
     (("1=20 2=30", "1-2", "2", 'efficiency = "120 %"', ""), ("more than 0 and at most 1",)),
     (("1=20 2=30", "1-2", "2", 'efficiencies = { "1-9" = 0.9 }', ""), ("1-9 is none",)),
+    (("1=<20 2=^30 3=>20", "1-2 2-3", "H", f"{FIXED}\nplanets = 4"), ("180°/k = 45°", "59.4849°", "at most 3")),
+    (("1=<20 2=^12 3=>20", "1-2 2-3", "H", f"{FIXED}\nplanets = 3"), ("(z_1 + z_3)/k = 40/3",)),
+    (("1=<20 2=^30 3=>21", "1-2 2-3", "H", FIXED), ("wheels 1 and 3", "as many teeth")),
+    (("1=<20 2=>30", "1-2", "2", "", ""), ("1 and 2 are not", "square in one plane")),
+    (("1=<20 2=^30 3=30 2'=20", "1-2 2'-3", "3", "", ""), ("axis across, of link 2", "beyond the plane")),
     (("1=20 2=30 3=25", "1-2 2-3 1-3", "3", "", ""), ("90 mm apart", "210 mm apart")),
 )
 
