@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 
-from plans.gears.wanted import WantedTable
+from plans.gears.wanted import EFFICIENCY, WantedTable
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -141,6 +141,15 @@ class GearsTable(Table):
         None,
         meaning="Moment that resists the driven link, N*m: those that balance it are found.",
     )
+    efficiency: Decimal | None = key(
+        EFFICIENCY,
+        None,
+        meaning='Efficiency of each mesh, its carrier stopped: a part, or "98 %"; that of the train is found.',
+        also=("eta", "η", "кпд"),
+    )
+    efficiencies: Mapping[tuple[str, str], Decimal] = key(
+        named(MESH, EFFICIENCY, first=f.FEW), {}, meaning='Efficiencies of their own, by meshes: "2\'-3" = 0.99.'
+    )
     force: Decimal | None = key(
         f.not_negative(units.FORCE), None, meaning="Force that resists the driven rack, N, in place of a moment."
     )
@@ -161,9 +170,6 @@ class GearsTable(Table):
         """See that something turns."""
         if not any(drive.speed for drive in self.drives):
             raise wrong("zero", kind="angular speed", at=("drive",))
-        for name in ("load", "force"):
-            if getattr(self, name) is not None and len(self.drives) > 1:
-                raise wrong("load_of_differential", at=(name,))
 
     @property
     def drives(self) -> tuple[DrivingLinkTable, ...]:

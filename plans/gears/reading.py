@@ -98,6 +98,8 @@ class _TrainReading:
         rows += [(self._drive(k), (drive.link,)) for k, drive in enumerate(form.drives)]
         for path, named in rows:
             self._know(path, named, central, "no_central")
+        meshes = ["-".join(way) for mesh in form.meshes for way in (mesh, mesh[::-1])]
+        self._know(("efficiencies",), ["-".join(mesh) for mesh in form.efficiencies], meshes, "unmeshed")
         for name in form.inertia:
             self._know(("inertia", name), (name,), links, "no_link")
         for name in form.masses:
@@ -275,11 +277,20 @@ class _TrainReading:
             inertia={link: float(size) for link, size in form.inertia.items()},
             load=None if load is None else float(load),
             masses={link: float(size) for link, size in form.masses.items()},
+            efficiency=self._efficiency(),
             racks=self.racks,
             driven=form.output if driving else "",
         )
         across = {link: found[rows[0].level.link] + centre_of(rows) for link, rows in train.crossing.items()}
         return replace(train, heights={**found, **across})
+
+    def _efficiency(self) -> Mapping[tuple[str, str], Fraction]:
+        """Give the efficiency of each mesh, if any is given: its own one, or that of all; of what is not told 1."""
+        form, usual = self.form, Fraction(self.form.efficiency or 1)
+        own = {mesh: Fraction(part) for mesh, part in form.efficiencies.items()}
+        if form.efficiency is None and not own:
+            return {}
+        return {mesh: own.get(mesh, own.get(mesh[::-1], usual)) for mesh in form.meshes}
 
     def _gear(self, name: str, engaged: tuple[str, ...]) -> BoxGear:
         held = (*self.form.fixed, *(self.form.brakes[one] for one in engaged if one in self.form.brakes))

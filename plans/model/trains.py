@@ -11,17 +11,18 @@ from plans.model.gears import FRAME, BoxGear, Train
 Row: TypeAlias = list[Fraction]
 
 
-def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, int]]:
+def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, Fraction]]:
     """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y.
 
     Of an axis across the speed is that over its carrier, so that this has no part in it.
     """
-    for one, other in (train.signed(*pair) for pair in train.pairs):
-        carrier = train.carrier_between(one, other)
-        level = sum(wheel.teeth for wheel in (one, other) if wheel.link not in train.crossing)
-        yield {one.link: one.teeth, other.link: other.teeth, carrier: -level}
-    yield from ({link: 1} for link in gear.held)
-    yield from ({one: 1, other: -1} for one, other in (*gear.locked, *train.joints))
+    unit = Fraction(1)
+    for mesh, (one, other) in zip(train.meshes, train.pairs, strict=True):
+        turned = dict(zip((one.link, other.link), train.rolling(mesh), strict=True))
+        level = sum((teeth for link, teeth in turned.items() if link not in train.crossing), Fraction(0))
+        yield {**turned, train.carrier_between(one, other): -level}
+    yield from ({link: unit} for link in gear.held)
+    yield from ({one: unit, other: -unit} for one, other in (*gear.locked, *train.joints))
 
 
 def mobility(train: Train, gear: BoxGear) -> int:
