@@ -68,11 +68,8 @@ class ShownLinear(NamedTuple):
             links, spots = found.setdefault(key, ([], []))
             links.append(link)
             spots += ends
-        rows = (
-            (", ".join(map(link_letters, links)), sorted(ends, key=lambda end: end.imag))
-            for key, (links, ends) in found.items()
-            if any(key)
-        )
+        moving = (row for key, row in found.items() if any(key))
+        rows = ((", ".join(map(link_letters, some)), sorted(ends, key=lambda end: end.imag)) for some, ends in moving)
         slides = {link_letters(spot.rack): self.images[spot.letter] for spot in self.scheme.spots if spot.rack}
         upright = {name: (end - RACK * 1j * past, end + RACK * 1j * past) for name, end in slides.items()}
         return {name: _longer(ends[0], ends[-1], past) for name, ends in rows} | upright
