@@ -215,11 +215,11 @@ class GearsNotes(NamedTuple):
                 for a, b, over, under in ((body[one], body[other], top, low), (body[other], body[one], low, top)):
                     if a in ways and b not in ways:
                         ways[b] = ways[a][0] + over, ways[a][1] + under
-        top, low = ways.get(body[driven], ("", ""))
+        top, low = (text.replace("}U", "}·U") for text in ways.get(body[driven], ("", "")))
         if not (self.study.train.single and (top or low)):
             return []
         bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
-        return [f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare]
+        return [f"{bare or 1}/[{low}]" if low.count("(1") > 1 or "·" in low else f"{bare or 1}/{low}" if low else bare]
 
     def _steps(self, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:
         """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
