@@ -278,7 +278,7 @@ class GearsNotes(NamedTuple):
         """Say how the plans are read, and on what assumed speed they rest."""
         yield self._said("gears read")
         for link in self.study.train.crossing:
-            key = "gears over" if link in self.study.train.carrier_of else "gears across"
+            key = "gears over" if link in self.study.train.carrier_of else "gears axis across"
             yield self._said(key, link=link_letters(link))
         for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
             yield self._said("gears assumed", link=link_letters(link))

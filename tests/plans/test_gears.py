@@ -93,6 +93,40 @@ def test_a_worked_train_has_the_printed_ratio_by_both_roads(name: str) -> None:
     assert float(f"{n:.10g}") == pytest.approx(rpm, rel=1e-10)
 
 
+HELD, TRIPLE = 'fixed = ["1"]', ("1=27 2=27 2'=33 2''=24 3=21 4=30", "1-2 2'-3 2''-4", "1")
+# As printed, a speed, rpm, or a ratio: Khurmi, Gupta, Theory of Machines, ch. 13; Norton, Design of Machinery, ex. 9-5;
+# Shigley, Mechanical Engineering Design, ch. 13; Ford's T, low and reverse; the hub AW of Sturmey and Archer, per cent;
+# the reduction of the motor of Toyota's Prius (SAE 2009-01-0726); the planetary part of a course project (a pump).
+HANDBOOKS = (
+    (("1=32 2=0 3=-72", "1-2 2-3", "1", FIXED, "H=2", "H=18"), "n_1 = 58.5"),
+    (("1=32 2=0 3=-72", "1-2 2-3", "1", FIXED, "H=2", "H=18"), "n_2 = -46.8"),
+    (("1=40 2=0 3=-90", "1-2 2-3", "H", FIXED, "H=2", "1=1"), "n_H = 0.308"),
+    (("1=40 2=0 3=-90", "1-2 2-3", "H", "", "H=2", "1=1 3=-0.5"), "n_H = -0.04"),
+    (("1=75 2=45 2'=90 3=30", "1-2 2'-3", "3", HELD, "H=2", "H=-100"), "n_3 = 400"),
+    (("1=28 2=18 3=-0 1'=26 5=18 4=-0", "1-2 2-3 1'-5 5-4", "4", "", "H=2,5", "H=100 3=-10"), "n_4 = -5.4"),
+    (("1=40 2=20 3=-80", "1-2 2-3", "3", "", "H=2", "1=-100 H=-200"), "n_3 = -250"),
+    (("1=20 2=30 3=-80", "1-2 2-3", "H", FIXED, "H=2", "1=-100"), "n_H = -20"),
+    (("1=20 2=30 3=-80", "1-2 2-3", "H", FIXED, "H=2", "1=-100"), "n_2 = 33.33"),
+    ((*TRIPLE, FIXED, "H=2", "H=1000"), "U = 2.75"),
+    ((*TRIPLE, 'fixed = ["4"]', "H=2", "H=1000"), "U = -4"),
+    (("1=20 2=20 3=-60", "1-2 2-3", "H", HELD, "H=2", "3=100"), "n_H = 75"),
+    (("1=20 2=20 3=-60", "1-2 2-3", "3", HELD, "H=2", "H=100"), "n_3 = 133"),
+    (("1=22 2=18 3=-58", "1-2 2-3", "3", "", "", "1=1000"), "U = -2.636"),
+    (("1=18 2=45 3=-108", "1-2 2-3", "H", FIXED), "U = 7"),
+)
+
+
+@over("asked, printed", HANDBOOKS)
+def test_an_example_of_a_handbook_is_found_as_printed_by_both_roads(asked: tuple[str, ...], printed: str) -> None:
+    study, comparison = compared(train(*asked))
+    name, _, value = printed.partition(" = ")
+    wanted = study.ratio_name if name == "U" else name.replace("n", "ω")
+    found = next(one for one in comparison.findings if one.name == wanted)
+    for road in (found.construction, found.analysis):
+        size = float(road[0]) * (1 if name == "U" else 30 / math.pi)
+        assert f"{size:.{len(value.partition('.')[2])}f}" == value
+
+
 def test_a_worked_row_has_the_printed_velocity_and_planet() -> None:
     """M9.1, for ω_1 = 100 rad/s."""
     _, comparison = compared(train(*WORKED["simple row"][0]))
