@@ -124,7 +124,7 @@ def measure(shown: ShownLinear, drafting: Drafting) -> Picture:
     past = PAST * shown.high
     ends = [*shown.images.values(), *(end for line in shown.lines.values() for end in line)]
     across = [shown.zero + end.real for end in ends]
-    left = 0.0 if shown.schemed else min(across) - past
+    left = shown.scheme.left if shown.schemed else min(across) - past
     corners = [complex(left, min(low, -past)), complex(max(across), top + past)]
     corners += [start + end for start, ends in shown.crossing.values() for end in (*ends.values(), 0j)]
     scales = _scales(shown, Scale(0.002, "l", "m"), drafting)
