@@ -51,7 +51,8 @@ def _linear(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> It
 
 def _angular(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> Iterator[Expected]:
     """Give the ends of the segments of links, rad/s; of links that turn alike the first may stand for all."""
-    name, every = board_of(ANGULAR, gear), TrainSpeeds(study.train).true(gear)
+    name, found = board_of(ANGULAR, gear), TrainSpeeds(study.train).true(gear)
+    every = {link: speed for link, speed in found.items() if link not in study.train.crossing}
     largest = max(map(abs, every.values()))
     for k, (link, speed) in enumerate(every.items()):
         others = (0.0, *[*every.values()][:k])
@@ -89,6 +90,12 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     for link, speed in train.drives:
         numbers |= {f"n_{link}": speed * 30 / math.pi, f"given ω_{link}": speed}
     for one, other in train.pairs:
+        if one.side:
+            numbers |= {
+                f"δ_{a.name}": math.degrees(math.atan2(a.teeth, b.teeth)) for a, b in ((one, other), (other, one))
+            }
+            numbers[f"R_{one.name}{other.name}"] = 500 * float(one.module) * math.hypot(one.teeth, other.teeth)
+            continue
         numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
     for gear in train.gears:
         ratio, speed = found.ratio(gear), found.true(gear)[train.output]
@@ -122,7 +129,13 @@ def _planets(study: GearsStudy) -> Iterator[Expected]:
     train = study.train
     for link, carrier in train.carrier_of.items() if (train.planets or 0) > 1 else ():
         far = float(train.heights[link] - train.heights[carrier])
-        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+        for name, row in {row.cross.name: row for row in train.crossing.get(link, ())}.items():
+            cone = math.atan(row.cross.radius / row.level.radius) + math.atan2(
+                2, abs(complex(row.cross.teeth, row.level.teeth))
+            )
+            for key, value in (("share", 180 / (train.planets or 1)), ("tip", math.degrees(cone))):
+                yield Expected(Kind.PHRASE, NOTES, f"{key} {name}", value, digits=DIGITS)
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
             chord = 2000 * far * math.sin(math.pi / (train.planets or 1))
             yield Expected(Kind.PHRASE, NOTES, f"chord {wheel.name}", chord)
             yield Expected(Kind.PHRASE, NOTES, f"tips {wheel.name}", 1000 * float(wheel.module) * (wheel.teeth + 2))

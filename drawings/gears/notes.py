@@ -84,6 +84,9 @@ class GearsNotes(NamedTuple):
         """Tell the distances of axes, and the conditions of neighbourhood and of assembly."""
         train = self.study.train
         for one, other in train.pairs:
+            if one.side:
+                yield self._cones(one, other)
+                continue
             sign = "−" if one.internal or other.internal else "+"
             large, small = (other, one) if other.internal else (one, other)
             terms = f"{teeth_letters(large.name)} {sign} {teeth_letters(small.name)}"
@@ -94,10 +97,23 @@ class GearsNotes(NamedTuple):
         for link in train.carrier_of if (train.planets or 0) > 1 else ():
             yield from self._planets(link)
 
+    def _cones(self, one: ToothedWheel, other: ToothedWheel) -> Phrase:
+        """Tell the half angles of two pitch cones and how long their common edge is."""
+        pair, far = f"{one.name}{other.name}", MILLIMETRES * float(one.module / 2) * math.hypot(one.teeth, other.teeth)
+        said: dict[str, object] = {
+            "one": one.name,
+            "other": other.name,
+            "pair": pair,
+            "far": Slot(f"R_{pair}", far, DIGITS),
+        }
+        for key, a, b in (("first", one, other), ("second", other, one)):
+            said[key] = Slot(f"δ_{a.name}", math.degrees(math.atan(a.teeth / b.teeth)), DIGITS)
+        return self._said("gears cones", letter=module_letter(self.study.train, one), **said)
+
     def _cut(self) -> Iterator[str]:
         """Warn of wheels that a rack undercuts, and of rings with hardly more teeth than the wheel within."""
         least, wheels = synthesis.USUAL_LEAST[False], self.study.train.wheels.values()
-        few = [f"{teeth_letters(w.name)} = {w.teeth}" for w in wheels if 0 < w.teeth < least]
+        few = [f"{teeth_letters(w.name)} = {w.teeth}" for w in wheels if 0 < w.teeth < least and not w.side]
         pairs = (sorted(pair, key=lambda wheel: wheel.teeth) for pair in self.study.train.pairs)
         more = [(ring, inner, -ring.teeth - inner.teeth) for ring, inner in pairs if ring.internal]
         close = [f"{teeth_letters(a.name)} − {teeth_letters(b.name)} = {n}" for a, b, n in more if n < CLEAR]
@@ -107,7 +123,11 @@ class GearsNotes(NamedTuple):
     def _planets(self, link: str) -> Iterator[str]:
         train, count = self.study.train, self.study.train.planets or 1
         far = train.heights[link] - train.heights[train.carrier_of[link]]
-        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+        rows = {row.cross.name: ("".join(mesh), row) for mesh, row in train.bevels.items() if row.cross.link == link}
+        for name, (pair, row) in rows.items():
+            share, tip = Slot(f"share {name}", 180 / count, DIGITS), Slot(f"tip {name}", row.tip, DIGITS)
+            yield self._said("gears cone", wheel=name, count=count, share=share, tip=tip, pair=pair)
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
             chord = Slot(f"chord {wheel.name}", MILLIMETRES * 2 * float(far) * math.sin(math.pi / count))
             tips = Slot(f"tips {wheel.name}", MILLIMETRES * float(wheel.module * (wheel.teeth + 2)))
             letter = module_letter(train, wheel)
@@ -257,6 +277,9 @@ class GearsNotes(NamedTuple):
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""
         yield self._said("gears read")
+        for link in self.study.train.crossing:
+            key = "gears over" if link in self.study.train.carrier_of else "gears axis across"
+            yield self._said(key, link=link_letters(link))
         for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
             yield self._said("gears assumed", link=link_letters(link))
 

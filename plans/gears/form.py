@@ -45,6 +45,8 @@ def check_mesh(value: object) -> tuple[str, str]:
 PART = one(check_part, lambda: forms.text(f"^{WHEEL.pattern}$", 8), "name")
 TEETH = one(check_teeth, lambda: {**forms.whole(LEAST_TEETH), "maximum": MOST_TEETH}, "number")
 MESH = one(check_mesh, lambda: forms.text(r"^[^\s-]+\s*-\s*[^\s-]+$"), '"1-2"')
+SIDES = ("left", "right", "up", "down")
+SIDE = one(lambda value: f.choice(value, SIDES), lambda: forms.choice(SIDES), "name")
 NAMES = many(PART, f.NO_REPEATS, first=f.FEW)
 TWO = f.pair(PART, '["1", "H"]')
 
@@ -55,12 +57,20 @@ class WheelTable(Table):
     teeth: int | None = key(TEETH, None, meaning="Number of teeth; default: found from coaxiality.")
     internal: bool = key(f.FLAG, False, meaning="Whether the teeth are inside, as of a ring (внутренние зубья).")
     rack: bool = key(f.FLAG, False, meaning="Whether it is a rack (рейка), a wheel without end, which slides.")
+    bevel: str | None = key(
+        SIDE,
+        None,
+        meaning="Of a bevel wheel (коническое колесо) its side of the apex: left or right, or up or down across these.",
+    )
     module: Decimal | None = key(f.MILLIMETRES, None, meaning="Module of its own, mm.")
 
     def check(self) -> None:
         """See that a rack, which has no circle, is told no teeth."""
-        if self.rack and (self.internal or self.teeth is not None):
-            raise wrong("toothed_rack", at=("internal" if self.internal else "teeth",))
+        for name in ("internal", "teeth", "bevel"):
+            if self.rack and getattr(self, name):
+                raise wrong("toothed_rack", at=(name,))
+        if self.internal and self.bevel:
+            raise wrong("bevel_ring", at=("internal",))
 
 
 class DrivingLinkTable(Table):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -11,11 +12,13 @@ from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
 from plans.gears.synthesis import TIP, Searched, clear_of, search
-from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, assembly, link_of
+from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, centre_of, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Meaning, Scene
 from plans.words.words import message
+
+HALF_TURN = 180
 
 
 class GearsSurvey(NamedTuple):
@@ -114,9 +117,38 @@ class _TrainReading:
             if given is not None and slides == (key == "load"):
                 self.report((key,), "load_of_rack" if slides else "force_of_wheel", output=self.form.output)
 
+    def _cones(self) -> None:
+        """See that bevel wheels mesh with such of axes across, and that these stand in the plane of all axes."""
+        form, sides, rows = self.form, self.raw.sides, dict[str, list[tuple[str, str]]]()
+        for k, mesh in enumerate(form.meshes):
+            across = [name for name in mesh if sides.get(name) in ACROSS]
+            if not sides.keys().isdisjoint(mesh) and (len(across) != 1 or not sides.keys() >= {*mesh}):
+                self.report(("meshes", k), "bevel_mesh", first=mesh[0], second=mesh[1])
+            elif across:
+                rows.setdefault(link_of(across[0]), []).append(
+                    (next(one for one in mesh if one not in across), across[0])
+                )
+        planets = {link: name for name, some in form.carriers.items() for link in some}
+        coaxial = {link for group in (*self.raw.coaxial, form.fixed, form.brakes.values()) for link in group}
+        for link, pairs in rows.items():
+            own = {self.wheels[name].bevel for name in self.wheels if link_of(name) == link}
+            most, level = (2 if link in planets else 1), [self.wheels[one] for one, _ in pairs]
+            away = len(own) > 1 or link in coaxial or any(link_of(one) in planets for one, _ in pairs)
+            if away or len(pairs) > most:
+                self.report(("wheels", pairs[0][1]), "bevel_axis", name=link)
+            elif len(pairs) > 1:
+                (first, one), (second, other) = pairs
+                alike = level[0].bevel == level[1].bevel and self.raw.teeth[one] == self.raw.teeth[other]
+                if alike or (one == other and level[0].teeth != level[1].teeth):
+                    self.report(("wheels", one), "bevel_cone", name=link, first=first, second=second)
+        for key, given in (("inertia", form.inertia), ("masses", form.masses)):
+            for name in given.keys() & rows.keys() & planets.keys():
+                self.report((key, name), "bevel_inertia", name=name)
+
     def rings(self) -> None:
         """See that no two rings mesh, that wheels that mesh have one module, that every wheel meshes."""
         self._slide()
+        self._cones()
         for k, mesh in enumerate(self.form.meshes):
             if link_of(mesh[0]) == link_of(mesh[1]):
                 self.report(("meshes", k), "own_mesh", first=mesh[0], second=mesh[1])
@@ -146,13 +178,14 @@ class _TrainReading:
             tuple(mesh for mesh in form.meshes if turning.keys() >= {*mesh}),
             form.carriers,
             (*form.joined, *form.clutches.values()),
+            {name: wheel.bevel for name, wheel in turning.items() if wheel.bevel},
         )
 
     def synthesis(self) -> None:
         """Find the teeth that give the wanted ratio, if one is wanted."""
         if self.form.wanted is None:
             return
-        wanted = wanted_of(self.form, self.raw)
+        wanted = None if self.raw.sides else wanted_of(self.form, self.raw)
         if wanted and wanted.sign * wanted.ratio < 0:
             ends = dict(zip(("held", "driving", "driven"), wanted.ends, strict=True))
             kind = "only_positive" if wanted.sign > 0 else "only_negative"
@@ -208,7 +241,7 @@ class _TrainReading:
         form, driving = self.form, self.racks.get(self.form.output, "")  # the wheel that moves the driven rack
         load = form.load if form.force is None else Fraction(form.force) * raw.wheel(driving).radius
         engaged: Mapping[str, tuple[str, ...]] = form.engaged or {"": (*form.brakes, *form.clutches)}
-        return Train(
+        train = Train(
             wheels={name: raw.wheel(name) for name in raw.teeth},
             meshes=raw.meshes,
             carriers=form.carriers,
@@ -226,6 +259,8 @@ class _TrainReading:
             racks=self.racks,
             driven=form.output if driving else "",
         )
+        across = {link: found[rows[0].level.link] + centre_of(rows) for link, rows in train.crossing.items()}
+        return replace(train, heights={**found, **across})
 
     def _gear(self, name: str, engaged: tuple[str, ...]) -> BoxGear:
         held = (*self.form.fixed, *(self.form.brakes[one] for one in engaged if one in self.form.brakes))
@@ -238,7 +273,11 @@ class _TrainReading:
         if count is None or count < 2:
             return
         for link, carrier in train.carrier_of.items():
-            for own in (wheel for wheel in train.wheels.values() if wheel.link == link):
+            rows = {row.cross.name: row for row in train.crossing.get(link, ()) if row.tip * count >= HALF_TURN}
+            for row in rows.values():
+                sizes = {"tip": f"{row.tip:.6g}", "share": f"{HALF_TURN / count:.6g}", "most": int(HALF_TURN / row.tip)}
+                self.report(("planets",), "cones_touching", name=row.cross.name, count=count, **sizes)
+            for own in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
                 self._neighbours(own, abs(train.heights[link] - train.heights[carrier]), count)
             for one in assembly(train, link):
                 if one.share.denominator != 1:

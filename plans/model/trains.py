@@ -12,10 +12,14 @@ Row: TypeAlias = list[Fraction]
 
 
 def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, int]]:
-    """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y."""
-    for one, other in train.pairs:
+    """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y.
+
+    Of an axis across the speed is that over its carrier, so that this has no part in it.
+    """
+    for one, other in (train.signed(*pair) for pair in train.pairs):
         carrier = train.carrier_between(one, other)
-        yield {one.link: one.teeth, other.link: other.teeth, carrier: -one.teeth - other.teeth}
+        level = sum(wheel.teeth for wheel in (one, other) if wheel.link not in train.crossing)
+        yield {one.link: one.teeth, other.link: other.teeth, carrier: -level}
     yield from ({link: 1} for link in gear.held)
     yield from ({one: 1, other: -1} for one, other in (*gear.locked, *train.joints))
 

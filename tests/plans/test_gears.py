@@ -24,12 +24,13 @@ from tests.rows import over
 BOX = 'brakes = { T1 = "3", T2 = "6" }\nclutches = { M1 = ["1", "H1"], M2 = ["4", "H2"] }\njoined = [["H1", "4"]]'
 ENGAGED = 'engaged = { I = ["T1", "T2"], II = ["T1", "M2"], III = ["T2", "M1"], IV = ["M1", "M2"] }'
 FIXED = 'fixed = ["3"]'
+SIDES = {"<": "left", ">": "right", "^": "up", "v": "down"}
 EIGHT = 8 * 2.0**-52
 WINCH = 'joined = [["H", "4"], ["3", "6"]]'
 
 
 def train(wheels: str, meshes: str, output: str, more: str = "", carriers: str = "H=2", drive: str = "1=1000") -> Scene:
-    """Write a train: teeth by wheels, negative of a ring, 0 for what coaxiality gives, -0 of a ring."""
+    """Write a train: teeth by wheels, negative of a ring, 0 for what coaxiality gives, -0 of a ring, ^20 bevel, up."""
     rows = [f'"{name}" = {{ {_teeth(count)} }}' for name, count in map(_halves, wheels.split())]
     lines = ['sheets = ["gears"]', "[gears]", "module = 4", f"wheels = {{ {', '.join(rows)} }}"]
     lines += [f"meshes = {json.dumps(meshes.split())}", f'output = "{output}"', more]
@@ -45,6 +46,8 @@ def _halves(row: str) -> tuple[str, str]:
 
 
 def _teeth(count: str) -> str:
+    if count[0] in SIDES:
+        return f'teeth = {count[1:]}, bevel = "{SIDES[count[0]]}"'
     number = "" if count.strip("-") == "0" else f", teeth = {count.strip('-')}"
     return f"internal = {'true' if count[0] == '-' else 'false'}{number}"
 
@@ -69,6 +72,10 @@ WORKED = {
     "idler": (("1=30 2=15 3=35", "1-2 2-3", "3", "", ""), {}, Fraction(7, 6), 857.1428571),
     "idler and ring": (("1=30 2=15 3=-35", "1-2 2-3", "3", "", ""), {}, Fraction(-7, 6), -857.1428571),
     "reversed": (("1=40 2=38 2'=39 3=39", "1-2 2'-3", "1", FIXED, "H=2", "H=1000"), {}, Fraction(20), 50),
+    # Bevel wheels: 1 + z_2 z_3/(z_1 z_2') = 1 + 30·40/(20·25); on one side 1 - 25·60/(50·40); by a pinion -45/15·60/20.
+    "bevel block": (("1=<20 2=^30 2'=^25 3=>40", "1-2 2'-3", "H", FIXED), {}, Fraction(17, 5), 294.1176471),
+    "bevel wheels of one side": (("1=<50 2=^25 2'=^40 3=<60", "1-2 2'-3", "H", FIXED), {}, Fraction(1, 4), 4000),
+    "bevel pair": (("1=v15 2=>45 2'=20 3=60", "1-2 2'-3", "3", "", ""), {}, Fraction(-9), -111.1111111),
     "planet found": (("1=20 2=0 3=-80", "1-2 2-3", "H", FIXED), {"2": 30}, Fraction(5), 200),
 }
 
@@ -154,6 +161,20 @@ def test_the_gears_of_a_box_and_a_differential_have_the_printed_speeds() -> None
     study, comparison = compared(train("1=20 2=15 3=-0", "1-2 2-3", "H", drive="1=1000 3=200"))
     speed = next(one for one in comparison.findings if one.name == "ω_H").construction[0]
     assert comparison.agrees and speed * 30 / 3.141592653589793 == pytest.approx(428.5714286, rel=1e-9)
+
+
+def test_the_carrier_of_a_car_has_the_mean_speed_of_its_half_axles() -> None:
+    rng = random.Random(77)
+    for _ in range(30):
+        crown, pinion, side, planet = (rng.randint(12, 60) for _ in range(4))
+        wheels, more = f"4=<{crown} 5=v{pinion} 1=<{side} 2=^{planet} 3=>{side}", 'joined = [["H", "4"]]'
+        drives = f"5={rng.randint(1, 3000)} 1={rng.randint(-900, 900)}"
+        study, comparison = compared(train(wheels, "4-5 1-2 2-3", "3", more, drive=drives))
+        found = {one.name: float(one.construction[0]) for one in comparison.findings}
+        assert comparison.agrees and found["ω_1"] + found["ω_3"] == pytest.approx(2 * found["ω_H"], rel=1e-9)
+        assert found["ω_H"] == pytest.approx(study.train.drives[0][1] * pinion / crown, rel=1e-12)
+        rolled = (found["ω_1"] - found["ω_3"]) / 2 * side / planet  # on its arm, as a wheel between two racks
+        assert found["ω_2"] == pytest.approx(rolled, rel=1e-9, abs=1e-9)
 
 
 def test_the_inertia_of_a_planetary_train_is_reduced_to_either_shaft() -> None:
@@ -269,6 +290,11 @@ BAD = (
         ("1=20 2=30 3=-80", "1-2 2-3", "H", f"{FIXED}\ninertia = {{ 9 = 1 }}\nmasses = {{ H = 1 }}"),
         ("9 is none", "H is none"),
     ),
+    (("1=<20 2=^30 3=>20", "1-2 2-3", "H", f"{FIXED}\nplanets = 4"), ("180°/k = 45°", "59.4849°", "at most 3")),
+    (("1=<20 2=^12 3=>20", "1-2 2-3", "H", f"{FIXED}\nplanets = 3"), ("(z_1 + z_3)/k = 40/3",)),
+    (("1=<20 2=^30 3=>21", "1-2 2-3", "H", FIXED), ("wheels 1 and 3", "as many teeth")),
+    (("1=<20 2=>30", "1-2", "2", "", ""), ("1 and 2 are not", "square in one plane")),
+    (("1=<20 2=^30 3=30 2'=20", "1-2 2'-3", "3", "", ""), ("axis across, of link 2", "beyond the plane")),
     (("1=20 2=30 3=25", "1-2 2-3 1-3", "3", "", ""), ("90 mm apart", "210 mm apart")),
 )
 
