@@ -103,8 +103,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from chain(_mesh(pair, sizes), _generation(pair, sizes), _sliding(pair, sizes))
     off = slips(comparison, {name: mu for leaf in leaves for name, mu in leaf.metadata["scales"].items()})
     for row, quantity in pair_rows(comparison, drafting):
-        both = [(float(quantity.analysis[0]), FAR)] * 2
-        yield from cells(PAIR, row, (*both, by_hand(off[quantity.name, 0], quantity.largest)), digits=TOLD)
+        roads = [(float(quantity.analysis[0]), FAR)] * 2
+        yield from cells(PAIR, row, (*roads, by_hand(off[quantity.name, 0], quantity.largest)), digits=TOLD)
     for row, values, places in size_rows(comparison, drafting):  # by formulas, in the columns of both roads
         known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
         yield from cells(SIZES, row, [one for one in known for _ in range(2)])
