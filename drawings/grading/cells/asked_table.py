@@ -114,11 +114,7 @@ def rates_of(study: Study, kind: str, positions: Collection[int | None]) -> Rate
     }
 
 
-READ_OFF = (
-    "kinematics",
-    "dynamics",
-    "involute",
-)  # sheets on which what has no error by hand is read off graphs
+READ_OFF = ("kinematics", "dynamics", "involute")  # sheets on which what has no error by hand is read off graphs
 POSITIONS = ("output", "positions")  # tables whose rows are positions
 COURSES = (*POSITIONS, "radii", "coordinates")  # tables that tell how a quantity goes on from row to row
 CAM = "cam"  # what the data of a sheet say that its table is of
