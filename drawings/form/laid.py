@@ -264,9 +264,7 @@ def _heading(group: Group) -> Heading | None:
     if group.name or group.data or len(texts) != len(strokes) or len(texts) < 2:
         return None
     title, under = texts[:2]
-    if title.anchor != under.anchor or title.size <= under.size:
-        return None
-    return Heading(_marked(title), _marked(under))
+    return None if title.anchor != under.anchor or title.size <= under.size else Heading(_marked(title), _marked(under))
 
 
 def _figure(group: Group, what: str, heading: Heading, parts: int, scales: Mapping[str, float]) -> Iterator[LaidFigure]:
@@ -276,23 +274,20 @@ def _figure(group: Group, what: str, heading: Heading, parts: int, scales: Mappi
     ink = [stroke for stroke in flat(group.strokes) if not isinstance(stroke, Text)]
     if not ink or not marks or scale is None:
         return
-    data = (poles or marks)[0].data
-    at = _centre(poles[0]) if poles else None
-    mu = float(data["scale"])
+    data, pole = (poles or marks)[0].data, poles[0].data if poles else {}
+    at, mu = _centre(poles[0]) if poles else None, float(data["scale"])
     laid = scales.get(group.name, mu) if ";" in heading.under else mu
     settled = parts == CENTRED and (what == FRAME or laid != mu)
     reach = _reach(ink, at, laid, PARTS if settled else parts)
     level = ((text, "".join(run.text for run in text.runs if not run.level)) for text in _loose(group))
-    letters = [text for text, own in level if LETTER.fullmatch(own)][:2]
-    axes = tuple(map(_marked, sorted(letters, key=lambda text: text.at.real)))  # of the ordinate stands further left
-    pole = poles[0].data if poles else {}
+    lettered = [text for text, own in level if LETTER.fullmatch(own)][:2]
+    axes = tuple(map(_marked, sorted(lettered, key=lambda text: text.at.real)))  # of the ordinate stands further left
     of = {key: data[key] for key in ("plan", "position") if key in data}
     vectors = (mark for mark in marks if mark.data["kind"] == "vector")
     names = ((mark.data["name"], mark.title) for mark in vectors if not VALUED.search(mark.title or mark.data["name"]))
     # One that is lettered itself has a title
-    own = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
-    arrows = tuple(sorted(set(own)))
-    laid_out = (scale[2], data["unit"], reach, axes, of, arrows, mu / laid)
+    letters = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
+    laid_out = (scale[2], data["unit"], reach, axes, of, tuple(sorted(set(letters))), mu / laid)
     yield LaidFigure(group.name, what, heading, pole, *laid_out, poles[1].data if len(poles) > 1 else {})
 
 
