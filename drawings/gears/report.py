@@ -47,9 +47,10 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     sought = ["", *ruled(solutions(searched, drafting, None).plain)] if searched else []
     told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
     tables = [line for each in told for line in ("", *ruled(each.plain))]
+    head = chapter(drafting.language, GEARS)
     return Chapters(
         subject=[
-            chapter(drafting.language, GEARS).lstrip(),
+            head if study.techniques[0] != GEARS else head.lstrip(),
             *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
             *sought,
         ],
