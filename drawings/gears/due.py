@@ -126,9 +126,9 @@ def _friction(study: GearsStudy) -> Iterator[Expected]:
     for gear in train.gears:
         friction, ratio = found.friction(gear), found.ratio(gear)
         if friction:
-            part, slides = friction.efficiency, math.prod(map(float, train.sliding.values()))
+            part = friction.efficiency
             numbers |= {of_gear(study.efficiency_name, gear): part} if ratio or not friction.locks else {}
-            numbers |= {of_gear(f"{study.ratio_name}'", gear): part / slides * float(ratio)} if ratio else {}
+            numbers |= {of_gear(f"{study.ratio_name}'", gear): part / train.slides * float(ratio)} if ratio else {}
             yield from _ratios(friction.train, of_gear("'", gear))
     yield from (Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS) for name, value in numbers.items())
 

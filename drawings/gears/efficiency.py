@@ -57,7 +57,8 @@ class EfficiencyNotes(NamedTuple):
             name, slot = lettered(self.study.ratio_name, gear), of_gear(f"{self.study.ratio_name}'", gear)
             whole = primed(name), primed(stopped(lossy, gear)), self._slot(slot, ratio or 0)
             said.append(joined(" = ", filter(None, whole)))
-            terms = "·".join((f"{primed(name)}/{name}", *map(_letter, lossy.sliding)))  # a driven rack has its own
+            racks = (_letter(mesh) for mesh in lossy.efficiency if lossy.driven in mesh)
+            terms = "·".join((f"{primed(name)}/{name}", *racks))
             said.append(joined(" = ", (lettered(self.study.efficiency_name, gear), terms, value)))
         elif not found.locks:
             said.append(joined(" = ", ("η", self.drafting.phrase("gears given out"), value)))

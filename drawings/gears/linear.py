@@ -68,11 +68,8 @@ class ShownLinear(NamedTuple):
             links, spots = found.setdefault(key, ([], []))
             links.append(link)
             spots += ends
-        rows = (
-            (", ".join(map(link_letters, links)), sorted(ends, key=lambda end: end.imag))
-            for key, (links, ends) in found.items()
-            if any(key)
-        )
+        moving = (row for key, row in found.items() if any(key))
+        rows = ((", ".join(map(link_letters, some)), sorted(ends, key=lambda end: end.imag)) for some, ends in moving)
         slides = {link_letters(spot.rack): self.images[spot.letter] for spot in self.scheme.spots if spot.rack}
         upright = {name: (end - RACK * 1j * past, end + RACK * 1j * past) for name, end in slides.items()}
         return {name: _longer(ends[0], ends[-1], past) for name, ends in rows} | upright
@@ -127,7 +124,7 @@ def measure(shown: ShownLinear, drafting: Drafting) -> Picture:
     past = PAST * shown.high
     ends = [*shown.images.values(), *(end for line in shown.lines.values() for end in line)]
     across = [shown.zero + end.real for end in ends]
-    left = 0.0 if shown.schemed else min(across) - past
+    left = shown.scheme.left if shown.schemed else min(across) - past
     corners = [complex(left, min(low, -past)), complex(max(across), top + past)]
     corners += [start + end for start, ends in shown.crossing.values() for end in (*ends.values(), 0j)]
     scales = _scales(shown, Scale(0.002, "l", "m"), drafting)

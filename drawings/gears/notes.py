@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import chain
 from typing import NamedTuple
 
 from drawings.gears import synthesis
@@ -32,16 +33,8 @@ class GearsNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, how it fits, what Willis gives, how the plans are read."""
-        return (
-            *self.given(),
-            *self.synthesis(),
-            *self.fit(),
-            *self.willis(),
-            *self.solved(),
-            *self.inertia(),
-            *self.moments(),
-            *self.read(),
-        )
+        told = self.given(), self.synthesis(), self.fit(), self.willis(), self.solved(), self.inertia(), self.moments()
+        return tuple(chain(*told, self.read()))
 
     def given(self) -> Iterator[str]:
         """Tell teeth, module and speeds."""
@@ -102,12 +95,8 @@ class GearsNotes(NamedTuple):
     def _cones(self, one: ToothedWheel, other: ToothedWheel) -> Phrase:
         """Tell the half angles of two pitch cones and how long their common edge is."""
         pair, far = f"{one.name}{other.name}", MILLIMETRES * float(one.module / 2) * math.hypot(one.teeth, other.teeth)
-        said: dict[str, object] = {
-            "one": one.name,
-            "other": other.name,
-            "pair": pair,
-            "far": Slot(f"R_{pair}", far, DIGITS),
-        }
+        said: dict[str, object] = {"pair": pair, "far": Slot(f"R_{pair}", far, DIGITS)}
+        said |= {"one": one.name, "other": other.name}
         for key, a, b in (("first", one, other), ("second", other, one)):
             said[key] = Slot(f"δ_{a.name}", math.degrees(math.atan(a.teeth / b.teeth)), DIGITS)
         return self._said("gears cones", letter=module_letter(self.study.train, one), **said)

@@ -55,9 +55,10 @@ def stopped(train: Train, gear: BoxGear) -> str:
             for a, b, over, under in ((body[one], body[other], top, low), (body[other], body[one], low, top)):
                 if a in ways and b not in ways:
                     ways[b] = ways[a][0] + over, ways[a][1] + under
-    top, low = ways.get(body[train.output], ("", "")) if train.single else ("", "")
+    found = ways.get(body[train.output], ("", "")) if train.single else ("", "")
+    top, low = (text.replace("}U", "}·U") for text in found)
     bare = top[1:-1] if top.count("(1") == 1 and top[0] + top[-1] == "()" and not low else top
-    return f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare
+    return f"{bare or 1}/[{low}]" if low.count("(1") > 1 or "·" in low else f"{bare or 1}/{low}" if low else bare
 
 
 def _steps(train: Train, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:

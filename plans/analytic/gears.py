@@ -19,10 +19,8 @@ ROUNDED = 2.0**-40  # of powers: far above what their sums lose, far below what 
 def speeds(train: Train, gear: BoxGear) -> Mapping[str, Fraction]:
     """Give the speeds rad/s of all links, exact for the speeds that the drives are given."""
     given = [Fraction(speed) for _, speed in train.drives]
-    return {
-        link: sum((u * w for u, w in zip(row, given, strict=True)), Fraction(0))
-        for link, row in shares(train, gear).items()
-    }
+    rows = shares(train, gear).items()
+    return {link: sum((u * w for u, w in zip(row, given, strict=True)), Fraction(0)) for link, row in rows}
 
 
 def ratio_with(train: Train, first: str, other: str, carrier: str) -> Fraction:
@@ -84,8 +82,7 @@ def passed(train: Train, speeds: Mapping[str, Fraction], forces: Sequence[Fracti
 class TrainFriction(NamedTuple):
     """A load that is balanced with friction: what meshes pass on, moments, efficiency; whether the train locks itself.
 
-    Where it does (самоторможение) no forces agree with the powers that they have, and the efficiency is that by the
-    powers without friction, which is none above zero.
+    Then (самоторможение) no forces agree with their powers, and the efficiency is that by powers without friction.
     """
 
     train: Train
@@ -107,10 +104,10 @@ def friction(train: Train, gear: BoxGear, load: float) -> TrainFriction | None:
     locks = with_it != tried[-1]
     with_it = tried[1] if locks else with_it
     lossy = balance(with_it, gear, load)
-    if lossy is None:
+    powers = [lossy.moments[link] * float(turns[link]) for link, _ in train.drives] if lossy else []
+    brought = sum(powers) if train.single else sum(power for power in powers if power > 0)
+    if lossy is None or not brought:
         return TrainFriction(with_it, {}, 0.0, True)
-    powers = [lossy.moments[link] * float(turns[link]) for link, _ in train.drives]
-    brought = powers[0] if train.single else sum(power for power in powers if power > 0)
     return TrainFriction(with_it, lossy.moments, 1 - (sum(powers) + load * float(turns[train.output])) / brought, locks)
 
 
@@ -158,9 +155,8 @@ class TrainSpeeds:
         speed = self.true(gear)[self.train.output]
         if not self.train.efficiency or not speed:
             return None
-        slides = math.prod(map(float, self.train.sliding.values()))  # of a driven rack
-        found = friction(self.train, gear, -math.copysign((self.train.load or 1.0) / slides, speed))
-        return found._replace(efficiency=found.efficiency * slides) if found else None
+        found = friction(self.train, gear, -math.copysign((self.train.load or 1.0) / self.train.slides, speed))
+        return found._replace(efficiency=found.efficiency * self.train.slides) if found else None
 
     def powers(self, gear: BoxGear) -> Mapping[str, float]:
         """Give the power W of the driving links and those through joints, from the second link to the first."""

@@ -90,7 +90,7 @@ def _inertia(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error])
 def _moments(study: GearsStudy, plan: KutzbachPlan, train: Train, true: Mapping[str, float]) -> Iterator[Quantity]:
     """Compare the moments that balance the load: by virtual speeds, of the plan itself or with a held link let go."""
     most, sign = max(map(abs, true.values()), default=0.0), "fr," if train.factors else ""
-    size = (train.load or 1.0) / _slides(train) if train.factors else train.load or 0.0
+    size = (train.load or 1.0) / train.slides if train.factors else train.load or 0.0
     load = -math.copysign(size, complex(plan.speeds[train.output].point).real)
     for name, links, one in study.released(plan, train) if true else ():
         driven, over = one.speeds[train.output], one.speeds[links[0]]
@@ -112,7 +112,7 @@ def _friction(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]
         return
     moments = {one.name: one for one in _moments(study, plan, lossy(train, plan.gear), found.moments)}
     yield from moments.values() if train.load else ()
-    rows = [(-(train.load or 1.0) / _slides(train), 0.0, plan.speeds[train.output])]
+    rows = [(-(train.load or 1.0) / train.slides, 0.0, plan.speeds[train.output])]
     for link, _ in train.drives:
         moment, speed = moments[of_gear(f"M_fr,{link}", plan.gear)], plan.speeds[link]
         sense = 1 if complex(speed.point).real > 0 else -1
@@ -120,14 +120,10 @@ def _friction(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]
     powers = [size * abs(complex(speed.point)) for size, _, speed in rows]
     put = sum(power for power in powers if power > 0)
     off = sum(abs(m) * bound[one].place.max() + out * abs(complex(one.point)) for m, out, one in rows)
-    named, ratio = (ANGULAR, of_gear(study.efficiency_name, plan.gear), ""), _slides(train) * (1 - sum(powers) / put)
+    named, ratio = (ANGULAR, of_gear(study.efficiency_name, plan.gear), ""), train.slides * (1 - sum(powers) / put)
     yield Quantity.of(
         named, (ratio, found.efficiency), DATA * float(off) / put, 1.0, next(iter(moments.values())).shown
     )
-
-
-def _slides(train: Train) -> float:
-    return math.prod(map(float, train.sliding.values()))
 
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
@@ -199,9 +195,6 @@ def numbers(study: Study, by: str) -> Numbers:
     ratios = ((gear, TrainSpeeds(found.train).ratio(gear)) for gear in found.train.gears)
     fractions = {of_gear(found.ratio_name, gear): str(ratio) for gear, ratio in ratios if ratio is not None}
     teeth = {name: abs(wheel.teeth) for name, wheel in found.train.wheels.items()}
-    told = (
-        data
-        | {"teeth": teeth, "fractions": fractions}
-        | ({"solutions": listed(found.searched)} if found.searched else {})
-    )
+    told = data | {"teeth": teeth, "fractions": fractions}
+    told |= {"solutions": listed(found.searched)} if found.searched else {}
     return Numbers({"scene": study.scene.heading(), "by": by, GEARS: told})

@@ -154,7 +154,12 @@ class _TrainReading:
         for link, pairs in rows.items():
             own = {self.wheels[name].bevel for name in self.wheels if link_of(name) == link}
             most, level = (2 if link in planets else 1), [self.wheels[one] for one, _ in pairs]
-            away = len(own) > 1 or link in coaxial or any(link_of(one) in planets for one, _ in pairs)
+            away = (
+                len(own) > 1
+                or link in coaxial
+                or (link in planets and "down" in own)
+                or any(link_of(one) in planets for one, _ in pairs)
+            )
             if away or len(pairs) > most:
                 self.report(("wheels", pairs[0][1]), "bevel_axis", name=link)
             elif len(pairs) > 1:

@@ -216,9 +216,9 @@ class Train:
         return Fraction(one.teeth), other.teeth * self.factors.get(mesh, Fraction(1))
 
     @property
-    def sliding(self) -> Mapping[tuple[str, str], Fraction]:
-        """The mesh of the driven rack with its efficiency, if a rack is driven and that is given."""
-        return {mesh: part for mesh, part in self.efficiency.items() if self.driven and self.driven in mesh}
+    def slides(self) -> float:
+        """The efficiency of the mesh of the driven rack, if a rack is driven and that is given."""
+        return math.prod(float(part) for mesh, part in self.efficiency.items() if self.driven in mesh)
 
     def contact(self, mesh: tuple[str, str]) -> Fraction:
         """Give the height m of the mesh point of two wheels: it divides the line of centres as their teeth."""
