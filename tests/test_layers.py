@@ -206,6 +206,7 @@ ROOMS = (
     ("plans.study",),
     ("plans.linkage",),
     ("plans.forces",),
+    ("plans.gears",),
     (
         *("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams"),
         *("plans.structure", "plans.transfer", "plans.centres"),
@@ -216,8 +217,7 @@ ROOMS = (
     ("drawings.paper",),
     ("drawings.lettering", "drawings.reading"),
     ("drawings.page", "drawings.files", "drawings.pens", "drawings.sheet_diff"),
-    ("drawings.layout",),
-    ("drawings.report",),
+    ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
     ("drawings.checks", "drawings.kinds"),
     ("drawings.sheets", "drawings.diagrams"),

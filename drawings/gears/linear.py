@@ -68,11 +68,8 @@ class ShownLinear(NamedTuple):
             links, spots = found.setdefault(key, ([], []))
             links.append(link)
             spots += ends
-        rows = (
-            (", ".join(map(link_letters, links)), sorted(ends, key=lambda end: end.imag))
-            for key, (links, ends) in found.items()
-            if any(key)
-        )
+        moving = (row for key, row in found.items() if any(key))
+        rows = ((", ".join(map(link_letters, some)), sorted(ends, key=lambda end: end.imag)) for some, ends in moving)
         slides = {link_letters(spot.rack): self.images[spot.letter] for spot in self.scheme.spots if spot.rack}
         upright = {name: (end - RACK * 1j * past, end + RACK * 1j * past) for name, end in slides.items()}
         return {name: _longer(ends[0], ends[-1], past) for name, ends in rows} | upright
@@ -127,14 +124,12 @@ def measure(shown: ShownLinear, drafting: Drafting) -> Picture:
     past = PAST * shown.high
     ends = [*shown.images.values(), *(end for line in shown.lines.values() for end in line)]
     across = [shown.zero + end.real for end in ends]
-    left = 0.0 if shown.schemed else min(across) - past
+    left = shown.scheme.left if shown.schemed else min(across) - past
     corners = [complex(left, min(low, -past)), complex(max(across), top + past)]
     corners += [start + end for start, ends in shown.crossing.values() for end in (*ends.values(), 0j)]
-    title = max(
-        heading_width(shown.title, hand), heading_width(_scales(shown, Scale(0.002, "l", "m"), drafting), hand) * 0.7
-    )
-    room = picture(shown.name, corners, ("l", "m"), around(MARGINS, hand), title, LETTERS * hand.letter)
-    return room
+    scales = _scales(shown, Scale(0.002, "l", "m"), drafting)
+    title = max(heading_width(shown.title, hand), heading_width(scales, hand) * 0.7)
+    return picture(shown.name, corners, ("l", "m"), around(MARGINS, hand), title, LETTERS * hand.letter)
 
 
 def _velocity(shown: ShownLinear, scale: Scale) -> Scale:
@@ -156,19 +151,11 @@ def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> L
     ends = ((place.on(shown.zero + one), place.on(shown.zero + other)) for one, other in shown.lines.values())
     lines = [Line(one, other, hand.result) for one, other in ends]
     lines.append(Line(foot, head, hand.result))
-    arrows = (_arrow(shown, name, place, drafting) for name in shown.plan.velocities)
+    arrows = filter(None, (_arrow(shown, name, place, drafting) for name in shown.plan.velocities))
     subject, zero = Subject(board_of(LINEAR, shown.plan.gear), "v", None), pole(place.on(complex(shown.zero)))
     origin = point(subject, AXIS, 0j, Place(zero.centre, 0j, _velocity(shown, spot.scale)), zero, "pole")
     upright = (line for link in shown.crossing for line in _across(shown, link, place, drafting.hand))
-    drawn = (
-        title,
-        *_levels(shown, place, drafting),
-        *scheme,
-        *lines,
-        *upright,
-        origin,
-        *(arrow for arrow in arrows if arrow is not None),
-    )
+    drawn = title, *_levels(shown, place, drafting), *scheme, *lines, *upright, origin, *arrows
     return LetteredFigure(shown.name, drawn, partial(_letters, shown, place, drafting))
 
 
@@ -209,14 +196,8 @@ def _arrow(shown: ShownLinear, name: str, place: Place, drafting: Drafting) -> S
     if abs(speed) / scale.mu < SHORT:
         return None
     here = Place(place.on(complex(shown.zero, image.imag)), 0j, scale)
-    drawn = vector(
-        Subject(board_of(LINEAR, shown.plan.gear), "v", None),
-        f"v_{name}",
-        (0j, speed),
-        here,
-        drafting.hand.relative,
-        drafting.hand.symbol,
-    )
+    subject, hand = Subject(board_of(LINEAR, shown.plan.gear), "v", None), drafting.hand
+    drawn = vector(subject, f"v_{name}", (0j, speed), here, hand.relative, hand.symbol)
     return drawn._replace(title=with_index(name.lower()))
 
 

@@ -45,6 +45,7 @@ class Routing:
     """The posts and rods of a train: first those that columns settle, then all others, each where it crosses least."""
 
     train: Train
+    roofed: bool = False  # whether carriers that bear a wheel go round the bevel wheels of their planets
     posts: list[Post] = field(default_factory=list)
     levels: dict[str, int] = field(default_factory=dict)
     roofs: dict[str, float] = field(default_factory=dict)  # heights m of carriers that go round a bevel wheel
@@ -184,8 +185,13 @@ def columns(train: Train) -> Mapping[str, float]:
 
 
 def routed(train: Train) -> Routing:
-    """Put all that a train has in its places."""
-    routing, bodies = Routing(train), train.body_of
+    """Put all that a train has in its places, in that of two ways whose lines cross less."""
+    ways = (_laid(Routing(train, roofed), train) for roofed in ((False, True) if train.crossing else (False,)))
+    return min(ways, key=Routing.cost)
+
+
+def _laid(routing: Routing, train: Train) -> Routing:
+    bodies = train.body_of
     for wheel in train.wheels.values():
         if wheel.link not in train.carrier_of and not wheel.internal and wheel.link not in train.crossing:
             top = float(train.heights[wheel.link] + wheel.radius)
@@ -218,7 +224,7 @@ def _across(routing: Routing, body: str, x: float, carrier: str) -> None:
     top = routing.height(body) + float(max(row.level.radius for row in rows)) + STUB * routing.size
     borne = [post.x for post in routing.posts if post.body == body and post.kind == SUN]
     routing.posts.append(Post(ARM, body, x, top, carrier))
-    if borne:
+    if borne and routing.roofed:
         routing.roofs[body] = top
         routing.posts.append(Post(DISC, body, borne[0], top))
 

@@ -64,8 +64,18 @@ class TrainScheme:
 
     @property
     def right(self) -> float:
-        """The last place across, m."""
-        return max(self.across.values())
+        """The last place across, m, or the right of a bevel wheel beyond that."""
+        return max(*self.across.values(), *(middle + r for middle, r in self._crowns))
+
+    @property
+    def left(self) -> float:
+        """The first place across, m, or the left of a bevel wheel before that."""
+        return min(*self.across.values(), *(middle - r for middle, r in self._crowns))
+
+    @property
+    def _crowns(self) -> list[tuple[float, float]]:
+        """The axes of bevel wheels of axes across, m, and their radii."""
+        return [(self.axis(row.cross.link), float(row.cross.radius)) for row in self.train.bevels.values()]
 
     @property
     def whole(self) -> bool:

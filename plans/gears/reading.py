@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
-from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
+from plans.gears.crank import CrankTrain
+from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable, geared
 from plans.gears.synthesis import TIP, Searched, clear_of, search
+from plans.linkage.reading.form import LinkageForm
 from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, centre_of, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
@@ -34,11 +37,27 @@ def survey_of(meaning: Meaning) -> GearsSurvey:
     if any(path[:2] == ("gears", table) for path in meaning.doubts for table in ("wheels", "carriers", "module")):
         return GearsSurvey(None, [])  # what is not read well is there for all that
     reading = _TrainReading(meaning.scene, meaning.scene.of(GearsForm).gears, [])
-    for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
+    steps = reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities
+    for step in (*steps, reading.crank):
         step()
         if reading.faults:
             return GearsSurvey(None, reading.faults)
     return GearsSurvey(reading.train, [], reading.searched)
+
+
+def crank_train(scene: Scene) -> CrankTrain | None:
+    """Give the train before the crank of a scene; nothing where there is none, or it has faults."""
+    train = survey_of(Meaning(scene)).train if geared(scene) else None
+    return None if train is None else CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed)
+
+
+def with_speed(scene: Scene) -> Scene:
+    """Give a scene with the speed of its crank, with any where the train before it has faults."""
+    if not geared(scene):
+        return scene
+    train, linkage = crank_train(scene), scene.of(LinkageForm)
+    speed = train.speed if train is not None else linkage.drive.speed or Decimal(1)
+    return scene.changed(linkage.changed(drive=linkage.drive.changed(speed=speed)))
 
 
 def millimetres(length: Fraction) -> str:
@@ -79,6 +98,8 @@ class _TrainReading:
         rows += [(self._drive(k), (drive.link,)) for k, drive in enumerate(form.drives)]
         for path, named in rows:
             self._know(path, named, central, "no_central")
+        meshes = ["-".join(way) for mesh in form.meshes for way in (mesh, mesh[::-1])]
+        self._know(("efficiencies",), ["-".join(mesh) for mesh in form.efficiencies], meshes, "unmeshed")
         for name in form.inertia:
             self._know(("inertia", name), (name,), links, "no_link")
         for name in form.masses:
@@ -133,7 +154,12 @@ class _TrainReading:
         for link, pairs in rows.items():
             own = {self.wheels[name].bevel for name in self.wheels if link_of(name) == link}
             most, level = (2 if link in planets else 1), [self.wheels[one] for one, _ in pairs]
-            away = len(own) > 1 or link in coaxial or any(link_of(one) in planets for one, _ in pairs)
+            away = (
+                len(own) > 1
+                or link in coaxial
+                or (link in planets and "down" in own)
+                or any(link_of(one) in planets for one, _ in pairs)
+            )
             if away or len(pairs) > most:
                 self.report(("wheels", pairs[0][1]), "bevel_axis", name=link)
             elif len(pairs) > 1:
@@ -256,11 +282,20 @@ class _TrainReading:
             inertia={link: float(size) for link, size in form.inertia.items()},
             load=None if load is None else float(load),
             masses={link: float(size) for link, size in form.masses.items()},
+            efficiency=self._efficiency(),
             racks=self.racks,
             driven=form.output if driving else "",
         )
         across = {link: found[rows[0].level.link] + centre_of(rows) for link, rows in train.crossing.items()}
         return replace(train, heights={**found, **across})
+
+    def _efficiency(self) -> Mapping[tuple[str, str], Fraction]:
+        """Give the efficiency of each mesh, if any is given: its own one, or that of all; of what is not told 1."""
+        form, usual = self.form, Fraction(self.form.efficiency or 1)
+        own = {mesh: Fraction(part) for mesh, part in form.efficiencies.items()}
+        if form.efficiency is None and not own:
+            return {}
+        return {mesh: own.get(mesh, own.get(mesh[::-1], usual)) for mesh in form.meshes}
 
     def _gear(self, name: str, engaged: tuple[str, ...]) -> BoxGear:
         held = (*self.form.fixed, *(self.form.brakes[one] for one in engaged if one in self.form.brakes))
@@ -308,6 +343,11 @@ class _TrainReading:
                 self.report(path, "locked_train" if not found else "too_held", **parts)
             elif not determined(train, gear):
                 self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
+
+    def crank(self) -> None:
+        """See that the train fits the crank that it is before."""
+        if geared(self.scene):
+            self.faults += CrankTrain(self.train, self.form.drives[0].speed).faults(self.scene)
 
     def _freed(self, gear: BoxGear, wanted: int) -> str:
         """Name the links that, held too, leave the mobility that is wanted."""

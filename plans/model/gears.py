@@ -7,7 +7,7 @@ Numbers of teeth, modules and heights are exact: a ratio is a quotient of whole 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -84,6 +84,10 @@ class BevelMesh(NamedTuple):
         teeth = self.cross.teeth, self.level.teeth
         return math.degrees(math.atan2(*teeth) + math.atan(2 / math.hypot(*teeth)))
 
+    def moved(self, factor: Fraction) -> BevelMesh:
+        """Give the mesh with its point moved across, so that the ratio is so many times greater."""
+        return self._replace(cross=self.cross._replace(module=self.cross.module * factor))
+
     @property
     def signed(self) -> Mapping[str, int]:
         """The teeth so signed that (w_l - w_H) z_l + w_c z_c = 0, w_c over the carrier H."""
@@ -111,9 +115,9 @@ class BoxGear(NamedTuple):
     locked: tuple[tuple[str, str], ...]
 
 
-def bare(gear: BoxGear, link: str, instead: str) -> BoxGear:
-    """Give a gear with a held link let go and another one held instead, under a name of its own."""
-    return BoxGear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
+def freed(gear: BoxGear, link: str, held: Iterable[str]) -> BoxGear:
+    """Give a gear in which one link is free and others are held, under a name of its own."""
+    return BoxGear(f"{gear.name}({link})", tuple(held), gear.locked)
 
 
 def joint_name(pair: tuple[str, str]) -> str:
@@ -157,6 +161,8 @@ class Train:
     load: float | None = None  # N*m, that resists the driven link
     inertia: Mapping[str, float] = field(default_factory=dict)  # kg*m2 of links about their own axes, of one planet
     masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
+    efficiency: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of meshes, their carrier stopped
+    factors: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of the ratios of meshes, by friction
     racks: Mapping[str, str] = field(default_factory=dict)  # each with the wheel that moves it, of a fixed axis
     driven: str = ""  # the rack that the driven link moves, if that is what is driven
 
@@ -192,9 +198,11 @@ class Train:
 
     @cached_property
     def bevels(self) -> Mapping[tuple[str, str], BevelMesh]:
-        """The meshes of bevel wheels (конические колёса)."""
+        """The meshes of bevel wheels (конические колёса), with friction their points moved across."""
         rows = zip(self.meshes, self.pairs, strict=True)
-        return {mesh: bevel_mesh(*pair, bool(self.planet_of(*pair))) for mesh, pair in rows if pair[0].side}
+        found = {mesh: bevel_mesh(*pair, bool(self.planet_of(*pair))) for mesh, pair in rows if pair[0].side}
+        powers = {mesh: 1 if row.cross.name == mesh[1] else -1 for mesh, row in found.items()}
+        return {mesh: row.moved(self.factors.get(mesh, Fraction(1)) ** powers[mesh]) for mesh, row in found.items()}
 
     @cached_property
     def crossing(self) -> Mapping[str, tuple[BevelMesh, ...]]:
@@ -202,13 +210,23 @@ class Train:
         links = dict.fromkeys(one.cross.link for one in self.bevels.values())
         return {link: tuple(one for one in self.bevels.values() if one.cross.link == link) for link in links}
 
+    def rolling(self, mesh: tuple[str, str]) -> tuple[Fraction, Fraction]:
+        """Give the signed teeth of two wheels that mesh, of the second times what friction makes of their ratio."""
+        one, other = self.signed(*(self.wheels[name] for name in mesh))
+        return Fraction(one.teeth), other.teeth * self.factors.get(mesh, Fraction(1))
+
+    @property
+    def slides(self) -> float:
+        """The efficiency of the mesh of the driven rack, if a rack is driven and that is given."""
+        return math.prod(float(part) for mesh, part in self.efficiency.items() if self.driven in mesh)
+
     def contact(self, mesh: tuple[str, str]) -> Fraction:
         """Give the height m of the mesh point of two wheels: it divides the line of centres as their teeth."""
         if mesh in self.bevels:
             return self.heights[self.bevels[mesh].level.link] + self.bevels[mesh].place[1]
-        one, other = (self.wheels[name] for name in mesh)
-        y_one, y_other = self.heights[one.link], self.heights[other.link]
-        return (y_one * other.teeth + y_other * one.teeth) / (one.teeth + other.teeth)
+        y_one, y_other = (self.heights[self.wheels[name].link] for name in mesh)
+        one, other = self.rolling(mesh)
+        return (y_one * other + y_other * one) / (one + other)
 
     def rack_side(self, rack: str) -> int:
         """Give 1 of a rack over its wheel, -1 of one under it, where another wheel or rack is over it already."""
