@@ -297,10 +297,10 @@ class SchemeFigure:
         return lowered(name), self._hand.letter
 
     def _points(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self._hand
-        if self.shown.state != ALONE:
-            yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
-        yield from self.pairs.letters(self.shown.named, labels)
+        hand, marks = self._hand, [] if self.shown.state == ALONE else [self.place.on(self.shown.centre)]
+        for spot in marks:
+            yield labels.beside(spot, CENTRE, hand.letter, MASS * hand.symbol + 0.8)
+        yield from self.pairs.letters(self.shown.named, labels, *marks)
 
     def _weights(self, labels: Labels) -> Iterator[Stroke]:
         for weight in self.shown.weights:
@@ -313,7 +313,8 @@ def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
     """Give the title of a scheme; beside figures over the turn, with numbers of their own, by the crank's angle."""
     place = drafting.word("position", position=shown.shown)
     if shown.state == ALONE:
-        place = f"φ = {drafting.number(math.degrees(shown.bones.study.turn.phi[shown.shown]) % 360)}°"
+        sense = -1 if shown.bones.mechanism.drive.omega < 0 else 1
+        place = f"φ = {drafting.number(sense * math.degrees(shown.bones.study.turn.phi[shown.shown]) % 360)}°"
     return f"{drafting.word(f'scheme {shown.state}')}, {place}"
 
 

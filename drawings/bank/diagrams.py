@@ -11,11 +11,11 @@ import numpy as np
 from drawings.bank.star import BankView, ShownOrder
 from drawings.kinds import polygon
 from drawings.kinds.axes import Letter, Part
-from drawings.kinds.curve_graph import ANGLE, FORM, TURN
+from drawings.kinds.curve_graph import ANGLE, FORM, SPARE, TURN
 from drawings.kinds.graph import Graph, standing
 from drawings.kinds.polygon import RESULT, Letters, Polygon, Sizes
 from drawings.layout.picture import Picture, Spot
-from drawings.lettering.lettering import text_width
+from drawings.lettering.lettering import every, text_width
 from drawings.lettering.words import lowered_bank
 from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Stroke, Text
@@ -109,15 +109,18 @@ class TurnGraph(NamedTuple):
         hand, unit = drafting.hand, drafting.word(self.unit)
         axes = standing(room, spot, self.span, (self.letter.lstrip("Σz"), self.unit), drafting)
         graph = Graph(self.name, axes, hand)
-        lines: list[Stroke] = [heading(spot.box, self.title, drafting.scale(spot.scale, axes.up), hand)]
+        told = f";  {drafting.word('compensated force')}" if len(self.curves) > 1 else ""
+        lines: list[Stroke] = [heading(spot.box, self.title, drafting.scale(spot.scale, axes.up) + told, hand)]
         lines += axes.lines((0.0, TURN), self.span, hand, self.name)
+        apart = (text_width(Text(0j, "360", hand.number)) + SPARE * hand.number) * axes.across.mu
+        shown = stations(self.curves[0])[:: every(apart / TURN * STATIONS, STATIONS)]
         for curve in self.curves:
-            for k in stations(curve):
+            for k in shown:
                 part = graph._replace(name=curve.plan)
                 lines += part.station(float(curve.angles[k]), [float(curve.values[k])], number(curve, k), k)
             lines.append(graph.stated(curve.plan, graph.curve(curve.angles, curve.values, getattr(hand, curve.style))))
-        first, ends = self.curves[0], graph.ends((TURN, ANGLE[0]), (self.span[1], f"{self.letter}, {unit}"))
-        numbers = (graph.number(float(first.angles[k]), number(first, k), first.values[k]) for k in stations(first))
+        first, ends = self.curves[0], graph.ends((TURN, ", ".join(ANGLE)), (self.span[1], f"{self.letter}, {unit}"))
+        numbers = (graph.number(float(first.angles[k]), number(first, k), first.values[k]) for k in shown)
         return Part(self.name, tuple(lines), (*ends, *_letters(self, graph), *numbers))
 
 
@@ -128,8 +131,8 @@ def stations(curve: TurnCurve) -> range:
 
 
 def number(curve: TurnCurve, k: int) -> str:
-    """Number the station of a value; the turn ends in 0 again."""
-    return str(k * STATIONS // (len(curve.values) - 1) % STATIONS)
+    """Number the station of a value by the crank's angle, as the scheme of the mechanism is."""
+    return f"{curve.angles[k]:.0f}"
 
 
 def _letters(shown: TurnGraph, graph: Graph) -> Iterator[Letter]:

@@ -306,10 +306,10 @@ class _BankSheet(Bank):
             letter = {WHOLE: "F", LEFT: "F'"}.get(name, "M")
             yield Expected(Kind.VECTOR, plan, letter, complex(values[0]), slack, 0, may_lack=True)
             for k in range(0, whole + 1, whole // STATIONS):
-                number = str(k * STATIONS // whole % STATIONS)
-                value = complex(values[k])
-                yield Expected(Kind.VECTOR, plan, number, 1j * value.real, slack, k, may_lack=True)
-                yield Expected(Kind.POINT, plan, number, value, slack, int(number), may_lack=True)
+                angle, value = k * 360 // whole, complex(values[k])
+                yield Expected(Kind.VECTOR, plan, str(angle), 1j * value.real, slack, k, may_lack=True)
+                number = k * STATIONS // whole % STATIONS
+                yield Expected(Kind.POINT, plan, str(angle % 360), value, slack, number, may_lack=True)
             if self.straight(name):
                 lacks = not self.acts(name, False) or self.faint(name) or name == LEFT
                 points = course(np.linspace(0.0, TURN, len(values)), values.real)

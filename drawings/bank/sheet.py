@@ -197,7 +197,7 @@ def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:
     turn = values[:-1]
     ends, title = turn[:: len(turn) // STATIONS], drafting.word(f"hodograph of {name}")
-    figure = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)
+    figure = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title, 360 // STATIONS)
     return exhibit(hodograph, figure, drafting, LARGEST, scale=scale)
 
 
@@ -209,10 +209,8 @@ def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
             yield exhibit(compensators, layout, drafting)
 
 
-SCALES: Final = dict.fromkeys((SCHEME, "star", "shaft"), "scheme") | {
-    "order_forces-": "force",
-    "order_moments-": "moment",
-}
+POLYGONS: Final = {"order_forces-": "force", "order_moments-": "moment"}
+SCALES: Final = dict.fromkeys((SCHEME, "star", "shaft"), "scheme") | POLYGONS
 PLANS = (*SCALES, "force_hodograph", "moment_hodograph")
 FORM: Final = dict.fromkeys(PLANS, PLAN) | dict.fromkeys(("force_graph", "moment_graph"), GRAPH)
 TABLES = ("orders", "compensators", "results")

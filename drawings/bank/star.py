@@ -194,9 +194,8 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     title = heading(spot.box, drafting.word("star of cranks"), drafting.scale(spot.scale), hand)
     arrow = rotation(place.on(0j), shown.balance.task.speed, TURN, hand)
     lines = (title, *_axes(shown, place, hand), *arrow.draw(hand))
-    cranks = [
-        Line(place.on(0j), place.on(shown.crank_at(member) * shown.crank), hand.result) for member in shown.members
-    ]
+    ends = (shown.crank_at(member) * shown.crank for member in shown.members)
+    cranks = [Line(place.on(0j), place.on(end), hand.result) for end in ends]
     pins = (_pin(shown, member, place, hand) for member in shown.members)
     (circle,) = hinge(place.on(0j), hand)
     shaft = origin(NAME, 0j, place, circle)

@@ -23,14 +23,7 @@ class TableUnit(NamedTuple):
 
 
 MILLIMETRES, DEGREES, BARE = TableUnit("mm", MM), TableUnit("°", math.degrees(1)), TableUnit("", 1.0)
-TABLE_UNITS = {
-    "m": MILLIMETRES,
-    "m/rad": MILLIMETRES,
-    "m/rad2": MILLIMETRES,
-    "rad": DEGREES,
-    RATIO: BARE,
-    "1/rad": BARE,
-}
+TABLE_UNITS = dict.fromkeys(("m", "m/rad", "m/rad2"), MILLIMETRES) | {"rad": DEGREES, RATIO: BARE, "1/rad": BARE}
 
 
 def letters(cam: Cam) -> tuple[str, str]:

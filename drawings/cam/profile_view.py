@@ -94,11 +94,8 @@ class ProfileView(NamedTuple):
             return float(abs(curve.tip.imag + 1j * max(map(abs, self.face))).max())
         far = [abs(curve.pitch).max() + self.found.roller, *(abs(outline).max() for outline in self.outlines)]
         if self.cam.follower.reach is not None:  # the end of a rocker's face
-            end = (
-                self.found.sizes.pivot
-                - 1j * curve.lever * max(self.face, key=abs)
-                + self.cam.follower.face * curve.lever
-            )
+            lever, face = curve.lever, self.cam.follower.face
+            end = self.found.sizes.pivot - 1j * lever * max(self.face, key=abs) + face * lever
             far.append(abs(end).max())
         return float(max(far))
 

@@ -192,15 +192,8 @@ def _workshop_variant(shown: Manufacture, every: int, several: bool, drafting: D
     shows = [exhibit(manufacturing, shown, drafting, weight=FOREMOST)]
     shows += [exhibit(hub, shown.cam.hub, drafting)] if shown.cam.hub else []
     table = manufacturing.radii(shown, every, drafting)
-    return Draft(
-        KIND,
-        title,
-        tuple(shows),
-        (table,),
-        tuple(manufacturing.notes(shown, drafting)),
-        partial(figures_facts, cam=shown.cam.name, every=every),
-        manufacturing.PLAN,
-    )
+    notes, facts = tuple(manufacturing.notes(shown, drafting)), partial(figures_facts, cam=shown.cam.name, every=every)
+    return Draft(KIND, title, tuple(shows), (table,), notes, facts, manufacturing.PLAN)
 
 
 def of_cams(scene: Scene) -> None:

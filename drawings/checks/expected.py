@@ -65,7 +65,7 @@ def course(x: Floats, y: Floats) -> Callable[[Floats], Floats]:
 
 
 # A number and how far off it may be; of an angle besides what more or less is the same. A text; None where nothing is.
-Cell: TypeAlias = tuple[float, float] | tuple[float, float, float] | str | None
+Cell: TypeAlias = tuple[float, float] | tuple[float, float, float] | str | int | None
 HAND = 0.05  # of what a hand may be out: two digits of it are told
 
 

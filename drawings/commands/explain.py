@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import html
 import re
 from collections.abc import Iterator, Sequence
 from typing import Final
@@ -15,7 +16,7 @@ from drawings.commands.stderr import noted
 from drawings.files.atomic_files import print_json
 from drawings.lettering.words import letter, number
 from drawings.sheets.kind import sheet_kind
-from geometry.board import Arc, Line, Mark, at, behind
+from geometry.board import Arc, Line, Mark, Reading, at, behind
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.motion import FORCES, ORDERS, POSITIONS
 from plans.quantity import Quantity
@@ -81,14 +82,15 @@ def explained(study: Study, position: int, name: str) -> Explanation:
         return _explained(found, name, position)
     of, _, bare = name.rpartition(":")
     if told := standing(study, own_names(bare), of):
-        return Explanation(message("explain.name", mark=name), (), {}, tuple(_as_it_stands(name, told)))
+        return Explanation(message("explain.name", mark=name), (), {}, tuple(_as_it_stands(study, name, told)))
     raise UnknownMark(_no_mark(name, none))
 
 
-def _as_it_stands(name: str, told: Sequence[str]) -> Iterator[Message]:
+def _as_it_stands(study: Study, name: str, told: Sequence[str]) -> Iterator[Message]:
     """Tell of a letter that rests on no step what such a letter means, and what sheets and report say of it."""
     names = own_names(name.rpartition(":")[2])
-    keys = [*names, *(letters.rstrip("0123456789") for letters in names), f"{names[0].partition('_')[0]}_"]
+    own = (f"{technique} {letters}" for technique in study.techniques for letters in names)
+    keys = [*own, *names, *(letters.rstrip("0123456789") for letters in names), f"{names[0].partition('_')[0]}_"]
     yield from [message(f"letter.{key}") for key in keys if f"letter.{key}" in words(ENGLISH)][:1]
     yield from (message("explain.stands", text=text) for text in told[:TOLD])
 
@@ -110,11 +112,14 @@ def _of_sheets(study: Study, position: int, name: str) -> Iterator[str]:
 def own_names(name: str) -> list[str]:
     """Give a letter as it is asked for, then as records and tables may name what a sheet of any language letters so.
 
-    >>> own_names("M_ур"), own_names("F_−II"), own_names("ω3")
-    (['M_ур', 'M_bal'], ['F_−II', 'F_-II'], ['ω3', 'ω_3'])
+    >>> own_names("M_ур"), own_names("F_−II"), own_names("ω3"), own_names("omega_H")
+    (['M_ур', 'M_bal'], ['F_−II', 'F_-II'], ['ω3', 'ω_3'], ['omega_H', 'ω_H'])
     """
     indexed = re.sub(r"(?<=[^\W\d_])(?=\d)", "_", name)  # ω3
-    found = dict.fromkeys((name, name.translate(SIGNS), name.translate(TWINS), indexed))
+    head, line, rest = name.partition("_")
+    greek = html.unescape(f"&{head};") if line else ""
+    spelt = f"{greek}_{rest}" if len(greek) == 1 else name
+    found = dict.fromkeys((name, name.translate(SIGNS), name.translate(TWINS), indexed, spelt))
     for lettered, key in _indices():
         index = re.compile(rf"(?<=[_^]){re.escape(lettered)}(?![^\W\d_])")
         found |= dict.fromkeys(index.sub(key, letters) for letters in [*found])
@@ -153,7 +158,8 @@ def _explained(quantity: Quantity, name: str, position: int) -> Explanation:
     value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=quantity.unit)
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
     steps = in_position(behind(*quantity.marks), position, count)
-    units = {order.plan: order.point.unit for order in ORDERS} | {quantity.plan: quantity.unit}
+    units = {order.plan: order.point.unit for order in ORDERS}
+    units |= {} if isinstance(quantity.shown, Reading) else {quantity.plan: quantity.unit}  # that has a unit of its own
     return Explanation(title, steps, units, (value,), POSITIONS.plan)
 
 
@@ -219,7 +225,14 @@ def _named(mark: Mark, of: Explanation, language: str) -> str:
     name = letter(language, written(term(language, "mark_name", mark.name), language))
     if " " in mark.name and name == mark.name:
         name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))
-    return name if mark.subject == of.home else f"{name} [{term(language, 'plan', mark.subject)}]"
+    return name if mark.subject == of.home else f"{name} [{_plan(mark.subject, language)}]"
+
+
+def _plan(subject: str, language: str) -> str:
+    """Word the plan of a mark: lines-II is the plan "lines" of what is called II."""
+    plan, _, which = subject.partition("-")
+    said = term(language, "plan", subject)
+    return said if said != subject or not which else f"{term(language, 'plan', plan)}, {which}"
 
 
 def _value(mark: Mark, of: Explanation, digits: int) -> Message:

@@ -111,24 +111,12 @@ def _row(comparison: DiagramsComparison, order: int, allowed: float) -> Expected
     dense = of(comparison.exact.dense)
     if order == 0:
         runs = tuple((float(axis.turned[run.start]), float(axis.turned[run.stop - 1])) for run in axis.runs)
-        known = list(_pieces(axis, comparison.exact.nodes, dense))
-        return ExpectedRow(
-            KEYS[0], axis, found.at.s, exact, exact, partial(_followed, known), dense, runs, False, allowed
-        )
+        followed = partial(_followed, list(_pieces(axis, comparison.exact.nodes, dense)))
+        return ExpectedRow(KEYS[0], axis, found.at.s, exact, exact, followed, dense, runs, False, allowed)
     at, places, values = _chorded(found, order)
     pieces = list(_pieces(axis, places, values))
-    return ExpectedRow(
-        key=KEYS[order],
-        axis=axis,
-        at=at,
-        result=partial(_followed, pieces),
-        exact=exact,
-        sought=partial(_followed, pieces),
-        dense=dense,
-        runs=tuple(_spans(axis, pieces)),
-        flat=_flat(comparison, values, order),
-        allowed=allowed,
-    )
+    followed, runs, flat = partial(_followed, pieces), tuple(_spans(axis, pieces)), _flat(comparison, values, order)
+    return ExpectedRow(KEYS[order], axis, at, followed, exact, followed, dense, runs, flat, allowed)
 
 
 def _chorded(found: Diagrams, order: int) -> tuple[Floats, Floats, Floats]:

@@ -213,9 +213,10 @@ class DiagramsPlate(RowPlate[DiagramRow]):
         """Lines under the heading: what the scales follow from, what is drawn how, what is left aside."""
         (s, v, a), out, course = letters_of(self.diagrams), self.diagrams.linkage.output, self.diagrams.course
         turned = self.diagrams.linkage.coupler_point and not course.travel.sliding
-        rule, more = f"diagrams rule {self.drafting.notation}", {"diagrams even": course.lead, "diagrams turn": turned}
+        more = {"diagrams even": course.lead, "diagrams turn": turned, "diagrams along": out.along}
+        rule, angle = f"diagrams rule {self.drafting.notation}", self.drafting.number(out.course, 4)
         keys = rule, "diagrams explained", *(key for key, true in more.items() if true)
-        parts = {"s": s, "v": v, "a": a, "link": out.link, "point": out.point}
+        parts = {"s": s, "v": v, "a": a, "link": out.link, "point": out.point, "angle": angle}
         return tuple(line for key in keys for line in self.drafting.word(key, **parts).split("\n"))
 
     @property

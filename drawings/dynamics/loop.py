@@ -44,9 +44,8 @@ def write(wheel: Flywheel, axes: Axes, corner: complex, drafting: Drafting) -> G
 def _angles(wheel: Flywheel, axes: Axes, drafting: Drafting) -> str:
     """Write the angles of the tangents on paper."""
     low, high = (math.degrees(math.atan(slope * axes.across.mu / axes.up.mu)) for slope in wheel.slopes)
-    slots = (
-        (letter, drafting.slot(Slot(letter, value, DIGITS))) for letter, value in (("ψ_{max}", high), ("ψ_{min}", low))
-    )
+    angles = ("ψ_{max}", high), ("ψ_{min}", low)
+    slots = ((letter, drafting.slot(Slot(letter, value, DIGITS))) for letter, value in angles)
     return joined(";  ", (joined("", (f"{letter} = ", slot, "°")) for letter, slot in slots))
 
 

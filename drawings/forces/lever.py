@@ -224,11 +224,8 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
     place, hand = room.place(*spot), drafting.hand
     subject = Subject(PLAN, SYMBOL, shown.column)
-    rods = [
-        (Line(place.on(start), place.on(end), hand.other if thin else hand.relative))
-        for (start, end), thin in shown.rods
-    ]
-    rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
+    drawn = ((place.on(start), place.on(end), thin) for (start, end), thin in shown.rods)
+    rods = [Line(a, b, hand.other if thin else hand.relative) for a, b, thin in drawn if abs(b - a) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
     arrows = placed_forces(shown.forces, place, taken, drafting)
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)

@@ -85,7 +85,8 @@ def measure(figure: LaidFigure, drafting: Drafting) -> Picture:
     left, low, right, high = figure.reach
     x, y = map(float, figure.pole.get("value", "0 0").split()) if figure.what == FRAME else (0.0, 0.0)
     middle = complex(x, y) + complex(right - left, high - low) / 2
-    return Picture(figure.name, left + right, low + high, middle, figure.letter, figure.unit, margins, width, 0.0)
+    of = ("l", "m") if figure.times != 1 else (figure.letter, figure.unit)
+    return Picture(figure.name, left + right, low + high, middle, *of, margins, width, 0.0)
 
 
 def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
@@ -93,15 +94,16 @@ def draw(figure: LaidFigure, fixed: Fixed, room: Picture, spot: Spot, drafting: 
     if figure.what == GRAPH:
         return _graph(figure, fixed, spot, drafting)
     place, hand = room.place(*spot), drafting.hand
-    head = heading(spot.box, figure.heading.title, drafting.scale(spot.scale), hand)
+    marked = figure.marked(spot.scale)
+    head = heading(spot.box, figure.heading.title, drafting.scale(*dict.fromkeys((marked, spot.scale))), hand)
     if figure.what == FRAME and fixed.points:
         marks, off = list(_frame(figure, fixed, place, hand)), OFF + symbols.HINGE * hand.symbol
         letters = [(place.on(at), name, off) for name, at in fixed.points.items()]
         lines = list(_guides(fixed, room, place, hand))
     else:
         marks, lines = list(_pole(figure, place)), []
-        letters = [(place.on(0j), figure.pole["name"], OFF)] if figure.pole else []
-    data = {"kind": "place", **figure.of, "scale": numeral(spot.scale.mu), "unit": figure.unit}
+        letters = [(place.on(at), name, OFF) for name, at in _poles(figure)]
+    data = {"kind": "place", **figure.of, "scale": numeral(marked.mu), "unit": figure.unit}
     strokes = (*_corners(_box(room, place), hand), *lines, *marks)
     return BlankFigure((head, Group(strokes, figure.name, data)), tuple(letters), hand)
 
@@ -120,10 +122,15 @@ def _corners(box: Field, hand: Hand) -> Iterator[Line]:
             yield from (Line(at, at + CORNER * hand.symbol * way, hand.drafted) for way in (inward, up))
 
 
+def _poles(figure: LaidFigure) -> Iterator[tuple[str, complex]]:
+    """Give the zero, and the pole of rays where there is one, by their names."""
+    yield from ((figure.pole["name"], 0j),) if figure.pole else ()
+    yield from ((figure.rays["name"], complex(*map(float, figure.rays["value"].split()))),) if figure.rays else ()
+
+
 def _pole(figure: LaidFigure, place: Place) -> Iterator[Group]:
-    if figure.pole:
-        at = place.on(0j)
-        yield Group((symbols.pole(at),), "", _data(figure, place, "pole", figure.pole["name"], 0j), figure.pole["name"])
+    for name, value in _poles(figure):
+        yield Group((symbols.pole(place.on(value)),), "", _data(figure, place, "pole", name, value), name)
 
 
 def _frame(figure: LaidFigure, fixed: Fixed, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -141,7 +148,7 @@ def _frame(figure: LaidFigure, fixed: Fixed, place: Place, hand: Hand) -> Iterat
 
 def _data(figure: LaidFigure, place: Place, kind: str, name: str, value: complex) -> dict[str, str]:
     place_data = {key: figure.pole[key] for key in ("plan", "quantity", "position") if key in figure.pole}
-    scale = {"unit": figure.unit, "scale": numeral(place.scale.mu)}
+    scale = {"unit": figure.unit, "scale": numeral(figure.marked(place.scale).mu)}
     return {"kind": kind, "name": name, **place_data, "value": stated(value), **scale}
 
 

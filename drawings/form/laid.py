@@ -12,14 +12,15 @@ import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import chain
+from types import MappingProxyType
 from typing import Any, Final, NamedTuple
 
 from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
 from drawings.layout.value_table import BOTH, COLUMNS
 from drawings.lettering.lettering import bounds
-from drawings.lettering.words import WRITTEN, numerals, verbatim, with_index, word
-from drawings.page.page import Drafting
+from drawings.lettering.words import WRITTEN, decimal, numerals, verbatim, with_index, word
+from drawings.page.page import Drafting, Scale
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.sheets.kind import FRAME, PLAN, figure_of, table_of
@@ -29,6 +30,8 @@ from plans.words.words import words
 
 NUMERAL = re.compile(WRITTEN)
 TOLD = 3  # digits: a number of fewer counts or names something, and tells no value
+QUANTITY = re.compile(r"-?\d+(?:\.\d+)?\s*(?:[^\W\d_][^-_^{}\\]*|[°%]|$)")  # as a scene writes it: "340 N*m"
+SIGNS = str.maketrans("-*", "−·")
 INDEXED = re.compile(r"[^\W\d_]+_[^\W_]+")  # a letter with its index: "F_g"
 SKETCH = "sketch"  # where points lie about is what the plan of positions has to find
 # Degrees of two turns, or mm of a plate, by which the rows of a table count, though no scene gives them.
@@ -75,7 +78,7 @@ def _counts(numeral: re.Match[str]) -> bool:
 def given(scene: Scene) -> Given:
     """Gather the numbers of a scene."""
     numbers = {abs(number) for number in _numbers(tomllib.loads(_text(scene)))}
-    return Given(tuple(sorted({number * unit for number in numbers for unit in UNITS})))
+    return Given((*sorted({number * unit for number in numbers for unit in UNITS}), *_numbers(_rules(scene))))
 
 
 def data(scene: Scene) -> list[str]:
@@ -84,7 +87,13 @@ def data(scene: Scene) -> list[str]:
     known = techniques()
     names = dict.fromkeys(name for technique in scene.techniques for name in known[technique].tables)
     lines = [line for name in names if name in tables for line in _lines(name, tables[name], language)]
-    return [word(language, "form given"), *lines]
+    return [word(language, "form given"), *lines, *_rules(scene)]
+
+
+def _rules(scene: Scene) -> list[str]:
+    """Tell what is usual in a technique where the scene does not give it."""
+    language, known = scene.sheet.language, words(scene.sheet.language)
+    return [word(language, f"form {one}") for one in scene.techniques if f"sheet.form {one}" in known]
 
 
 def _text(scene: Scene) -> str:
@@ -125,6 +134,8 @@ def _said(key: str, value: Any, language: str) -> str:
     name, key = key, key.rpartition(".")[2]
     own = key == "name" and f"form_value.{value}" not in words(language)  # of a cam, whatever it looks like
     joined = verbatim(value) if own else _inner(value, language)
+    if value is True:
+        return _worded("form_key", name, language)
     if key[:1].isupper() or key[:1].isdigit():  # the name of a point, or the number of a link
         return f"{key} {joined}" if isinstance(value, list | dict) else f"{key} = {joined}"
     return f"{_worded('form_key', name, language)} {joined}"
@@ -140,8 +151,15 @@ def _written(value: Any, language: str) -> str:
             return str(words(language)["form_value.yes" if value else "form_value.no"])
         case str():
             said = str(words(language).get(f"form_value.{value}", value))
+            if QUANTITY.fullmatch(said):
+                return _lettered(said, language)
             return said if INDEXED.fullmatch(said) else verbatim(said)
-    return f"{Decimal(repr(value)):f}"  # no power of ten: it would be read as two numbers
+    return _lettered(f"{Decimal(repr(value)):f}", language)  # no power of ten: it would be read as two numbers
+
+
+def _lettered(quantity: str, language: str) -> str:
+    """Write a number of a scene, with the unit that it has there, as sheets write numbers."""
+    return decimal(quantity.translate(SIGNS), language)
 
 
 def _inner(value: Any, language: str) -> str:
@@ -196,6 +214,12 @@ class LaidFigure(NamedTuple):
     axes: tuple[str, ...]  # the letters of a graph's ordinate and abscissa
     of: Mapping[str, str]
     arrows: tuple[str, ...] = ()  # the vectors that are asked for there, by their letters
+    times: float = 1.0  # what its marks measure over what it is laid out by: velocities over heights
+    rays: Mapping[str, str] = MappingProxyType({})  # the data of a second pole, that of rays
+
+    def marked(self, scale: Scale) -> Scale:
+        """Give the scale of its marks where it is laid out at some scale."""
+        return scale if self.times == 1 else Scale(float(f"{scale.mu * self.times:.12g}"), self.letter, self.unit)
 
     @property
     def scales(self) -> tuple[str, ...]:
@@ -226,7 +250,7 @@ def figures(leaf: Leaf, kind: str, known: Given, parts: int = PARTS) -> Iterator
         inner = (_heading(found) for found in groups(group.strokes))
         heading, pending = next((found for found in inner if found is not None), pending), None
         if what and heading is not None and known.says(heading.title):
-            yield from _figure(group, what, heading, parts)
+            yield from _figure(group, what, heading, parts, leaf.metadata.get("scales", {}))
 
 
 def tables(leaf: Leaf, kind: str, known: Given) -> Iterator[LaidTable]:
@@ -245,30 +269,29 @@ def _heading(group: Group) -> Heading | None:
     if group.name or group.data or len(texts) != len(strokes) or len(texts) < 2:
         return None
     title, under = texts[:2]
-    if title.anchor != under.anchor or title.size <= under.size:
-        return None
-    return Heading(_marked(title), _marked(under))
+    return None if title.anchor != under.anchor or title.size <= under.size else Heading(_marked(title), _marked(under))
 
 
-def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[LaidFigure]:
+def _figure(group: Group, what: str, heading: Heading, parts: int, scales: Mapping[str, float]) -> Iterator[LaidFigure]:
     marks = [mark for mark in groups(group.strokes) if "scale" in mark.data]
     poles = [mark for mark in marks if mark.data["kind"] == "pole"]
     scale = SCALE.search(heading.under)
     ink = [stroke for stroke in flat(group.strokes) if not isinstance(stroke, Text)]
     if not ink or not marks or scale is None:
         return
-    data = (poles or marks)[0].data
-    at = _centre(poles[0]) if poles else None
-    reach = _reach(ink, at, float(data["scale"]), PARTS if what == FRAME and parts == CENTRED else parts)
+    data, pole = (poles or marks)[0].data, poles[0].data if poles else {}
+    at, mu = _centre(poles[0]) if poles else None, float(data["scale"])
+    laid = scales.get(group.name, mu) if ";" in heading.under else mu
+    settled = parts == CENTRED and (what == FRAME or laid != mu)
+    reach = _reach(ink, at, laid, PARTS if settled else parts)
     axes = _axes([text for text in _loose(group) if LETTER.fullmatch(_level(text))][:2])
-    pole = poles[0].data if poles else {}
     of = {key: data[key] for key in ("plan", "position") if key in data}
     vectors = (mark for mark in marks if mark.data["kind"] == "vector")
     names = ((mark.data["name"], mark.title) for mark in vectors if not VALUED.search(mark.title or mark.data["name"]))
     # One that is lettered itself has a title
     letters = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
-    arrows = tuple(sorted(set(letters)))
-    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of, arrows)
+    laid_out = (scale[2], data["unit"], reach, axes, of, tuple(sorted(set(letters))), mu / laid)
+    yield LaidFigure(group.name, what, heading, pole, *laid_out, poles[1].data if len(poles) > 1 else {})
 
 
 def asked(places: Iterable[LaidFigure], bands: Iterable[LaidTable], language: str) -> Iterator[str]:

@@ -35,7 +35,7 @@ class ShownAngular(NamedTuple):
     @property
     def ends(self) -> dict[str, complex]:
         """The ends of the links' segments."""
-        return {link: complex(complex(mark.point).real, 0) for link, mark in self.plan.speeds.items()}
+        return {link: complex(complex(mark.point).real, 0) for link, mark in self.plan.level_speeds.items()}
 
     @property
     def pole(self) -> complex:
@@ -65,6 +65,7 @@ def draw(shown: ShownAngular, room: Picture, spot: Spot, drafting: Drafting) -> 
     rays = (Line(place.on(shown.pole), place.on(end), hand.other) for end in dict.fromkeys((0j, *shown.ends.values())))
     subject, zero = Subject(shown.name, "ω", None), pole(place.on(0j))
     marks = [point(subject, FRAME, 0j, place, zero, "pole")]
+    marks.append(point(subject, "P", shown.pole, place, pole(place.on(shown.pole)), "pole"))
     for link, end in shown.ends.items():
         if _shared(shown, end, place).split(", ")[0] == link:  # of links that turn alike the first bears the mark
             marks.append(point(subject, f"ω_{link}", end, place, pole(place.on(end)), title=link))

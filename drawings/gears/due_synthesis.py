@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from drawings.checks.expected import NOTES, Expected, cells
+from drawings.checks.expected import NOTES, Cell, Expected, cells
 from drawings.paper.strokes import Kind
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy
@@ -26,14 +26,7 @@ def expected(study: GearsStudy) -> Iterator[Expected]:
     for k, one in enumerate(found.solutions[:SHOWN], 1):
         ratio, across = _found(study.train, one)
         off = 100 * (ratio - wanted) / abs(wanted)
-        told = [str(abs(teeth)) for teeth in one.teeth.values()]
-        numbers: list[tuple[float, float] | str] = [
-            *told,
-            str(one.planets),
-            (ratio, 0.0),
-            (off, ROUNDED),
-            (across, 0.0),
-        ]
+        numbers: list[Cell] = [*map(abs, one.teeth.values()), one.planets, (ratio, 0.0), (off, ROUNDED), (across, 0.0)]
         yield from cells("solutions", str(k), numbers, digits=DIGITS)
         if k == 1:
             yield from _noted(found.wanted, off, across)

@@ -5,18 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import chain
 from typing import NamedTuple
 
 from drawings.gears import synthesis
+from drawings.gears.efficiency import EfficiencyNotes
+from drawings.gears.willis import by_teeth, lettered, quantity, ratio_letters, stopped
 from drawings.lettering.gear_letters import link_letters, teeth_letters
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
-from plans.gears.study import GearsStudy, of_gear, pair_of
-from plans.model.gears import FRAME, BoxGear, ToothedWheel, Willis, assembly, bodies
+from plans.gears.study import GearsStudy, of_gear
+from plans.gears.synthesis import CLEAR
+from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, Willis, assembly, bodies
 
 MILLIMETRES = 1000.0
-DIGITS, ROUNDED = 5, 1e-9
+DIGITS = 5
 
 
 class GearsNotes(NamedTuple):
@@ -29,27 +33,21 @@ class GearsNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, how it fits, what Willis gives, how the plans are read."""
-        return (
-            *self.given(),
-            *self.synthesis(),
-            *self.fit(),
-            *self.willis(),
-            *self.ratios(),
-            *self.inertia(),
-            *self.moments(),
-            *self.read(),
-        )
+        told = self.given(), self.synthesis(), self.fit(), self.willis(), self.solved(), self.inertia(), self.moments()
+        return tuple(chain(*told, self.read()))
 
     def given(self) -> Iterator[str]:
         """Tell teeth, module and speeds."""
         train, slot = self.study.train, self.drafting.slot
         for module in dict.fromkeys(wheel.module for wheel in train.wheels.values()):
             some = [wheel for wheel in train.wheels.values() if wheel.module == module]
+            letter = module_letter(train, some[0])
             teeth = joined(",  ", (self._equal(teeth_letters(w.name), Slot(f"z_{w.name}", abs(w.teeth))) for w in some))
             size = Slot(f"m {some[0].name}", MILLIMETRES * float(module))
-            yield self._said("gears teeth", module=slot(size), teeth=teeth)
+            yield self._said("gears teeth", letter=letter, module=slot(size), teeth=teeth)
         if self.study.lacking and not self.study.searched:
-            yield self._said("gears found", names=", ".join(map(teeth_letters, self.study.lacking)))
+            found = (f"{teeth_letters(name)} ({self._coaxial(name)})" for name in self.study.lacking)
+            yield self._said("gears found", names=",  ".join(found))
         for link, speed in train.drives:
             n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
             yield self._said("gears drive", link=link, n=n, omega=omega)
@@ -62,6 +60,16 @@ class GearsNotes(NamedTuple):
                 names = ", ".join(map(link_letters, self.study.engaged(gear)))
                 yield self._said("gears engaged", gear=gear.name, names=names)
 
+    def _coaxial(self, wheel: str) -> str:
+        """Write the condition of coaxiality that gives the teeth of a wheel: a_12 = a_23."""
+        train = self.study.train
+        links = {mesh: {train.wheels[name].link for name in mesh} for mesh in train.meshes}
+        axes = {mesh: {train.heights[link] for link in links[mesh]} for mesh in links}
+        own = next(mesh for mesh in axes if wheel in mesh)
+        alike = [mesh for mesh in axes if mesh != own and axes[mesh] == axes[own]]
+        known = min(alike, key=lambda mesh: (len({*mesh} & {*self.study.lacking}), links[mesh].isdisjoint(links[own])))
+        return " = ".join(f"a_{{{''.join(mesh)}}}" for mesh in (known, own))
+
     def synthesis(self, most: int | None = synthesis.SHOWN) -> Iterator[str]:
         """Tell how the teeth were found, where a ratio is wanted, and how many solutions are not listed."""
         if self.study.searched:
@@ -71,21 +79,50 @@ class GearsNotes(NamedTuple):
         """Tell the distances of axes, and the conditions of neighbourhood and of assembly."""
         train = self.study.train
         for one, other in train.pairs:
+            if one.side:
+                yield self._cones(one, other)
+                continue
             sign = "−" if one.internal or other.internal else "+"
             large, small = (other, one) if other.internal else (one, other)
-            formula = f"m({teeth_letters(large.name)} {sign} {teeth_letters(small.name)})/2"
+            terms = f"{teeth_letters(large.name)} {sign} {teeth_letters(small.name)}"
+            formula = f"{module_letter(train, one)}({terms})/2"
             far = Slot(f"a_{one.name}{other.name}", MILLIMETRES * float(one.module * abs(one.teeth + other.teeth) / 2))
             yield self._said("gears distance", pair=f"{one.name}{other.name}", formula=formula, far=far)
+        yield from self._cut()
         for link in train.carrier_of if (train.planets or 0) > 1 else ():
             yield from self._planets(link)
+
+    def _cones(self, one: ToothedWheel, other: ToothedWheel) -> Phrase:
+        """Tell the half angles of two pitch cones and how long their common edge is."""
+        pair, far = f"{one.name}{other.name}", MILLIMETRES * float(one.module / 2) * math.hypot(one.teeth, other.teeth)
+        said: dict[str, object] = {"pair": pair, "far": Slot(f"R_{pair}", far, DIGITS)}
+        said |= {"one": one.name, "other": other.name}
+        for key, a, b in (("first", one, other), ("second", other, one)):
+            said[key] = Slot(f"δ_{a.name}", math.degrees(math.atan(a.teeth / b.teeth)), DIGITS)
+        return self._said("gears cones", letter=module_letter(self.study.train, one), **said)
+
+    def _cut(self) -> Iterator[str]:
+        """Warn of wheels that a rack undercuts, and of rings with hardly more teeth than the wheel within."""
+        least, wheels = synthesis.USUAL_LEAST[False], self.study.train.wheels.values()
+        few = [f"{teeth_letters(w.name)} = {w.teeth}" for w in wheels if 0 < w.teeth < least and not w.side]
+        pairs = (sorted(pair, key=lambda wheel: wheel.teeth) for pair in self.study.train.pairs)
+        more = [(ring, inner, -ring.teeth - inner.teeth) for ring, inner in pairs if ring.internal]
+        close = [f"{teeth_letters(a.name)} − {teeth_letters(b.name)} = {n}" for a, b, n in more if n < CLEAR]
+        yield from (self._said("gears few", least=least, parts=",  ".join(few)),) if few else ()
+        yield from (self._said("gears tips meet", clear=CLEAR, parts=",  ".join(close)),) if close else ()
 
     def _planets(self, link: str) -> Iterator[str]:
         train, count = self.study.train, self.study.train.planets or 1
         far = train.heights[link] - train.heights[train.carrier_of[link]]
-        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+        rows = {row.cross.name: ("".join(mesh), row) for mesh, row in train.bevels.items() if row.cross.link == link}
+        for name, (pair, row) in rows.items():
+            share, tip = Slot(f"share {name}", 180 / count, DIGITS), Slot(f"tip {name}", row.tip, DIGITS)
+            yield self._said("gears cone", wheel=name, count=count, share=share, tip=tip, pair=pair)
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
             chord = Slot(f"chord {wheel.name}", MILLIMETRES * 2 * float(far) * math.sin(math.pi / count))
             tips = Slot(f"tips {wheel.name}", MILLIMETRES * float(wheel.module * (wheel.teeth + 2)))
-            yield self._said("gears chord", wheel=wheel.name, count=count, chord=chord, tips=tips)
+            letter = module_letter(train, wheel)
+            yield self._said("gears chord", letter=letter, wheel=wheel.name, count=count, chord=chord, tips=tips)
         for one in assembly(train, link):
             key = "gears alike" if one.blocks else "gears whole"
             yield self._said(key, **one.parts(count), share=str(abs(one.share)))
@@ -100,60 +137,59 @@ class GearsNotes(NamedTuple):
         name = ratio_letters(one)
         top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
         speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
-        driven, driving = _kept(one)
-        sign = "−" if one.ratio < 0 else ""
-        product = "·".join(teeth_letters(w.name) for w in driven), "·".join(teeth_letters(w.name) for w in driving)
-        numbers = "·".join(str(abs(w.teeth)) for w in driven), "·".join(str(abs(w.teeth)) for w in driving)
-        terms = [name, speeds, f"{sign}{_over(*product, len(driving))}", f"{sign}{_over(*numbers, len(driving))}"]
-        return joined(" = ", (*terms, self.drafting.slot(Slot(_quantity(one), float(one.ratio), DIGITS))))
+        value = self.drafting.slot(Slot(quantity(one), float(one.ratio), DIGITS))
+        return joined(" = ", (name, speeds, *by_teeth(one), value))
 
     def ratios(self) -> Iterator[str]:
-        """Tell the ratio of each gear, by Willis's formula where one of its wheels is held, and the driven speed."""
+        """Tell the ratio of each gear, by Willis's formula where that gives it at once, and the driven speed."""
         for gear in self.study.train.gears:
-            ratio = self.speeds.ratio(gear)
-            if ratio is not None:
-                yield self._ratio(gear, ratio)
+            yield from (self._ratio(gear), *self.racks(gear))
 
-    def _ratio(self, gear: BoxGear, ratio: Fraction) -> Phrase:
-        driving, driven = self.study.train.drives[0][0], self.study.train.output
-        name = f"U^{{{gear.name}}}_" if gear.name else "U_"
-        name += f"{{{pair_of(driving, driven)}}}"
-        value = self.drafting.slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
-        terms = [name, *self._stopped(gear, driving, driven)]
+    def solved(self) -> Iterator[str]:
+        """Tell the ratios, before each that its formulas give only together these for the links as they turn."""
+        for gear in self.study.train.gears:
+            if not stopped(self.study.train, gear):
+                yield from self._together(gear)
+            yield self._ratio(gear)
+            yield from self.racks(gear)
+
+    def racks(self, gear: BoxGear) -> Iterator[Phrase]:
+        """Tell how fast a rack goes by its wheel, and how far in a turn of the driving link."""
+        train, slot, drive = self.study.train, self.drafting.slot, self.study.train.drives[0][0]
+        for rack, name in train.racks.items():
+            wheel, sign = train.wheels[name], "" if train.rack_side(rack) > 0 else "−"
+            formula = f"{sign}ω_{{{wheel.link}}}·{module_letter(train, wheel)}·{teeth_letters(name)}/2"
+            v = slot(Slot(of_gear(f"v_{rack}", gear), self.speeds.rack(gear, rack), DIGITS))
+            yield joined("", (f"v_{{{of_gear(rack, gear)}}} = {formula} = ", v, f" {self.drafting.word('m/s')}"))
+            if (travel := self.speeds.travel(gear, rack)) is not None:
+                h = slot(Slot(of_gear(f"h_{rack}", gear), travel, DIGITS))
+                letters = f"h_{{{of_gear(rack, gear)}}} = 2π·v_{{{rack}}}/ω_{{{drive}}}"
+                yield self._said("gears rack", rack=rack, link=drive, letters=letters, far=h)
+
+    def _together(self, gear: BoxGear) -> Iterator[str]:
+        """Write Willis's formulas for what turns as one and what rests: w_1 - w_H = U_13^(H)(w_3 - w_H)."""
+        train = self.study.train
+        body = bodies(train.links, (*train.joined, *gear.locked, *((FRAME, link) for link in gear.held)))
+        for one in train.willis:
+            first, other, carrier = (body[link] for link in (one.first.link, one.other.link, one.carrier or FRAME))
+            if len({first, other, carrier}) > 1:
+                over, under = (_over_carrier(link, carrier) for link in (first, other))
+                yield f"{over} = {ratio_letters(one)}{_bracketed(under)}"
+
+    def _ratio(self, gear: BoxGear) -> Phrase:
+        driving, driven, ratio = self.study.train.drives[0][0], self.study.train.output, self.speeds.ratio(gear)
+        speed, slot = self.speeds.true(gear)[driven], self.drafting.slot
+        n = slot(Slot(of_gear(f"n_{driven}", gear), speed * 30 / math.pi, DIGITS))
+        turns = joined("", (f"n_{{{driven}}} = ", n, f" {self.drafting.word('rpm')}"))
+        if ratio is None:
+            omega = slot(Slot(of_gear(f"ω_{driven}", gear), speed, DIGITS))
+            index = f"{driven},{gear.name}" if gear.name else driven
+            return joined("", (f"ω_{{{index}}} = ", omega, f" {self.drafting.word('rad/s')};  ", turns))
+        value = slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
+        formula = stopped(self.study.train, gear) or f"ω_{{{driving}}}/ω_{{{driven}}}"
+        terms = [lettered(self.study.ratio_name, gear), formula]
         terms += [_fraction(ratio)] if ratio.denominator != 1 else []
-        speed = self.study.train.drives[0][1] * float(1 / ratio) * 30 / math.pi
-        n = self.drafting.slot(Slot(of_gear(f"n_{driven}", gear), speed, DIGITS))
-        unit = self.drafting.word("rpm")
-        return joined("", (joined(" = ", (*terms, value)), f";  n_{{{driven}}} = ", n, f" {unit}"))
-
-    def _stopped(self, gear: BoxGear, driving: str, driven: str) -> Iterator[str]:
-        """Write the ratio by those with carriers stopped, where these lead from the driving link to the driven one."""
-        body = bodies(self.study.train.links, (*self.study.train.joined, *gear.locked))
-        ways, steps = {body[driving]: ("", "")}, [*self._steps(gear)]
-        for _ in steps:
-            for one, other, top, low in steps:
-                for a, b, over, under in ((body[one], body[other], top, low), (body[other], body[one], low, top)):
-                    if a in ways and b not in ways:
-                        ways[b] = ways[a][0] + over, ways[a][1] + under
-        top, low = ways.get(body[driven], ("", ""))
-        if top or low:
-            bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
-            yield f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare
-
-    def _steps(self, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:
-        """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
-        held = {link for link, one in bodies(self.study.train.links, [(FRAME, *gear.held)]).items() if one == FRAME}
-        for one in self.study.train.willis:
-            a, b, name = one.first.link, one.other.link, ratio_letters(one)
-            if not one.carrier:
-                yield a, b, name, ""
-            elif b in held:
-                yield a, one.carrier, f"(1 − {name})", ""
-                for third in self.study.train.willis:
-                    if third.first is one.first and third is not one and third.other.link not in held:
-                        yield third.other.link, one.carrier, f"(1 − {name}/{ratio_letters(third)})", ""
-            elif a in held:
-                yield b, one.carrier, f"(1 − 1/{name})", ""
+        return joined("", (joined(" = ", (*terms, value)), ";  ", turns))
 
     def inertia(self) -> Iterator[str]:
         """Tell the inertia of links, and how that of all is reduced."""
@@ -170,27 +206,41 @@ class GearsNotes(NamedTuple):
                 yield self._said("gears one planet")
 
     def moments(self) -> Iterator[str]:
-        """Tell the load, and how the moments that balance it are found."""
+        """Tell the load, how the moments that balance it are found, and what friction in the meshes takes."""
         train = self.study.train
         if train.load is not None:
-            yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
-            for gear in filter(self.study.closed, train.gears):
-                yield from self._powers(gear)
+            if self.study.force is not None:
+                rack, force = self.study.force
+                wheel = train.wheels[train.racks[rack]]
+                arm = f"{module_letter(train, wheel)}·{teeth_letters(wheel.name)}/2"
+                yield self._said("gears force", rack=rack, force=Slot("force", force), arm=arm, link=wheel.link)
+            key = "gears load" if train.single else "gears load of several"
+            yield self._said(key, link=link_letters(train.output), load=Slot("load", train.load))
+            if train.load == self.study.resisted:
+                yield self._said("gears load of machine")
+            for gear in train.gears:
+                if self.study.closed(gear) or not train.single:
+                    yield from self._powers(gear)
             if not all(map(self.speeds.moments, train.gears)):
                 yield self._said("gears unbalanced")
+        yield from EfficiencyNotes(*self).all
 
     def _powers(self, gear: BoxGear) -> Iterator[str]:
         """Tell the power that is put in and what flows through joints; what is more than that circulates."""
-        powers, drive = self.speeds.powers(gear), self.study.train.drives[0][0]
+        powers = self.speeds.powers(gear)
         if powers:
             told = ((f"P_{{{of_gear(name, gear)}}}", of_gear(f"P_{name}", gear), size) for name, size in powers.items())
             parts = [self._equal(letter, Slot(name, size, DIGITS)) for letter, name, size in told]
-            circulates = any(abs(power) > abs(powers[drive]) * (1 + ROUNDED) for power in powers.values())
-            yield self._said("gears circulating" if circulates else "gears powers", powers=joined(",  ", parts))
+            said = "gears circulating" if self.speeds.circulates(gear) else "gears powers"
+            said = said if self.study.train.joints else "gears put in"
+            yield self._said(said, powers=joined(",  ", parts))
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""
         yield self._said("gears read")
+        for link in self.study.train.crossing:
+            key = "gears over" if link in self.study.train.carrier_of else "gears axis across"
+            yield self._said(key, link=link_letters(link))
         for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
             yield self._said("gears assumed", link=link_letters(link))
 
@@ -201,28 +251,21 @@ class GearsNotes(NamedTuple):
         return self.drafting.phrase(key, **parts)
 
 
-def ratio_letters(one: Willis) -> str:
-    """Letter a ratio with the carrier stopped: U_13^(H)."""
-    carrier = f"^{{({one.carrier})}}" if one.carrier else ""
-    return f"U{carrier}_{{{pair_of(one.first.link, one.other.link)}}}"
+def module_letter(train: Train, wheel: ToothedWheel) -> str:
+    """Letter the module of a wheel: m, and where the train has several by the first mesh of that one, m_12."""
+    meshes = *train.meshes, *((wheel, rack) for rack, wheel in train.racks.items())
+    alike = [mesh for mesh in meshes if train.wheels[mesh[0]].module == wheel.module]
+    return "m" if len(alike) == len(meshes) else f"m_{{{''.join(alike[0])}}}"
 
 
-def _quantity(one: Willis) -> str:
-    return f"U_{one.first.name}{one.other.name}^{one.carrier}"
+def _over_carrier(link: str, carrier: str) -> str:
+    """Write the speed of a body over that of a carrier, either of which may rest."""
+    parts = [f"{sign}ω_{{{one}}}" for sign, one in (("", link), ("−", carrier)) if one != FRAME]
+    return "0" if link == carrier else " ".join(parts).replace(" −", " − ")
 
 
-def _kept(one: Willis) -> tuple[list[ToothedWheel], list[ToothedWheel]]:
-    """Leave out wheels that are driven and drive: an idler changes the sign alone."""
-    driven, driving = [*one.driven], [*one.driving]
-    for wheel in one.driven:
-        if wheel in driving:
-            driven.remove(wheel)
-            driving.remove(wheel)
-    return driven, driving
-
-
-def _over(top: str, low: str, count: int) -> str:
-    return f"{top}/({low})" if count > 1 else f"{top}/{low}"
+def _bracketed(text: str) -> str:
+    return f"({text})" if "−" in text else text
 
 
 def _fraction(value: Fraction) -> str:

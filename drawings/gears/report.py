@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING
 from drawings.gears.notes import GearsNotes
 from drawings.gears.sheet import results, speeds
 from drawings.gears.synthesis import solutions
-from drawings.layout.table import Later, RuledTable
 from drawings.page.page import drafting_of
-from drawings.paper.strokes import Text
 from drawings.report.formula import Chapters, entry, plain
-from drawings.report.report import Report, TableSubject, chapter, header, row
+from drawings.report.report import Report, TableSubject, chapter, ruled
 from plans.gears.quantities import GearsComparison
 from plans.gears.study import GEARS, GearsStudy
 from plans.study import Study
@@ -46,29 +44,18 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     notes, drafting = _notes(study), drafting_of(study.scene)
     comparison = study.of(GearsComparison)
     searched = study.of(GearsStudy).searched
-    sought = ["", *_table(solutions(searched, drafting, None))] if searched else []
+    sought = ["", *ruled(solutions(searched, drafting, None).plain)] if searched else []
     told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
-    tables = [line for each in told for line in ("", *_table(each))]
+    tables = [line for each in told for line in ("", *ruled(each.plain))]
+    head = chapter(drafting.language, GEARS)
     return Chapters(
         subject=[
-            chapter(drafting.language, GEARS).lstrip(),
+            head if study.techniques[0] != GEARS else head.lstrip(),
             *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
             *sought,
         ],
-        values=["", *map(entry, (*notes.willis(), *notes.ratios(), *notes.inertia(), *notes.moments())), *tables],
+        values=["", *map(entry, (*notes.willis(), *notes.solved(), *notes.inertia(), *notes.moments())), *tables],
     )
-
-
-def _table(told: RuledTable) -> Iterator[str]:
-    """Write a table without what a hand may be out, which the sheet tells."""
-    kept = [k for k in range(len(told.heads)) if not any(isinstance(line.cells[k], Later) for line in told.lines)]
-    yield from header([_plain(text) for text in (told.first, *(told.heads[k] for k in kept))])
-    for line in told.lines:
-        yield row([_plain(line.name), *(_plain(str(line.cells[k])) for k in kept)])
-
-
-def _plain(text: str) -> str:
-    return Text(0j, text).plain
 
 
 def _concluded(study: Study) -> Iterator[str]:

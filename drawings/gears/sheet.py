@@ -27,11 +27,11 @@ from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from plans.analytic.gears import TrainSpeeds
-from plans.gears.kutzbach import ANGULAR, LINEAR, LINES
-from plans.gears.quantities import GearsComparison
+from plans.gears.kutzbach import ANGULAR, LINES
+from plans.gears.quantities import GearsComparison, tabled
 from plans.gears.study import GEARS, GearsStudy
 from plans.model.gears import BoxGear
-from plans.quantity import Comparison, Quantity, by_hand
+from plans.quantity import Quantity, by_hand
 from plans.study import Study
 
 SPEEDS, RESULTS = "speeds", "results"  # the tables
@@ -51,7 +51,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     size, tables = drafting.hand.text, [speeds(comparison.analysis, drafting)]
     tables += [solutions(train.searched, drafting)] if train.searched else []
     # No formula is broken
-    narrow = size + max(text_width(Text(0j, note, size)) for note in said if note.startswith("U"))
+    narrow = size + max(text_width(Text(0j, note, size)) for note in said if note[0] in "Uωη")
     draft = Draft(GEARS, title, shows, (*tables,), said, figures_facts, scaled, narrow, later=later)
     return lay_out(study.scene, [draft])
 
@@ -73,16 +73,11 @@ def _title(key: str, gear: BoxGear, drafting: Drafting) -> str:
     return drafting.word("gears in gear", title=title, gear=gear.name) if gear.name else title
 
 
-def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
+def results(comparison: GearsComparison, drafting: Drafting) -> RuledTable:
     """Tell angular velocities and ratios by plan and by analysis, and what a hand may be out."""
-    lines = [value_row(one, label(one, drafting), (0,), drafting.language) for one in told(comparison)]
+    lines = [value_row(one, label(one, drafting), (0,), drafting.language) for one in tabled(comparison)]
     heads = tuple(drafting.word(key) for key in COLUMNS)
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS, least=6)
-
-
-def told(comparison: Comparison) -> list[Quantity]:
-    """List what the table of results tells: what turns, and the ratios."""
-    return [one for one in comparison.of(ANGULAR) if one.analysis[0]]
 
 
 def label(one: Quantity, drafting: Drafting) -> str:
@@ -112,6 +107,6 @@ def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[
     return table.filled(write).write(box, drafting)
 
 
-FORM: Final = {LINES: PLAN, LINEAR: PLAN, ANGULAR: PLAN}
+FORM: Final = {LINES: PLAN, ANGULAR: PLAN}
 SCALES: Final = {LINES: "gears", ANGULAR: "speeds"}
 SHEETS: Final = {GEARS: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(SPEEDS, RESULTS, SOLUTIONS))}

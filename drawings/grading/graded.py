@@ -238,9 +238,8 @@ def plans_drawn(sheet: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]
         marked = [plan for plan in marked if not plan.asked.dotted]
     whole = tuple(redrawn(plan, lines) for plan in marked)
     arrows = (vector for plan in marked for vector in plan.asked.vectors if vector.letters in plan.arrows)
-    if not places or any(
-        vector.start or vector.letter for vector in arrows
-    ):  # data that are left in one plan are left in all
+    given = any(vector.start or vector.letter for vector in arrows)  # data that are left in one plan are left in all
+    if given or not places:
         return whole
     sheets, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [plan for plan in plans if plan.place not in there and (not sheets or plan.sheet in sheets)]

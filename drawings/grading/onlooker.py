@@ -74,12 +74,12 @@ class Onlooker(Observer):
         self.moved, self.page = moved, (0.0, 0.0)
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
-        """See the paper that a root lays what is drawn on, as it lies."""
+        """See the paper that a root lays what is drawn on, as it lies; what was moved off it is on its own yet."""
         self.paper = super().opened(attributes)
         self.page = self.paper.width, self.paper.height
         if self.moved != STAY:
             corners = (complex(x, y) for x in (0.0, self.paper.width) for y in (0.0, self.paper.height))
-            far = [(corner - self.moved.t) / self.moved.p for corner in corners]
+            far = [complex(*self.page), *((corner - self.moved.t) / self.moved.p for corner in corners)]
             back = Affine(1 / self.moved.p, 0j, -self.moved.t / self.moved.p)
             wide, high = max(spot.real for spot in far), max(spot.imag for spot in far)
             self.paper = Viewport(wide, high, back.after(self.paper.placing), self.paper.notes)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, cells, measured
+from drawings.checks.expected import NOTES, Expected, by_hand, cells, measured
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
@@ -19,29 +19,42 @@ from plans.involute.study import InvoluteStudy
 from plans.model.involute import InvolutePair, PairSizes
 from plans.model.motion import Complexes
 from plans.model.teeth import placed, racked
-from plans.quantity import Comparison
+from plans.quantity import Comparison, Quantity
+from plans.quantity import by_hand as slipping
 from plans.study import Study
 
 MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", "pair", "sizes", "data"
 MILLIMETRES = 3  # decimals
-# By the unit of a quantity: times which it is told, with how many decimals, in which unit.
-UNITS = {"m": (1e3, MILLIMETRES, "mm"), "rad": (math.degrees(1.0), 4, "°"), "1": (1.0, 3, "")}
-DIGITS = 6  # of the data
+UNITS = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "°"), "1": (1.0, "")}  # times which a quantity is told, in which
+DIGITS, TOLD, SHARES = (
+    9,
+    5,
+    4,
+)  # enough for all decimals of data and notes; digits beside a slip; decimals of modules, degrees
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
 EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
 LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
+FINE = {"α", "α_w", "y", "Δy", "x_Σ", "k", "u"}  # told with more decimals than millimetres are
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
 
-def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
-    """Give the rows of what both wheels have in common: as drawn, by formulas."""
+def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[tuple[str, Quantity]]:
+    """Give what both wheels have in common by the names of its rows, in the units that it is told in."""
     known = {one.name: one for one in comparison.findings}
     for name in ("α_w", "a_w", "g_α", "ε_α", "λ_B1", "λ_B2"):
         one = known[name]
-        times, places, unit = UNITS[one.unit]
+        times, unit = UNITS[one.unit]
+        roads = times * one.construction, times * one.analysis
         row = f"{with_index(name)}, {drafting.word(unit)}" if unit else with_index(name)
-        yield row, [times * float(road[0]) for road in (one.construction, one.analysis)], places
+        yield row, one._replace(construction=roads[0], analysis=roads[1], largest=times * one.largest)
+
+
+def slips(comparison: Comparison, scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
+    """Give within what hands are of what both wheels have in common, by the figure of the mesh."""
+    units = {one.name: UNITS[one.unit][0] for one in comparison.findings}
+    found = slipping(comparison.findings, {"involute": scales[MESH]})
+    return {key: units[key[0]] * error for key, error in found.items()}
 
 
 def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
@@ -58,33 +71,29 @@ def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
 def data_rows(pair: InvolutePair, sizes: PairSizes, drafting: Drafting) -> Iterator[tuple[str, list[float | None]]]:
     """Give the rows of the data of both wheels, as GOST 2.403 has them: module, teeth, shift, circles, measuring."""
     mm, wheels = drafting.word("mm"), pair.wheels
-    heights = [1e3 * abs(one.tip - one.root) for one in sizes.wheels]
     rows = {
-        "m": [1e3 * pair.rack.module] * 2,
-        "z": pair.teeth,
-        "x": pair.shifts,
-        "d": [2e3 * wheel.radius for wheel in wheels],
-        "d_b": [2e3 * wheel.base for wheel in wheels],
-        "h": heights,
-        "k": [wheel.spanned for wheel in wheels],
-        "D": [1e3 * one.pin for one in sizes.wheels],
-    }
+        "m": [1e3 * pair.rack.module] * 2, "z": pair.teeth, "x": pair.shifts,
+        "d": [2e3 * wheel.radius for wheel in wheels], "d_b": [2e3 * wheel.base for wheel in wheels],
+        "h": [1e3 * abs(one.tip - one.root) for one in sizes.wheels],
+        "k": [wheel.spanned for wheel in wheels], "D": [1e3 * one.pin for one in sizes.wheels],
+    }  # fmt: skip
     for letter, both in rows.items():
-        unit = "" if letter in "zxk" else f", {mm}"
-        word = drafting.word(f"involute {letter}")
-        yield f"{word} {with_index(letter)}{unit}", [None if math.isnan(one) else float(one) for one in both]
+        row = f"{drafting.word(f'involute {letter}')} {with_index(letter)}{'' if letter in 'zxk' else f', {mm}'}"
+        places = SHARES if letter == "x" else MILLIMETRES
+        yield row, [None if math.isnan(one) else round(one, places) for one in both]
 
 
 def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
-    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules."""
+    """Give the numbers of the notes by the names of their quantities: mm, degrees, modules, rounded as in tables."""
     rack = pair.rack
     moved = round((sizes.distance - pair.standard) / rack.module, EXACT) + 0.0
     found = {"α": math.degrees(rack.angle), "h*": rack.head, "c*": rack.clearance, "ρ*": rack.rounding}
     found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
     found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
     found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
-    found["u"] = -pair.sense * pair.teeth[1] / pair.teeth[0]
-    return found | {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+    found |= {"x_Σ": pair.total, "u": -pair.sense * pair.teeth[1] / pair.teeth[0]}
+    found |= {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
+    return {name: round(one, SHARES if name in FINE else MILLIMETRES) for name, one in found.items()}
 
 
 def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
@@ -92,21 +101,24 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     comparison, drafting = study.comparison("involute"), drafting_of(study.scene)
     pair, sizes = study.of(InvoluteStudy).pair, comparison.analysis
     yield from chain(_mesh(pair, sizes), _generation(pair, sizes), _sliding(pair, sizes))
-    for name, rows in ((PAIR, pair_rows(comparison, drafting)), (SIZES, size_rows(comparison, drafting))):
-        for row, values, places in rows:  # by formulas, in the columns of both roads
-            known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
-            yield from cells(name, row, [one for one in known for _ in range(2)])
+    off = slips(comparison, {name: mu for leaf in leaves for name, mu in leaf.metadata["scales"].items()})
+    for row, quantity in pair_rows(comparison, drafting):
+        roads = [(float(quantity.analysis[0]), FAR)] * 2
+        yield from cells(PAIR, row, (*roads, by_hand(off[quantity.name, 0], quantity.largest)), digits=TOLD)
+    for row, values, places in size_rows(comparison, drafting):  # by formulas, in the columns of both roads
+        known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
+        yield from cells(SIZES, row, [one for one in known for _ in range(2)])
     for row, both in data_rows(pair, sizes, drafting):
-        yield from cells(DATA, row, [None if one is None else (one, FAR) for one in both], digits=DIGITS)
+        numbers = [one if one is None or isinstance(one, int) else (one, FAR) for one in both]
+        yield from cells(DATA, row, numbers, digits=DIGITS)
     for name, value in noted(pair, sizes).items():
-        lost = name == "k"
-        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lost, digits=5)
+        lack = name in ("k", "x_Σ")
+        yield Expected(Kind.PHRASE, NOTES, name, value, FAR * max(abs(value), 1.0), may_lack=lack, digits=DIGITS)
 
 
 def _side(pair: InvolutePair, sizes: PairSizes, number: int) -> Complexes:
     wheel, found = pair.wheels[number], sizes.wheels[number]
-    side = flank(wheel, found.tip, found.root, POINTS)
-    return np.concatenate([side.fillet, side.involute[1:]])
+    return flank(wheel, found.tip, found.root, POINTS)
 
 
 def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
@@ -119,12 +131,16 @@ def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     for name, far in spots.items():
         yield Expected(Kind.POINT, MESH, name, far * along, FAR * sizes.distance, may_lack=name == "P")
     yield Expected(Kind.ANGLE, MESH, "α_w", sizes.angle, FAR)
+    shown = [one.shown for one in placed(pair, sizes)]
+    apart = Expected(Kind.LENGTH, MESH, "a_w", sizes.distance, FAR * sizes.distance)  # broken off where one is far
+    both = [*measured(apart, noted(pair, sizes)["a_w"], digits=DIGITS)]
+    yield from both[not all(shown) :] if any(shown) else ()
     for k, one in enumerate(placed(pair, sizes)):
         n = one.wheel.number
         slack = FAR * one.sizes.operating
+        yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
         if one.shown:
             yield Expected(Kind.POINT, MESH, f"O_{n}", one.centre, slack)
-            yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
         last = sizes.angle
         last += tips[k] / one.wheel.base - math.tan(sizes.angle) if one.unrolled else 0.0
         for name, curve in one.circles(last).items():

@@ -18,7 +18,7 @@ from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Kind, Line, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import TurnArrow, fit_dashes
+from drawings.symbols.symbols import ARROW_LENGTH, TurnArrow, fit_dashes
 from plans.involute.study import InvoluteStudy
 from plans.model.involute import GearWheel
 from plans.model.motion import Complexes
@@ -28,7 +28,7 @@ NAME = "generation"
 MARGINS = Margins(4.5, 2.0, 2.0)
 LETTERS = 20.0  # it is drawn at least so many letters wide
 LARGEST = 1.5  # of the shift on paper, in arrows: less is not dimensioned
-WITHIN = 0.36  # of a tooth's thickness: the radius of the angle at most
+WITHIN, BEYOND = 0.36, 2.0  # of a tooth's thickness: the radius of the angle at most; else so many modules
 
 
 class ShownGeneration(NamedTuple):
@@ -106,9 +106,11 @@ def _action(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator
 
 
 def _angle(made: ShownGeneration, place: Place, drafting: Drafting) -> TurnArrow:
-    """Give the angle of the rack at P_0, within the tooth."""
-    radius = min(ANGLE * drafting.hand.symbol, place.length(WITHIN * made.wheel.width))
-    return TurnArrow(place.on(0j), radius, 0.0, made.wheel.rack.angle)
+    """Give the angle of the rack at P_0: within the tooth, or beyond it where its arrows have no room there."""
+    wheel, hand = made.wheel, drafting.hand
+    within = min(ANGLE * hand.symbol, place.length(WITHIN * wheel.width))
+    roomy = within * wheel.rack.angle > 1.5 * ARROW_LENGTH * hand.symbol
+    return TurnArrow(place.on(0j), within if roomy else place.length(BEYOND * wheel.rack.module), 0.0, wheel.rack.angle)
 
 
 def _shift(made: ShownGeneration, place: Place, drafting: Drafting) -> Dimension | None:

@@ -9,14 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.involute.due import DIGITS, MILLIMETRES
+from drawings.kinds.axes import arrow
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
-from drawings.lettering.words import with_index
+from drawings.lettering.words import Slot, joined, telling, with_index
 from drawings.page.page import Drafting
-from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
-from drawings.symbols.figure import Subject, around, heading, heading_width, point
+from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
 from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
 from plans.involute.flanks import Flanks
 from plans.involute.study import InvoluteStudy
@@ -33,6 +34,8 @@ STUB = 1.2  # modules: what is shown of a radius whose centre is far
 SQUARE = 3.0  # mm: side of the mark of a right angle
 ANGLE, TURN = 30.0, (12.0, math.radians(40), math.radians(100))  # mm: radius of the angle's arc; arrow of a rotation
 COMMON = 34.0  # mm of the common tangent to either side of P
+OFF, RUN, WAY = 4.0, (3.0, 15.0), 9.0  # mm: off a root circle, along it, the arrow of a rotation; to a far centre
+LEFT = 20.0  # mm: the dimension of a_w from all of a pair, from the centre of an internal one
 
 
 class ShownMesh(NamedTuple):
@@ -92,15 +95,15 @@ def touching(flanks: Flanks, foot: float, long: float) -> tuple[Complexes, Compl
 
 def measure(mesh: ShownMesh, drafting: Drafting) -> Picture:
     """Measure the room that a mesh needs."""
-    hand = drafting.hand
-    title, second = heading_width(drafting.word("involute mesh"), hand), mesh.wheels[1]
-    above = (TURN[0] + 2 * BESIDE) * hand.symbol + hand.letter if second.shown and not second.wheel.internal else 0.0
-    return picture(NAME, mesh.known, (SYMBOL, UNIT), around(MARGINS, hand, above=above), title, LETTERS * hand.letter)
+    hand, outer = drafting.hand, not mesh.wheels[1].wheel.internal
+    title, more = heading_width(drafting.word("involute mesh"), hand), outer * (LEFT * hand.symbol + hand.letter)
+    margins = around(MARGINS, hand, outer * LEFT / 3 * hand.symbol, 0.0 if mesh.wheels[0].shown else more, more)
+    return picture(NAME, mesh.known, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
 def draw(mesh: ShownMesh, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw a mesh in its spot."""
-    drawing = _DrawnMesh(mesh, room.place(*spot), drafting.hand)
+    drawing = _DrawnMesh(mesh, room.place(*spot), drafting)
     head = heading(spot.box, drafting.word("involute mesh"), drafting.scale(spot.scale), drafting.hand)
     return LetteredFigure(NAME, (head, *drawing.lines()), drawing.letters)
 
@@ -113,10 +116,10 @@ def polyline(places: Complexes, place: Place, style: LineStyle) -> Polyline:
 class _DrawnMesh:
     """A mesh at its place on paper."""
 
-    def __init__(self, mesh: ShownMesh, place: Place, hand: Hand) -> None:
-        self.mesh, self.place, self.hand = mesh, place, hand
+    def __init__(self, mesh: ShownMesh, place: Place, drafting: Drafting) -> None:
+        self.mesh, self.place, self.hand, self.drafting = mesh, place, drafting.hand, drafting
         self.spots = {name: place.on(spot) for name, spot in mesh.points.items()}
-        self.way = cmath.exp(1j * mesh.angle)
+        self.way, self.inner = cmath.exp(1j * mesh.angle), mesh.wheels[1].wheel.internal
 
     def lines(self) -> Iterator[Stroke]:
         """Draw circles, strings, teeth, the line of action, the points."""
@@ -151,7 +154,7 @@ class _DrawnMesh:
         spots, hand, past = self.spots, self.hand, PAST * self.hand.symbol
         low, high = self._upright
         yield from fit_dashes([Line(low - 1j * past, high + 1j * past, hand.axis)])
-        yield from self._radii()
+        yield from (*self._radii(), *self._apart())
         ends = sorted(
             (spots[name] for name in ("N_1", "N_2", "B_1", "B_2")), key=lambda spot: (spot * self.way.conjugate()).real
         )
@@ -170,7 +173,8 @@ class _DrawnMesh:
             end = self.spots[f"N_{one.wheel.number}"]
             inwards, towards = self.place.on(one.centre) - end, pole - end
             side, along = (SQUARE * hand.symbol * way / abs(way) for way in (inwards, towards))
-            yield Line(self.place.on(self.mesh.inner(one)), end, hand.drafted)
+            begin = self.place.on(self.mesh.inner(one))
+            yield from (Line(begin, end, hand.drafted),) if one.shown else arrow(end, begin, hand)
             yield Polyline((end + side, end + side + along, end + along), False, hand.drafted)
 
     @property
@@ -181,16 +185,49 @@ class _DrawnMesh:
         across = self.spots["P"].real
         return complex(across, min(heights)), complex(across, max(heights))
 
+    @property
+    def _beyond(self) -> dict[str, complex]:
+        """Where arrows along the line of centres end that point to centres which are not shown."""
+        (low, high), long = self._upright, 1j * ((0 if self.inner else PAST) + WAY) * self.hand.symbol
+        far = (one for one in self.mesh.wheels if not one.shown)
+        return {f"O_{one.wheel.number}": high + long if one.centre.imag > 0 else low - long for one in far}
+
+    def _apart(self) -> Iterator[Stroke]:
+        """Draw the arrows to far centres, and dimension the distance of the axes: broken off where one is far."""
+        low, high = self._upright
+        for end in self._beyond.values():
+            yield from arrow(low if end.imag < low.imag else high, end, self.hand)
+        if (size := self._distance) and not self._beyond:
+            yield from size.draw(self.hand)
+        elif size:
+            far, (start, end) = "O_1" in self._beyond, size.lines[0]
+            yield from arrow(*((start, end) if far else (end, start)), self.hand)
+            yield Line(*size.lines[1 + far], self.hand.drafted)
+
+    @property
+    def _distance(self) -> Dimension | None:
+        """The distance of the axes, left of the teeth; none where neither of them is shown."""
+        first, second = (one.centre for one in self.mesh.wheels)
+        start, end = ((self.spots | self._beyond)[name] for name in ("O_1", "O_2"))
+        left = start.real if self.inner else min(self.place.on(spot).real for spot in self.mesh.known)
+        told = self.drafting.slot(Slot("a_w", round(1e3 * abs(second - first), MILLIMETRES), DIGITS))
+        states = None if self._beyond else Statement(Kind.LENGTH, NAME, "a_w", scale=self.place.scale.mu)
+        off = complex(left - LEFT * self.hand.symbol - start.real)
+        return Dimension(joined("", ("a_{w} = ", told)), start, end, off, states) if len(self._beyond) < 2 else None
+
     def _rotations(self) -> Iterator[Stroke]:
         """Draw how the wheels turn: wheel 1 clockwise."""
         for one in self.mesh.wheels:
-            if one.shown:
-                turns = self._turn(one)
-                yield stating(Statement(Kind.DIRECTION, NAME, f"ω_{one.wheel.number}"), *turns.draw(self.hand))
+            turns = self._turn(one).draw(self.hand)
+            yield stating(Statement(Kind.DIRECTION, NAME, f"ω_{one.wheel.number}"), *turns)
 
     def _turn(self, one: PlacedWheel) -> TurnArrow:
         sense = -1.0 if one.up == 1j else 1.0
-        return rotation(self.spots[f"O_{one.wheel.number}"], sense, TURN, self.hand)
+        if one.shown:
+            return rotation(self.spots[f"O_{one.wheel.number}"], sense, TURN, self.hand)
+        radius = self.place.length(one.sizes.root) - one.wheel.inward * OFF * self.hand.symbol
+        start, end = (sense * run * self.hand.symbol / radius for run in RUN)
+        return TurnArrow(self.place.on(one.centre), radius, cmath.phase(one.up) + start, end - start)
 
     def _points(self) -> Iterator[Stroke]:
         subject = Subject(NAME, SYMBOL, None)
@@ -202,16 +239,26 @@ class _DrawnMesh:
         """Letter the points, the angle, the circles at their ends, the numbers of the strings."""
         hand, away = self.hand, cmath.phase(-1j * self.way)
         sides = {"P": away - 0.3, "N_1": away + math.pi, "N_2": away, "B_1": away, "B_2": away + math.pi}
+        sides |= {"O_1": 0.0} if self._beyond else {}
         for name, spot in self.spots.items():
             yield labels.beside(spot, with_index(name), hand.letter, BESIDE, sides.get(name, math.pi))
         middle = self.spots["P"] + ANGLE * hand.symbol * cmath.exp(0.5j * self.mesh.angle)
         yield labels.beside(middle, with_index("α_w"), hand.letter, BESIDE, 0.0)
         for one in self.mesh.wheels:
-            if one.shown:
-                spot, turned = self._turn(one).middle
-                yield labels.beside(spot, with_index(f"ω_{one.wheel.number}"), hand.letter, BESIDE, turned)
+            spot, turned = self._turn(one).middle
+            turned += 0.0 if one.shown or one.wheel.internal else math.pi
+            yield labels.beside(spot, with_index(f"ω_{one.wheel.number}"), hand.letter, BESIDE, turned)
+        for end in dict.fromkeys(self._beyond.values()):
+            names = ", ".join(with_index(name) for name, other in self._beyond.items() if other == end)
+            yield labels.beside(end, self.drafting.word("involute to", names=names), hand.letter, BESIDE, math.pi)
+        if size := self._distance:
+            (start, end), *_ = size.lines
+            spot = start + (0.25 if self._beyond else 0.75) * (end - start)
+            side = math.pi * self.inner
+            yield telling(NAME, labels.beside(spot, size.letter, hand.number, BESIDE, side), size.letter)
         for name, curve in self.mesh.circles.items():
-            end, before = self.place.on(complex(curve[0])), self.place.on(complex(curve[1]))
+            ends = curve[:-3:-1] if self.inner and name in ("d_a2", "d_w2", "d_f2") else curve  # of a ring left
+            end, before = self.place.on(complex(ends[0])), self.place.on(complex(ends[1]))
             yield labels.beside(end, self._letter(name), hand.number, BESIDE, cmath.phase(end - before))
         for name, (start, _) in self.mesh.strings.items():
             one = self.mesh.wheels[int(name[0]) - 1]

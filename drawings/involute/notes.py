@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.involute.due import noted
+from drawings.involute.due import DIGITS, noted
 from drawings.lettering.words import Phrase, Slot
 from drawings.page.page import Drafting
+from plans.involute.limits import ROUNDED, THIN
+from plans.involute.shift import NO_UNDERCUT
 from plans.involute.study import InvoluteStudy
 from plans.model.involute import InvolutePair, PairSizes
 
@@ -33,6 +35,8 @@ class InvoluteNotes(NamedTuple):
         """Say what is given."""
         yield self._said("involute rack", "α", "h*", "c*", "ρ*", "p")
         yield from (self.drafting.word(f"involute aim {aim}") for aim in self.pair.aims)
+        if self.pair.aims == (NO_UNDERCUT, "centre") and not self.pair.internal:
+            yield self._said("involute shared", "x_Σ")
 
     def mesh(self) -> Iterator[str]:
         """Say how far the axes are apart, and how many pairs of teeth are in mesh."""
@@ -42,6 +46,9 @@ class InvoluteNotes(NamedTuple):
             yield self._said("involute relief", "k")
         yield self._said("involute ratio", "g_α", "p_b", "ε_α", "α_w")
         yield self._said("involute tips", "s_a1/m", "s_a2/m")
+        least, word = self.drafting.number(THIN), self.drafting.word
+        thin = (one.tip_thickness < (THIN - ROUNDED) * self.pair.rack.module for one in self.sizes.wheels)
+        yield from (word("involute thin", number=n, least=least) for n, narrow in enumerate(thin, 1) if narrow)
 
     def measured(self) -> Iterator[str]:
         """Say over how many teeth and pins is measured, and what the numbers at the base circles are."""
@@ -50,7 +57,7 @@ class InvoluteNotes(NamedTuple):
 
     def _said(self, key: str, *names: str) -> Phrase:
         known = noted(self.pair, self.sizes)
-        return self.drafting.phrase(key, **{_part(name): Slot(name, known[name], 5) for name in names})
+        return self.drafting.phrase(key, **{_part(name): Slot(name, known[name], DIGITS) for name in names})
 
 
 def _part(name: str) -> str:
@@ -59,5 +66,5 @@ def _part(name: str) -> str:
     >>> _part("s_a1/m"), _part("Δy"), _part("h*")
     ('sa1m', 'Dy', 'h')
     """
-    plain = name.replace("α", "alpha").replace("ε", "eps").replace("ρ", "rho").replace("Δ", "D")
+    plain = name.replace("α", "alpha").replace("ε", "eps").replace("ρ", "rho").replace("Δ", "D").replace("Σ", "S")
     return "".join(sign for sign in plain if sign.isalnum())

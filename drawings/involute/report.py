@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.involute.notes import InvoluteNotes
 from drawings.involute.sheet import NAME, tables
-from drawings.layout.table import RuledTable
 from drawings.page.page import drafting_of
-from drawings.paper.strokes import Text
 from drawings.report.formula import Chapters, entry, plain
-from drawings.report.report import Report, TableSubject, chapter, header, row
+from drawings.report.report import Report, TableSubject, chapter, ruled
 from plans.involute.study import InvoluteStudy
 from plans.study import Study
 
@@ -40,17 +38,8 @@ def subject(study: Study) -> TableSubject:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a pair: what is given and found, then both tables of the sheet."""
     drafting = drafting_of(study.scene)
-    told = [line for one in tables(study, drafting) for line in ("", *_table(one))]
+    told = [line for one in tables(study, drafting) for line in ("", *ruled(one.plain))]
     return Chapters(values=[chapter(drafting.language, NAME), *map(entry, _notes(study).all), *told])
-
-
-def _table(told: RuledTable) -> Iterator[str]:
-    yield from header([told.first, *told.heads])
-    yield from (row([_plain(line.name), *(_plain(str(cell)) for cell in line.cells)]) for line in told.lines)
-
-
-def _plain(text: str) -> str:
-    return Text(0j, text).plain
 
 
 REPORT = Report(chapters, headline, subject=subject)

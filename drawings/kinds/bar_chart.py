@@ -17,6 +17,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Anchor, Group, Line, Stroke, Text
 from drawings.paper.walk import tied
+from drawings.symbols import trimming
 from drawings.symbols.figure import Subject, around, heading
 from drawings.symbols.symbols import TICK, arrowhead, fit_dashes
 from plans.model.cyclogram import TURN, BarRow, Period, within
@@ -132,7 +133,9 @@ class BarFigure(ChartFigure):
         """All that is drawn before any letter is placed: heading, rows, abscissa, bars, setting angles."""
         frame = Group((*self._grid(), *self._column(), *self._axis()))
         bars = Group(tuple(stroke for bar in self._bars() for stroke in self._bar(bar)), ROWS)
-        return (Group((self.title, frame, bars, *self._settings()), NAME),)
+        settings = tuple(self._settings())
+        masks = [trimming.around(one, BESIDE / 2) for one in settings if isinstance(one, Text)]
+        return (Group((self.title, frame, bars, *trimming.trim(settings, masks)), NAME),)
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole chart, what is too long for its bar lettered beside it."""
@@ -201,7 +204,7 @@ class BarFigure(ChartFigure):
         start, end = map(self.place.on, ends)
         line = fit_dashes([Line(start, end, course.style_of(stretch.span, self.hand))])
         data = Subject(NAME, SYMBOL, None).data("vector", bar.name, ends[1] - ends[0], self.place.scale)
-        letter = words[0] if words else self._whole(bar)
+        letter = words[0] if words else self._whole(bar) if bar.told else ""
         yield Group(tuple(line), "", data, Text(0j, letter).plain)
         for k, text in enumerate(words):
             yield self._text(self.place.on(bar.top) + 1j * (OVER + k * STEP * self.hand.number), text)
@@ -276,9 +279,9 @@ class BarFigure(ChartFigure):
             yield labels.beside(spot, str(number), self.hand.number, BESIDE, math.pi / 2)
 
     def _long(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the bars whose letters have no room over them."""
+        """Letter the bars whose letters have no room over them, of a span that is cut its longest part."""
         for bar in self._bars():
-            if not self._label(bar):
+            if bar.told and not self._label(bar):
                 text, spot = self._whole(bar), self.place.on(sum(bar.ends) / 2)
                 yield labels.beside(spot, text, self.hand.number, BESIDE, math.pi / 2)
 

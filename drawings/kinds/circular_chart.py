@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from drawings.kinds import course
-from drawings.kinds.bar_chart import LARGER, Chart, ChartFigure
+from drawings.kinds.bar_chart import Chart, ChartFigure
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.lettering.lettering import text_width
@@ -26,7 +26,7 @@ SYMBOL, UNIT = "φ", "rad"  # it has no scale: its angles are true
 HUB, RING = 0.5, 0.3  # the innermost circle, and the breadth of a ring
 BAND = 0.12  # of a ring: how far over its inner circle the line of what is done stands
 MARGINS = Margins(3.0, 2.4, 2.4)  # paper around it in sizes of its letters
-LETTERS = 24.0  # it is drawn at least so many of its letters wide
+LETTERS, MOST = 24.0, 60.0  # it is drawn at least so many of its letters wide, and at most so many
 BESIDE = 0.8  # mm
 ARROW = (0.6, math.radians(20), math.radians(100))  # of the hub: radius; start and sweep of the arrow of rotation
 
@@ -37,7 +37,7 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
     title = text_width(Text(0j, drafting.word(TITLE), hand.title))
     corners = [complex(x, y) for x in (-outer, outer) for y in (-outer, outer)]
     least = LETTERS * hand.letter
-    return picture(NAME, corners, (SYMBOL, UNIT), around(MARGINS, hand), title, least)._replace(most=LARGER * least)
+    return picture(NAME, corners, (SYMBOL, UNIT), around(MARGINS, hand), title, least)._replace(most=MOST * hand.letter)
 
 
 def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> CircleFigure:

@@ -119,7 +119,9 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Pa
     axes = standing(room, spot, curve.span, (curve.symbol, curve.unit), drafting, curve.stated)
     graph = Graph(room.name, axes, hand)
     scales = drafting.scale(spot.scale, axes.up)
-    scales += "" if curve.before is None else f";  {drafting.word('thin before')}"
+    if curve.before is not None:
+        apart = np.nan_to_num(np.abs(curve.before - curve.values)).max() / axes.up.mu
+        scales += f";  {drafting.word('thin before' if apart > hand.result.width / 2 else 'before as after')}"
     (ordinates, numbers), jumps = _ordinates(curve, graph), leaps(curve.values)
     before = None if curve.before is None else graph.curve(curve.angles, curve.before, hand.other)
     lines = (

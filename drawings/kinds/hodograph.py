@@ -37,6 +37,7 @@ class Hodograph(NamedTuple):
     shown: int
     name: str = ""  # of the figure
     title: str = ""  # where it is not that of a reaction
+    step: int = 1  # from one number of its positions to the next: 1, or the crank's angle in degrees
 
     @property
     def points(self) -> list[complex]:
@@ -73,7 +74,8 @@ def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> Par
         *(_point(shown, k, k in numbers, subject, place, hand) for k in points),
     )
     named = () if math.isnan(end.real) else (letter_beside(shown.letter, end, place, hand),)
-    return Part(room.name, lines, (pole_letter(place, hand), *named, *outward(shown.ends, numbers, place, hand)))
+    told = outward(shown.ends, numbers, place, hand, shown.step)
+    return Part(room.name, lines, (pole_letter(place, hand), *named, *told))
 
 
 def arrow(subject: Subject, name: str, end: complex, place: Place, hand: Hand) -> Iterator[Group]:
@@ -97,12 +99,12 @@ def letter_beside(letter: str, end: complex, place: Place, hand: Hand) -> Letter
     return Letter(place.on(end / 2), letter, hand.letter, cmath.phase(1j * (end or 1j)))
 
 
-def outward(ends: Complexes, numbers: Iterable[int], place: Place, hand: Hand) -> Iterator[Letter]:
+def outward(ends: Complexes, numbers: Iterable[int], place: Place, hand: Hand, step: int = 1) -> Iterator[Letter]:
     """Number positions outward from the middle of all; those whose ends fall together have one number, of them all."""
     heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
     told = sorted(numbers)
     for group in coinciding([place.on(complex(ends[k])) for k in told], TOGETHER * hand.number):
-        name, end = ", ".join(str(told[k]) for k in group), complex(ends[told[group[0]]])
+        name, end = ", ".join(str(told[k] * step) for k in group), complex(ends[told[group[0]]])
         yield Letter(place.on(end), name, hand.number, cmath.phase(end - heart) if end != heart else math.pi / 4)
 
 
@@ -110,7 +112,7 @@ def _point(shown: Hodograph, k: int, lettered: bool, subject: Subject, place: Pl
     """Mark the end at a position; one that is numbered can be measured."""
     value = complex(shown.ends[k])
     dot = Circle(place.on(value), DOT * hand.symbol, INK)
-    return point(subject._replace(position=k), str(k), value, place, dot) if lettered else dot
+    return point(subject._replace(position=k), str(k * shown.step), value, place, dot) if lettered else dot
 
 
 def _lettered(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -118,7 +120,7 @@ def _lettered(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ..
     spots = [place.on(complex(value)) for value in shown.ends]
     runs = ([place.on(complex(shown.values[k])) for k in run] for run in stretches(shown.values.real))
     length = sum(float(np.abs(np.diff(run)).sum()) for run in runs)
-    wide = text_width(Text(0j, str(len(spots) - 1), hand.number))
+    wide = text_width(Text(0j, str(shown.step * (len(spots) - 1)), hand.number))
     numbers = numbered(spots, length, wide + SPARE * hand.number, (shown.shown,))
     return numbers, numbered(spots, length, DOTTED * DOT * hand.symbol, numbers)
 

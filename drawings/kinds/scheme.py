@@ -79,10 +79,9 @@ class Joints:
 
     def radius(self, name: str) -> float:
         """Give the radius of a point's own symbol, mm."""
-        sizes = dict.fromkeys(self.centres, MASS * self.hand.symbol) | {
-            name: c[0].radius for name, c in self.hinges.items()
-        }
-        return sizes.get(name, POINT * self.hand.symbol)
+        if name in self.hinges:
+            return self.hinges[name][0].radius
+        return (MASS if name in self.centres else POINT) * self.hand.symbol
 
     def clear(self, name: str) -> float:
         """Give how far from a point letters stand clear of its symbols: of its block, if one is on it."""
@@ -149,10 +148,8 @@ class Joints:
             for corner in outline.corners:
                 at = complex(self.bones.numbered.of(outline.link, corner.at)[self.bones.shown])
                 if not math.isnan(at.real):
-                    radius = self._round(self.place.on(at))
-                    fill = symbols.gusset(
-                        self.place.on(at), corner.first * turn, corner.second * turn, radius, self.hand
-                    )
+                    spot, first, second = self.place.on(at), corner.first * turn, corner.second * turn
+                    fill = symbols.gusset(spot, first, second, self._round(spot), self.hand)
                     yield from [fill] if fill else []
             for slide, block in self.blocks:
                 if slide.slider == outline.link:
@@ -202,9 +199,8 @@ class Joints:
             if links[outline.link].points.get(name) in bar
         ]
         runs = [poses.turns[link] * arm / abs(arm) for link, arm in arms]
-        runs += [
-            side * poses.line(slide) for slide in self.bones.mechanism.slides if slide.point == name for side in (1, -1)
-        ]
+        slides = (slide for slide in self.bones.mechanism.slides if slide.point == name)
+        runs += [side * poses.line(slide) for slide in slides for side in (1, -1)]
         for run in runs:
             known = run[~np.isnan(run)]
             yield from (complex(way) for way in known)
@@ -216,13 +212,14 @@ class Joints:
             data = subject.data("pole" if name == zero else "point", name, value, self.place.scale)
             yield Group(self.symbol(name, self.place.on(value)), "", data, name)
 
-    def letters(self, named: Mapping[str, complex], labels: Labels) -> Iterator[Stroke]:
-        """Letter named places, each where the bars at it leave the widest angle free."""
-        bars = list(self.bars())
+    def letters(self, named: Mapping[str, complex], labels: Labels, *marks: complex) -> Iterator[Stroke]:
+        """Letter named places, each where the bars at it leave the widest angle free, nearest to it alone."""
+        bars, spots = list(self.bars()), {*marks, *map(self.place.on, named.values())}
         for name, value in named.items():
             spot, clear = self.place.on(value), self.clear(name)
             side = free_side(spot, bars, clear + ARROW_LENGTH)
-            yield labels.beside(spot, with_index(name), self.sheet.letter, clear + 1.0, side)
+            others = [(far, far) for far in spots if far != spot]
+            yield labels.beside(spot, with_index(name), self.sheet.letter, clear + 1.0, side, others)
 
     def symbol(self, name: str, at: complex, centre: bool = False) -> tuple[Stroke, ...]:
         """Draw a named place on paper: a hinge, a mass centre, or a point that is neither."""
@@ -266,9 +263,8 @@ def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
     yield from (nearest(start, end, spot) for start, end in bars)
     if not bars:
         numbered, k = joints.bones.numbered, joints.bones.shown
-        yield from (
-            joints.place.on(complex(numbered.of(link, place)[k])) for place in numbered.links[link].points.values()
-        )
+        spots = (numbered.of(link, place)[k] for place in numbered.links[link].points.values())
+        yield from (joints.place.on(complex(spot)) for spot in spots)
 
 
 SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78)  # where along a bar its number may stand

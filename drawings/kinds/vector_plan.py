@@ -46,4 +46,5 @@ def letter_images(
         if reach and any(beside):
             prefer = -math.pi / 2  # two rows of letters at one level would read as one
         rows += [(spot, reach)] if reach else []
-        yield labels.beside(spot, text, size, BESIDE if k else pole, prefer)
+        others = [(far, far) for far in names if far is not spot]
+        yield labels.beside(spot, text, size, BESIDE if k else pole, prefer, others)

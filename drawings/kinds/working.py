@@ -75,9 +75,8 @@ class Workings(NamedTuple):
         return self._passage(spot).write(box, self.drafting.hand)
 
     def _passage(self, spot: Spot | None) -> EquationBlock:
-        return EquationBlock(
-            f"{self.kind}-{self.of}", tuple(map(_line, self.lines(spot))), self.drafting.hand.text, 0.0
-        )
+        lines = tuple(map(_line, self.lines(spot)))
+        return EquationBlock(f"{self.kind}-{self.of}", lines, self.drafting.hand.text, 0.0)
 
 
 def amount(value: float, drafting: Drafting) -> str:

@@ -20,7 +20,7 @@ from drawings.paper.strokes import Line, Stroke, Text
 from drawings.symbols import symbols
 from plans.linkage.primary import PRIMARIES, CrankPositions, pushed
 from plans.linkage.travel import ExtremePositions, frame_slide
-from plans.model.mechanism import FRAME, Slide
+from plans.model.mechanism import FRAME, Slide, output_way
 from plans.model.motion import Complexes
 
 
@@ -75,9 +75,8 @@ def _number(bones: Skeletons, direction: complex) -> int | None:
 def output_point(bones: Skeletons) -> str | None:
     """Give the point whose places on its path are numbered: the output's pin, or its end away from the frame."""
     mechanism, out = bones.mechanism, bones.study.output
-    slide = frame_slide(mechanism, out.link)
-    if slide is not None:
-        return out.point or slide.point
+    if (counted := output_way(mechanism, out)) is not None:
+        return counted[0]
     free = [name for name in mechanism.links[out.link].points if name not in mechanism.links[FRAME].points]
     chosen = out.point if out.point in free else free[-1] if free else None
     return chosen if out.link != mechanism.drive.link else None
@@ -221,7 +220,7 @@ def _is_shown(bones: Skeletons, station: NumberedPlace) -> bool:
     return station.column == bones.shown
 
 
-TINY, SHARE = 12.0, 0.7  # mm: of a smaller crank circle the numbers are not told apart; of a sheet, what a plan takes
+TINY, SHARE = 15.0, 0.7  # mm: of a smaller crank circle the numbers are not told apart; of a sheet, what a plan takes
 
 
 def apart(bones: Skeletons) -> bool:

@@ -26,8 +26,8 @@ from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
-from plans.linkage.travel import frame_slide
 from plans.model.dyad import formula
+from plans.model.mechanism import output_way
 from plans.model.motion import POSITIONS, Motion
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
@@ -154,8 +154,8 @@ def _telling(study: LinkageStudy, motion: Motion, order: int) -> Any:
     area = np.sqrt(np.maximum(across[0] ** 2 - np.abs(across[1]) ** 2, 0.0))  # of the ends' ellipse, times a constant
     # The output's velocity over the positions, of its pin or of its turning
     out = study.output
-    slide = frame_slide(study.mechanism, out.link)
-    speed = motion.links[out.link].omega if slide is None else motion.points[out.point or slide.point].v
+    counted = output_way(study.mechanism, out)
+    speed = motion.links[out.link].omega if counted is None else motion.points[counted[0]].v
     return np.sqrt(area) * np.abs(speed)
 
 

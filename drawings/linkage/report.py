@@ -194,8 +194,9 @@ def shown(study: LinkageStudy) -> str:
     how = "named" if named else "framed"
     if not named and not any(pair.giver == FRAME for group in study.groups[-1:] for pair in group.outer_pairs):
         how = "last"
-    point = "_point" if out.point else ""
-    return word(study.language, f"report.output_{how}{point}", link=out.link, point=out.point)
+    point = "_along" if out.along else "_point" if out.point else ""
+    parts = {"link": out.link, "point": out.point, "angle": number(out.course, study.language)}
+    return word(study.language, f"report.output_{how}{point}", **parts)
 
 
 def shallow(study: LinkageStudy) -> list[int]:

@@ -82,10 +82,8 @@ class Page:
 
     def corners(self) -> Group:
         """Mark three corners of the frame, by which a reader finds the sheet's own millimetres again."""
-        field = self.field
-        places = (
-            complex(field.left, field.bottom), complex(field.right, field.bottom), complex(field.left, field.top),
-        )  # fmt: skip
+        left, bottom, right, top = self.field
+        places = complex(left, bottom), complex(right, bottom), complex(left, top)
         marks = tuple(
             Group((Circle(at, 0.35, INK),), f"corner-{k + 1}", {"kind": "corner", "value": stated(at)})
             for k, at in enumerate(places)

@@ -41,6 +41,11 @@ def header(heads: Sequence[str]) -> list[str]:
     return [row(heads).replace("|  |", "| |"), "|" + "---|" * len(heads)]
 
 
+def ruled(table: Sequence[Sequence[str]]) -> list[str]:
+    """Write a table by its rows, the first of them its headings."""
+    return [*header(table[0]), *map(row, table[1:])]
+
+
 def united(heads: Iterable[str], drafting: Drafting) -> list[str]:
     """Write the units of the heads of columns, which stand behind a comma, in the language of the report."""
     parts = (head.partition(", ") for head in heads)
@@ -151,15 +156,8 @@ def _quantities(technique: str, study: Study, _: Mapping[str, Sequence[Leaf]]) -
     language = study.scene.sheet.language
     heads = [word(language, key) for key in ("table.quantity", "sheet.by plan", "sheet.by analysis")]
     found = (finding for finding in study.quantities(technique) if finding.plan != EQUILIBRIUM)
-    rows = (
-        row(
-            [
-                heading(finding, language),
-                *(_size(finding, road, language) for road in (finding.construction, finding.analysis)),
-            ]
-        )
-        for finding in found
-    )
+    both = ((one, _size(one, one.construction, language), _size(one, one.analysis, language)) for one in found)
+    rows = (row([heading(finding, language), *sizes]) for finding, *sizes in both)
     return Chapters(values=[chapter(language, technique), *header(heads), *rows])
 
 

@@ -180,9 +180,8 @@ class _Leaves:
         """All that the sheets must show, measured."""
         shown = [part.panel for part in self.draft.shows if isinstance(part, Exhibit) or not part.working]
         panels = self.scales.panels(shown)
-        notes = measure(
-            (*self.draft.notes, *self.reserved), self.page.hand.text, self.drafting.language, self.draft.narrow
-        )
+        texts = *self.draft.notes, *self.reserved
+        notes = measure(texts, self.page.hand.text, self.drafting.language, self.draft.narrow)
         return Contents(panels, self.draft.tables, notes, self.followed)
 
     @cached_property

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from drawings.layout.table import RuledTable
 from drawings.page.page import drafting_of
-from drawings.paper.strokes import Text
 from drawings.report.formula import Chapters, entry, plain
-from drawings.report.report import Report, TableSubject, chapter, header, row
+from drawings.report.report import Report, TableSubject, chapter, ruled
 from drawings.structure.notes import StructureNotes
 from drawings.structure.sheet import divisions_table, pairs_table, ways_table
 from plans.structure.study import STRUCTURE, StructureStudy
@@ -38,18 +36,9 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     found, drafting = study.of(StructureStudy), drafting_of(study.scene)
     tables = [pairs_table(found, drafting), divisions_table(found, drafting)]
     tables += [ways_table(found, drafting)] if found.replacements else []
-    told = [line for each in tables for line in ("", *_table(each))]
+    told = [line for each in tables for line in ("", *ruled(each.plain))]
     notes = map(entry, StructureNotes(found, drafting).all)
     return Chapters(values=[chapter(drafting.language, STRUCTURE), *notes, *told])
-
-
-def _table(table: RuledTable) -> Iterator[str]:
-    yield from header([table.first, *table.heads])
-    yield from (row([_plain(line.name), *(_plain(str(cell)) for cell in line.cells)]) for line in table.lines)
-
-
-def _plain(text: str) -> str:
-    return Text(0j, text).plain
 
 
 REPORT = Report(chapters, headline, subject=subject)

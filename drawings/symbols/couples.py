@@ -208,12 +208,8 @@ class Gear(NamedTuple):
         first = cmath.phase(self.action) - max(turn, 0.0)
         arc = Arc(contact, ANGLE * factor, first, first + abs(turn), hand.drafted)
         lines = [Line(contact - half, contact + half, hand.drafted) for half in (tangent, action)]
-        return (
-            *fit_dashes([circle]),
-            *lines,
-            *([arc] if self.slants(hand) else []),
-            Circle(contact, CONTACT * factor, INK),
-        )
+        slant = [arc] if self.slants(hand) else []
+        return *fit_dashes([circle]), *lines, *slant, Circle(contact, CONTACT * factor, INK)
 
 
 def _turn(gear: Gear) -> float:

@@ -77,9 +77,8 @@ def ground(start: complex, end: complex, into: complex, hand: Hand) -> tuple[Str
 def block(at: complex, direction: complex, hand: Hand, size: tuple[float, float] = BLOCK) -> Polyline:
     """Draw a sliding block (ползун, камень) turned along its line."""
     along, across = direction * size[0] / 2 * hand.symbol, 1j * direction * size[1] / 2 * hand.symbol
-    return Polyline(
-        (at + along + across, at - along + across, at - along - across, at + along - across), True, hand.body
-    )
+    corners = at + along + across, at - along + across, at - along - across, at + along - across
+    return Polyline(corners, True, hand.body)
 
 
 def slot(at: complex, direction: complex, hand: Hand) -> Polyline:

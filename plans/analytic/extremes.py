@@ -12,7 +12,7 @@ from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.ends import Station
 from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.turn import FULL, Blocks, Marched, station, stations_at, whole_turn
-from plans.model.mechanism import FASTER, FRAME, Mechanism, Output, Way, by_time, works
+from plans.model.mechanism import FASTER, Mechanism, Output, Way, by_time, output_way, works
 from plans.model.motion import Complexes, Extremes, Floats
 
 
@@ -95,14 +95,10 @@ def coordinate_of(mechanism: Mechanism, constraints: Constraints, output: Output
         names = output.point or "", output.parting.other, *output.parting.line
         here, other, start, end = (_spot(mechanism, constraints, name) for name in names)
         return PartedCoordinate((here, other, start, end), constraints.size)
-    guides = [s for s in mechanism.slides if {s.slider, s.owner} == {FRAME, output.link}]
-    guide = guides[0] if guides else None
     points = mechanism.links[output.link].points
-    named = (output.point or "", guide.point if guide else "", next(iter(points)))
-    point = next(name for name in named if name in points)
-    place = constraints.numbers.index(output.link)
-    along = Way(0j, output.along) if output.along is not None else guide and guide.way(FRAME)
-    return OutputCoordinate(place, along, points[point] / constraints.size, constraints.size)
+    name, way = output_way(mechanism, output) or (output.point, None)
+    place, own = constraints.numbers.index(output.link), points[name or next(iter(points))]
+    return OutputCoordinate(place, way, own / constraints.size, constraints.size)
 
 
 def _spot(mechanism: Mechanism, constraints: Constraints, name: str) -> _OutputSpot:

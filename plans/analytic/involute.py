@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
-from plans.model.involute import GearWheel, InvolutePair, PairSizes, WheelSizes
+from plans.model.involute import HALVINGS, GearWheel, InvolutePair, PairSizes, WheelSizes
 from plans.model.motion import Complexes, Floats
 
 ANALYSIS = "analysis"
@@ -146,34 +145,38 @@ class _Formulas:
 
     def _within(self, wheel: GearWheel, curvature: float) -> bool:
         """Tell whether the involute of a wheel reaches a radius of curvature, m."""
-        foot, tip = _foot(wheel, self.root(wheel)), self.roll(wheel)
-        return (curvature / wheel.base - foot) * (curvature / wheel.base - tip) <= 0
+        end, tip = foot(wheel, self.root(wheel)), self.roll(wheel)
+        return (curvature / wheel.base - end) * (curvature / wheel.base - tip) <= 0
 
 
-class Flank(NamedTuple):
-    """The right side of a space, its middle on the y axis above the wheel's centre: fillet, then involute, m.
+def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Complexes:
+    """Give the right side of a space, its middle on the y axis above the wheel's centre, m.
 
-    Points of the fillet go from the root circle to the involute, those of the involute on to the tip circle.
+    So many points of what the tool's corner leaves, from the root circle; then an involute by its polar equation.
     """
-
-    fillet: Complexes
-    involute: Complexes
-
-
-def flank(wheel: GearWheel, tip: float, root: float, count: int) -> Flank:
-    """Give a flank: an involute by its polar equation, below it what the corner of the tool leaves."""
     half = wheel.width / (2 * wheel.radius) + inv(wheel.rack.angle)  # of a tooth, of a ring's space, at the base circle
     high = math.sqrt((tip / wheel.base) ** 2 - 1)
-    rolls = np.linspace(_foot(wheel, root), high, count)
+    begin = foot(wheel, root)
     if wheel.internal:
-        return Flank(_ring_corner(wheel, half, root, count), _polar(wheel.base, rolls, half - rolls + np.arctan(rolls)))
+        rolls = np.linspace(begin, high, count)[1:]
+        spots = _polar(wheel.base, rolls, half - rolls + np.arctan(rolls))
+        return np.concatenate([_ring_corner(wheel, half, root, count), spots])
     depth = (wheel.rack.straight - wheel.shift) * wheel.rack.module
+    low, up = wheel.rack.angle, math.pi / 2  # the normals of the fillet where it joins the involute or crosses it
+    for _ in range(HALVINGS if begin < 0 else 0):
+        lean = (low + up) / 2
+        spot = complex(_trochoid(wheel, depth, np.array([lean]))[0])
+        roll = math.sqrt(max((abs(spot) / wheel.base) ** 2 - 1, 0.0))
+        beyond = roll > 0 and math.atan2(spot.real, spot.imag) < math.pi / wheel.teeth - half + roll - math.atan(roll)
+        low, up = (lean, up) if beyond else (low, lean)
+    begin = roll if begin < 0 else begin
+    rolls = np.linspace(begin, high, count)[1:]
     spots = _polar(wheel.base, rolls, math.pi / wheel.teeth - half + rolls - np.arctan(rolls))
-    return Flank(_trochoid(wheel, depth, count), spots)
+    return np.concatenate([_trochoid(wheel, depth, np.linspace(math.pi / 2, low, count)), spots])
 
 
-def _foot(wheel: GearWheel, root: float) -> float:
-    """Give the tangent of the profile angle where the involute begins."""
+def foot(wheel: GearWheel, root: float) -> float:
+    """Give the tangent of the profile angle where the involute begins: below 0 of a wheel that is undercut."""
     if wheel.internal:
         corner = wheel.corner(root)
         return (math.sqrt((root - corner) ** 2 - wheel.base**2) + corner) / wheel.base
@@ -185,20 +188,19 @@ def _polar(base: float, rolls: Floats, off: Floats) -> Complexes:
     return np.asarray(1j * base * np.sqrt(1 + rolls**2) * np.exp(-1j * off))
 
 
-def _trochoid(wheel: GearWheel, depth: float, count: int) -> Complexes:
+def _trochoid(wheel: GearWheel, depth: float, lean: Floats) -> Complexes:
     """Give the curve at the corner's radius beside the path of its centre: it begins square to the root circle."""
     rack, r = wheel.rack, wheel.radius
     corner = rack.rounding * rack.module
     over = depth - corner * math.sin(rack.angle)  # from the pitch line down to the path of the corner's centre
-    lean = np.linspace(math.pi / 2, rack.angle, count)  # of the normal: tan = over / abscissa, from c' = r + i c
-    across = over / np.tan(lean)
+    across = over / np.tan(lean)  # of the corner's centre c by the normal: c' = r + i c
     turned = (across - rack.land * rack.module) / r
     return np.asarray((across + 1j * (r - over) + corner * np.exp(-1j * lean)) * np.exp(1j * turned))
 
 
 def _ring_corner(wheel: GearWheel, half: float, root: float, count: int) -> Complexes:
     """Give the arc between root circle and involute of an internal wheel."""
-    corner, low = wheel.corner(root), _foot(wheel, root)
+    corner, low = wheel.corner(root), foot(wheel, root)
     string = low * wheel.base - corner
     off = half - corner / wheel.base - string / wheel.base + math.atan(string / wheel.base)
     lean = np.linspace(off, half - low + math.pi / 2, count)  # of the corner's radius, from the y axis

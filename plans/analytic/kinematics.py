@@ -15,7 +15,7 @@ from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.positions import Positions, along, blocks, find, wrapped
 from plans.analytic.turn import Marched, whole_turn
 from plans.model.diagrams import Axis, Count, Diagrams, OutputRates, axis_of, still, unfollowed
-from plans.model.mechanism import FRAME, Mechanism, Output
+from plans.model.mechanism import FRAME, Mechanism, Output, output_way
 from plans.model.motion import (
     Complexes,
     Extremes,
@@ -238,7 +238,7 @@ class ExactCourse:
         self.first = first  # rad: the crank angle at which the road looks for the sketch's assembly
         self.nodes = axis.fine(NODES)
         self.along, *rates = self.at(self.nodes, followed=False)
-        self.turns = _slide_of(road.mechanism, output) is None
+        self.turns = output_way(road.mechanism, output) is None
         if self.turns:
             self.along = np.unwrap(self.along)
         self.count = self._count(extremes)
@@ -281,22 +281,13 @@ class ExactCourse:
         return Count(float(np.mean((at - net * axis.turned)[:-1])), 1.0, net) if net else Count(float(np.nanmin(at)))
 
 
-def _slide_of(mechanism: Mechanism, output: Output) -> tuple[complex, complex, str] | None:
-    """Give the guide of an output on the frame: a place of it, its direction, the point that is followed."""
-    for slide in mechanism.slides:
-        if {slide.slider, slide.owner} == {FRAME, output.link}:
-            way = slide.way(FRAME)
-            return way.through, way.direction, output.point or slide.point
-    return None
-
-
 def output_rates(
     mechanism: Mechanism, output: Output, motion: Motion, chosen: Sequence[int] | slice = slice(None)
 ) -> list[Floats]:
     """Read an output's coordinate, its velocity and acceleration off a motion, (N,) each."""
-    numbers, guide = (list(chosen) if not isinstance(chosen, slice) else chosen), _slide_of(mechanism, output)
-    if guide is None:
+    numbers, counted = (list(chosen) if not isinstance(chosen, slice) else chosen), output_way(mechanism, output)
+    if counted is None:
         return [np.asarray(row[numbers], dtype=np.float64) for row in motion.links[output.link]]
-    through, direction, point = guide
+    point, way = counted
     place, *rates = motion.points[point]
-    return [np.asarray(((row * direction.conjugate()).real)[numbers]) for row in (place - through, *rates)]
+    return [np.asarray(((row * way.direction.conjugate()).real)[numbers]) for row in (place - way.through, *rates)]

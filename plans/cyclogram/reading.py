@@ -38,17 +38,12 @@ def along(value: object) -> Decimal:
     return found
 
 
-ALONG = one(
-    along,
-    lambda: {
-        "anyOf": [
-            h.SHARE.form(),
-            forms.text(units.PER_CENT.pattern),
-            {"type": "string", "pattern": forms.text_with_unit(units.LENGTH)},
-        ]
-    },
-    "share or m",
-)
+def _along_form() -> forms.Form:
+    length = {"type": "string", "pattern": forms.text_with_unit(units.LENGTH)}
+    return {"anyOf": [h.SHARE.form(), forms.text(units.PER_CENT.pattern), length]}
+
+
+ALONG = one(along, _along_form, "share or m")
 OVERRUN = either(list, f.pair(ALONG, "[start, end]"), ALONG)
 Overrun = Decimal | tuple[Decimal, Decimal]
 
@@ -59,19 +54,15 @@ class CyclogramTable(Table):
     point: str | None = key(f.POINT, None, meaning="The point of the tool; default: that of the output.")
     overrun: Overrun = key(
         OVERRUN,
-        meaning=(
-            "How far the tool goes past the work at both ends of its stroke (перебег), or [start, end]: shares of the "
-            'stroke, per cent, or lengths, "48 mm".'
-        ),
+        meaning="How far the tool goes past the work at both ends of its stroke (перебег), or [start, end]: shares of "
+        'the stroke, per cent, or lengths, "48 mm".',
         missing=Missing("overrun of the tool", EXAMPLE, 0.1),
     )
     breaks: tuple[Decimal, ...] = key(
         many(ALONG, f.NO_REPEATS, first=f.FEW),
         (),
-        meaning=(
-            "Where the load changes on the working stroke, counted from its beginning; default: where the diagram of "
-            "the output's load in [loads] has its points."
-        ),
+        meaning="Where the load changes on the working stroke, counted from its beginning; default: where the diagram "
+        "of the output's load in [loads] has its points.",
     )
 
     @property

@@ -62,10 +62,6 @@ def _ends(diagrams: DiagramsStudy, edge: int, asked: str) -> tuple[Mark, ...]:
 def _note(name: str, pair: tuple[float, float], exact: Floats, where: float, unit: str) -> Message:
     """Say what the chord gives, over which angle, and what is exact there."""
     value, true = pair
-    largest = float(np.nanmax(np.abs(exact)))
-    parts = {
-        "value": f"{value + 0.0:.10g}",
-        "true": f"{true + 0.0:.10g}",
-        "off": f"{100 * abs(value - true) / largest:.3g}",
-    }
+    off = 100 * abs(value - true) / float(np.nanmax(np.abs(exact)))
+    parts = {"value": f"{value + 0.0:.10g}", "true": f"{true + 0.0:.10g}", "off": f"{off:.3g}"}
     return message("explain.chord", mark=name, unit=unit, angle=f"{np.degrees(where):.4f}", **parts)

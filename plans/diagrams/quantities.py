@@ -14,8 +14,8 @@ from plans.analytic.kinematics import ExactCourse, alone, diagrams
 from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, solved
 from plans.linkage.study import LinkageStudy
-from plans.linkage.travel import frame_slide
 from plans.model.diagrams import FEWEST, Diagrams
+from plans.model.mechanism import output_way
 from plans.model.motion import ACCELERATIONS, ORDERS, Floats
 from plans.quantity import Comparison, Numbers, Quantity, plain
 from plans.study import Study
@@ -86,11 +86,11 @@ class _Bounds:
     def _plan(self, order: int) -> Floats:
         """Give what the plan of an order allows the output at the positions, (M,); and of S what it allows its zero."""
         linkage: LinkageStudy = self.study.linkage
-        slide, lettered = frame_slide(linkage.mechanism, linkage.output.link), ORDERS[order]
-        if slide is None:
+        counted, lettered = output_way(linkage.mechanism, linkage.output), ORDERS[order]
+        if counted is None:
             name = f"{lettered.link.symbol}_{linkage.output.link}"
         else:
-            name = f"{lettered.point.symbol}_{linkage.output.point or slide.point}"
+            name = f"{lettered.point.symbol}_{counted[0]}"
         found = next(quantity for quantity in self.motion.of(lettered.plan) if quantity.name == name)
         allowed = np.broadcast_to(found.allowed, found.construction.shape)[list(self.axis.numbers)]
         return np.asarray(allowed + self._zero if order == 0 else allowed)
@@ -142,7 +142,7 @@ def _left_out(why: Message | None) -> Numbers:
 
 def _plain(found: Diagrams, linkage: LinkageStudy) -> dict[str, Any]:
     link, axis = linkage.output.link, found.axis
-    letters = LETTERS[frame_slide(linkage.mechanism, link) is not None]
+    letters = LETTERS[output_way(linkage.mechanism, linkage.output) is not None]
     at = dict(zip(letters, map(plain, found.at), strict=True))
     chords = {
         f"{letters[1]}_chords": {"turned": plain(axis.middles), "values": plain(found.speeds)},

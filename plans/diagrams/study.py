@@ -31,10 +31,8 @@ class DiagramsTable(Table):
     diagrams: bool = key(
         f.FLAG,
         True,
-        meaning=(
-            "Whether the kinematics sheet shows S(φ), v(φ), a(φ) of the output (кинематические диаграммы) and the "
-            "table of them."
-        ),
+        meaning="Whether the kinematics sheet shows S(φ), v(φ), a(φ) of the output (кинематические диаграммы) and the "
+        "table of them.",
     )
 
 

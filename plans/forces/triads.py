@@ -112,20 +112,13 @@ def _polygon(
     closed = polygon.close(plan, chained, names, lines)
     one, two, three = list(accumulate(map(len, laid)))[:3]
     corners, parts = chained.corners, {lead: len(known[lead].parts) for lead in group.leads}
+    met, end, why = closed.corner, corners[three], because("closing")
+    begun = plan.board.join(names[0], met, chained.start, why)
+    ended = plan.board.join(names[1], chained.end, met, why)
     return closed, {
-        first: _LeadSides(
-            (closed.corner, corners[one]),
-            (closed.corner, corners[parts[first]]),
-            plan.board.join(names[0], closed.corner, chained.start, because("closing")),
-        ),
-        third: _LeadSides(
-            (corners[two], corners[three]), (corners[three - 1 - parts[third]], corners[three]), about.found
-        ),
-        second: _LeadSides(
-            (corners[three], closed.corner),
-            (corners[-1 - parts[second]], closed.corner),
-            plan.board.join(names[1], chained.end, closed.corner, because("closing")),
-        ),
+        first: _LeadSides((met, corners[one]), (met, corners[parts[first]]), begun),
+        third: _LeadSides((corners[two], end), (corners[three - 1 - parts[third]], end), about.found),
+        second: _LeadSides((end, met), (corners[-1 - parts[second]], met), ended),
     }
 
 
@@ -151,10 +144,8 @@ def _reactions(
     plan: ForcePlan, group: Triad, lead: TriadLead, part: Mark | None, sides: _LeadSides
 ) -> tuple[Support, Support]:
     """Close the lead's forces by that of the basis link on it; keep this and its outer reaction."""
-    pressed = plan.board.join(
-        f"R_{indices(group.basis, lead.link)}", *sides.all[::-1], because("closes", link=lead.link)
-    )
-    whole = sides.along
+    name, whole = f"R_{indices(group.basis, lead.link)}", sides.along
+    pressed = plan.board.join(name, *sides.all[::-1], because("closes", link=lead.link))
     if part is not None:
         whole = plan.board.join(_name(lead), *sides.outer, because("both_parts"))
     parts = () if part is None else (part, sides.along)

@@ -6,12 +6,12 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 
-from plans.gears.wanted import WantedTable
+from plans.gears.wanted import EFFICIENCY, WantedTable
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.readers import either, many, named, one
-from plans.scene.scene import TechniqueForm
+from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
 WHEEL = re.compile(r"(?!0['′]*$)[0-9A-ZА-ЯЁ][0-9A-Za-zА-Яа-яЁё]*['′]*")  # 0 is the frame
@@ -42,26 +42,35 @@ def check_mesh(value: object) -> tuple[str, str]:
     return check_part(found[1]), check_part(found[2])
 
 
-def check_module(value: object) -> Decimal:
-    """Read a module: a number is of millimetres."""
-    bare = isinstance(value, int | float | Decimal) and not isinstance(value, bool)
-    return units.length(f"{value} mm" if bare else value)
-
-
 PART = one(check_part, lambda: forms.text(f"^{WHEEL.pattern}$", 8), "name")
 TEETH = one(check_teeth, lambda: {**forms.whole(LEAST_TEETH), "maximum": MOST_TEETH}, "number")
 MESH = one(check_mesh, lambda: forms.text(r"^[^\s-]+\s*-\s*[^\s-]+$"), '"1-2"')
-MODULE = one(check_module, lambda: {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}, "mm")
+SIDES = ("left", "right", "up", "down")
+SIDE = one(lambda value: f.choice(value, SIDES), lambda: forms.choice(SIDES), "name")
 NAMES = many(PART, f.NO_REPEATS, first=f.FEW)
 TWO = f.pair(PART, '["1", "H"]')
 
 
 class WheelTable(Table):
-    """A wheel: its teeth, whether it is a ring, a module of its own."""
+    """A wheel: its teeth, whether it is a ring or a rack, a module of its own."""
 
     teeth: int | None = key(TEETH, None, meaning="Number of teeth; default: found from coaxiality.")
     internal: bool = key(f.FLAG, False, meaning="Whether the teeth are inside, as of a ring (внутренние зубья).")
-    module: Decimal | None = key(MODULE, None, meaning="Module of its own, mm.")
+    rack: bool = key(f.FLAG, False, meaning="Whether it is a rack (рейка), a wheel without end, which slides.")
+    bevel: str | None = key(
+        SIDE,
+        None,
+        meaning="Of a bevel wheel (коническое колесо) its side of the apex: left or right, or up or down across these.",
+    )
+    module: Decimal | None = key(f.MILLIMETRES, None, meaning="Module of its own, mm.")
+
+    def check(self) -> None:
+        """See that a rack, which has no circle, is told no teeth."""
+        for name in ("internal", "teeth", "bevel"):
+            if self.rack and getattr(self, name):
+                raise wrong("toothed_rack", at=(name,))
+        if self.internal and self.bevel:
+            raise wrong("bevel_ring", at=("internal",))
 
 
 class DrivingLinkTable(Table):
@@ -89,7 +98,9 @@ class GearsTable(Table):
         meaning='Wheels that mesh (зацепления): ["1-2", "2\'-3"].',
         missing=Missing("list of meshes", 'meshes = ["1-2"]'),
     )
-    module: Decimal = key(MODULE, Decimal("0.001"), meaning="Module, mm, of all wheels without one of their own.")
+    module: Decimal = key(
+        f.MILLIMETRES, Decimal("0.001"), meaning="Module, mm, of all wheels without one of their own."
+    )
     carriers: Mapping[str, tuple[str, ...]] = key(
         named(PART, NAMES, first=f.FEW),
         {},
@@ -130,7 +141,19 @@ class GearsTable(Table):
         None,
         meaning="Moment that resists the driven link, N*m: those that balance it are found.",
     )
-    output: str = key(PART, meaning="The driven link.", missing=Missing("driven link", 'output = "H"', "1"))
+    efficiency: Decimal | None = key(
+        EFFICIENCY,
+        None,
+        meaning='Efficiency of each mesh, its carrier stopped: a part, or "98 %"; that of the train is found.',
+        also=("eta", "η", "кпд"),
+    )
+    efficiencies: Mapping[tuple[str, str], Decimal] = key(
+        named(MESH, EFFICIENCY, first=f.FEW), {}, meaning='Efficiencies of their own, by meshes: "2\'-3" = 0.99.'
+    )
+    force: Decimal | None = key(
+        f.not_negative(units.FORCE), None, meaning="Force that resists the driven rack, N, in place of a moment."
+    )
+    output: str = key(PART, meaning="The driven link, or a rack.", missing=Missing("driven link", 'output = "H"', "1"))
     planets: int | None = key(
         one(f.whole, lambda: forms.whole(1), "number", least=1),
         None,
@@ -147,13 +170,22 @@ class GearsTable(Table):
         """See that something turns."""
         if not any(drive.speed for drive in self.drives):
             raise wrong("zero", kind="angular speed", at=("drive",))
-        if self.load is not None and len(self.drives) > 1:
-            raise wrong("load_of_differential", at=("load",))
 
     @property
     def drives(self) -> tuple[DrivingLinkTable, ...]:
         """The drives."""
         return (self.drive,) if isinstance(self.drive, DrivingLinkTable) else self.drive
+
+
+class CrankTable(Table):
+    """Of the drive what the train needs: whether its driven link is on the crank's shaft."""
+
+    train: bool = key(
+        f.FLAG,
+        False,
+        meaning="Whether the driven link of [gears] is on the crank's shaft: it gives the crank its speed, and the "
+        "machine its ratio and its inertia.",
+    )
 
 
 class GearsForm(TechniqueForm):
@@ -164,3 +196,10 @@ class GearsForm(TechniqueForm):
         meaning="A gear train (зубчатый механизм): ordinary, planetary, differential, a box.",
         missing=Missing("table", EXAMPLE, {}),
     )
+    drive: CrankTable = key(table(CrankTable), CrankTable(), meaning="Whether the train is before the crank.")
+
+
+def geared(scene: Scene) -> bool:
+    """Tell whether a train is before the crank of a scene."""
+    form = scene.part("gears")
+    return isinstance(form, GearsForm) and form.drive.train

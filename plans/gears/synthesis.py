@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.gears.axes import RawTrain
-from plans.model.gears import link_of
+from plans.model.gears import link_of, share_of
 
 TIP = 2  # modules by which tips stand beyond the pitch circle, both sides
 CLEAR = 8  # teeth that a ring has more than the wheel within it, lest their tips meet (интерференция)
@@ -45,6 +45,13 @@ class Wanted(NamedTuple):
         """Between what the ratio may be."""
         off = abs(self.ratio) * self.tolerance
         return self.ratio - off, self.ratio + off
+
+    @property
+    def sign(self) -> int:
+        """The sign that the ratio has whatever the teeth; 0 where it hangs on them: that of slips s_i is known."""
+        slips = {link_of(central): -1 if central in self.raw.rings else 1 for central, _ in self.rows}
+        held, driving, driven = (slips.get(link, 0) for link in self.ends)
+        return (held - driving) * (held - driven)
 
     def allowed(self, wheel: str) -> tuple[int, int]:
         """Give the least and the greatest teeth of a wheel: those that it is given."""
@@ -182,8 +189,9 @@ class _Distance:
         found = np.zeros(self.coaxial.shape, dtype=int)
         for count in self.wanted.planets:
             good = self._stand_clear(count)
-            for (z1, p1), (z3, p3) in combinations([(self.teeth[c], self.teeth[p]) for c, p in self.wanted.rows], 2):
-                good &= (z1 * p3 - z3 * p1) % (count * np.gcd(p1, p3)) == 0
+            for one, other in combinations([(self.teeth[c], self.teeth[p]) for c, p in self.wanted.rows], 2):
+                whole, parts = share_of(one, other, count)
+                good &= whole % parts == 0
             found[good] = count
         return found
 

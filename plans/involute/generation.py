@@ -9,7 +9,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.model.involute import GearWheel
+from plans.model.involute import HALVINGS, GearWheel
 from plans.model.motion import Complexes, Floats
 from plans.words.words import because
 
@@ -36,7 +36,7 @@ def generated(wheel: GearWheel, tip: float, count: int, board: Board | None = No
     rack, m = wheel.rack, wheel.rack.module
     board = board or Board(GENERATION)
     pole = board.given("P_0", 1j * wheel.radius, because("involute_machine_pole"))
-    depth = (rack.straight - wheel.shift) * m / math.sin(rack.angle)  # from P_0 to the end of the straight flank
+    lean, depth = _joined(wheel)
     highest = wheel.radius * math.sin(rack.angle) - math.sqrt(tip**2 - wheel.base**2)
     normal = complex(math.cos(rack.angle), -math.sin(rack.angle))
     strings = np.linspace(depth, highest, count)
@@ -47,13 +47,31 @@ def generated(wheel: GearWheel, tip: float, count: int, board: Board | None = No
     place = board.given("A", 1j * (wheel.radius + wheel.shift * m) + math.pi * m / 4 + rolled, because("involute_rack"))
     flank = board.square("rack", place, along, because("involute_rack_flank"))
     touch = board.meet("T", line, flank, why=because("involute_rack_touches"))
-    return Generated(_fillet(board, wheel, pole, count), _back(board, "profile", touch, rolled / wheel.radius))
+    return Generated(_fillet(board, wheel, pole, lean, count), _back(board, "profile", touch, rolled / wheel.radius))
 
 
-def _fillet(board: Board, wheel: GearWheel, pole: Mark, count: int) -> Mark:
+def _joined(wheel: GearWheel) -> tuple[float, float]:
+    """Give the corner's normal, and how far from P_0 the flank touches, where the fillet ends: undercut, it crosses."""
+    rack, m, r = wheel.rack, wheel.rack.module, wheel.radius
+    leg, sine, slant = (rack.straight - wheel.shift) * m, math.sin(rack.angle), cmath.exp(-1j * rack.angle)
+    low, high, far = rack.angle, math.pi / 2, leg / sine
+    for _ in range(HALVINGS if far > r * sine else 0):
+        lean = (low + high) / 2
+        centre = (leg - rack.rounding * m * sine) / math.sin(lean)
+        spot = 1j * r + (centre + rack.rounding * m) * cmath.exp(-1j * lean)
+        string = math.sqrt(max(abs(spot) ** 2 - wheel.base**2, 0.0))
+        rolled = r * sine - string - math.pi * m / 4 * slant.real - wheel.shift * m * slant.imag
+        flank = (1j * r + (r * sine - string) * slant) * cmath.exp(1j * rolled / slant.real / r)
+        spot *= cmath.exp(1j * (centre * math.cos(lean) - rack.land * m) / r)
+        low, high = (lean, high) if string and cmath.phase(spot / flank) > 0 else (low, lean)
+        far = r * sine - string
+    return low, far
+
+
+def _fillet(board: Board, wheel: GearWheel, pole: Mark, last: float, count: int) -> Mark:
     """Mark where the rounded corner touches: on the line from P_0 through its centre."""
     rack, m = wheel.rack, wheel.rack.module
-    normals = np.exp(-1j * np.linspace(math.pi / 2, rack.angle, count))
+    normals = np.exp(-1j * np.linspace(math.pi / 2, last, count))
     high = wheel.radius + (wheel.shift - rack.straight + rack.rounding * math.sin(rack.angle)) * m
     along = board.given("n_c", normals, because("involute_corner_normal"))
     path = board.parallel("c", board.given("c_0", 1j * high, because("involute_corner")), board.given("x", 1 + 0j))

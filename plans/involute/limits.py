@@ -21,7 +21,7 @@ class PairLimit(NamedTuple):
 
     kind: str
     details: Mapping[str, object]
-    at: tuple[str, ...] = ("shift", "aim", "centre", "teeth")
+    at: tuple[str, ...] = ("shift", "centre", "aim", "teeth")
     broken: bool = True
 
 
@@ -74,7 +74,10 @@ def _bodies(action: LineOfAction) -> Iterator[PairLimit]:
     for wheel, tip, root in zip(action.pair.wheels, action.tips, action.roots, strict=True):
         if root <= 0 or (tip - root) * wheel.inward <= 0 or (wheel.internal and tip <= wheel.base):
             sizes = {"tip": told(1e3 * tip), "root": told(1e3 * root), "base": told(1e3 * wheel.base)}
-            yield PairLimit("no_teeth", {"wheel": wheel.number, **sizes})
+            few, height = wheel.internal and root > tip, 2 * (wheel.radius - tip) / wheel.rack.module
+            sizes["least"] = f"{math.ceil(height / (1 - math.cos(wheel.rack.angle)))}"  # of a ring, by its height alone
+            at = ("teeth",) if few else PairLimit._field_defaults["at"]
+            yield PairLimit("ring_tip" if few else "no_teeth", {"wheel": wheel.number, **sizes}, at)
         elif wheel.internal and wheel.corner(root) < ROUNDED * wheel.rack.module:
             yield PairLimit("pointed_space", {"wheel": wheel.number, "shift": told(wheel.shift)})
 

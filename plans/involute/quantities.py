@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark, Span
-from plans.analytic.involute import flank, solve
+from geometry.board import Mark, Reading, Span, behind
+from plans.analytic.involute import flank, foot, solve
 from plans.explanation import Explanation, NoMark, explained_by
 from plans.involute.action import MESH, slack
 from plans.involute.flanks import Flanks
 from plans.involute.generation import GENERATION
-from plans.involute.limits import lowest
 from plans.involute.study import POINTS, InvoluteStudy
-from plans.model.involute import PairSizes, WheelSizes
+from plans.model.involute import EPS, PairSizes, WheelSizes
 from plans.quantity import Comparison, Quantity, Shown
+from plans.words.words import because, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -50,10 +50,14 @@ class _ComparedPair(NamedTuple):
         """Compare what both wheels have in common."""
         ours, theirs, action = self.ours, self.theirs, self.study.action
         turned = self.slack / (theirs.distance * math.sin(theirs.angle))
-        yield self._of("α_w", "rad", (ours.angle, theirs.angle), turned, action.way)
+        centres = action.board["a_w"]
+        along = action.board.turn("α_w:a", centres, complex(action.way.point) / complex(centres.point))
+        yield self._of("α_w", "rad", (ours.angle, theirs.angle), turned, Reading(along, action.way))
         yield self._of("a_w", "m", (ours.distance, theirs.distance), self.slack, Span(*action.centres))
         yield self._of("g_α", "m", (ours.active, theirs.active), self.slack, Span(*action.active))
-        yield self._of("ε_α", "1", (ours.ratio, theirs.ratio), self.slack / self.study.pair.rack.base_pitch)
+        over = 1 / self.study.pair.rack.base_pitch
+        part = action.board.turn("ε_α", action.board.join("B_1B_2", *action.active), over, because("involute_ratio"))
+        yield self._of("ε_α", "1", (ours.ratio, theirs.ratio), self.slack * over, part)
 
     def wheels(self) -> Iterator[Quantity]:
         """Compare the sizes of each wheel."""
@@ -66,7 +70,7 @@ class _ComparedPair(NamedTuple):
             strings = self.study.action.feet[n - 1]
             share = self.slack * (1 / strings + 1 / abs(strings - self.theirs.distance * math.sin(self.theirs.angle)))
             off = abs(1 - theirs.sliding) * share
-            yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off)
+            yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off, self.study.action.slid[n - 1])
 
     def _ends(self, flanks: Flanks) -> dict[str, Span]:
         """Give the marks between which sizes are measured."""
@@ -81,12 +85,11 @@ class _ComparedPair(NamedTuple):
             if flanks.wheel.internal:
                 yield self._of("d_f2", "m", (2 * flanks.root, 2 * theirs.root), 2 * self.slack)
             if found := self.study.generated.get(flanks.wheel.number):
-                n, base = flanks.wheel.number, flanks.wheel.base
+                n = flanks.wheel.number
                 root, begin = abs(complex(found.points[0])), abs(complex(np.atleast_1d(found.involute.point)[0]))
-                end = math.hypot(base, lowest(flanks.wheel, theirs.root))
                 yield Quantity.of((GENERATION, f"d_f{n}", "m"), (2 * root, 2 * theirs.root), 2 * self.slack)
-                if lowest(flanks.wheel, theirs.root) >= 0:  # else the fillet cuts the involute a little further out
-                    yield Quantity.of((GENERATION, f"d_l{n}", "m"), (2 * begin, 2 * end), 2 * self.slack)
+                ends = 2 * begin, 2 * abs(complex(flank(flanks.wheel, theirs.tip, theirs.root, POINTS)[POINTS - 1]))
+                yield Quantity.of((GENERATION, f"d_l{n}", "m"), ends, 2 * self._loose(flanks, theirs, 1))
 
     def left(self) -> Iterator[Quantity]:
         """See that tooth and space fill the operating pitch, and how far whole profiles are from the formulas."""
@@ -96,9 +99,14 @@ class _ComparedPair(NamedTuple):
         yield Quantity.of((MESH, "j_w", "m"), (gap, 0.0), 2 * self.slack, pitch)
         for flanks, theirs in zip(self.study.flanks, self.theirs.wheels, strict=True):
             known = flank(flanks.wheel, theirs.tip, theirs.root, POINTS)
-            points = np.concatenate([known.fillet, known.involute[1:]])
-            off = float(np.abs(self.study.profile(flanks) - points).max())
-            yield Quantity.of((GENERATION, f"Δ_{flanks.wheel.number}", "m"), (off, 0.0), self.slack, theirs.tip)
+            off = float(np.abs(self.study.profile(flanks) - known).max())
+            loose = self._loose(flanks, theirs, 0)
+            yield Quantity.of((GENERATION, f"Δ_{flanks.wheel.number}", "m"), (off, 0.0), loose, theirs.tip)
+
+    def _loose(self, flanks: Flanks, theirs: WheelSizes, order: int) -> float:
+        """Give how far rounding moves points along a flank, m, or (1) outwards: a low fillet crosses it flatly."""
+        low, base = -foot(flanks.wheel, theirs.root), flanks.wheel.base
+        return self.slack + (base * min(EPS / low**2, low) * low**order if low > 0 else 0.0)
 
 
 # The letter of a size, its name, and how often it is told: of circles the diameters.
@@ -111,5 +119,7 @@ assert {name for _, name, _ in SIZES} <= set(WheelSizes._fields)
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark: places and lengths are metres."""
-    found = explained_by(study.comparison(MESH).findings, position, name)
+    found, board = explained_by(study.comparison(MESH).findings, position, name), study.of(InvoluteStudy).action.board
+    if isinstance(found, NoMark) and name in board and name not in found.names:
+        return Explanation(message("explain.name", mark=name), tuple(behind(board[name])), {MESH: "m"})
     return found._replace(units={MESH: "m"}) if isinstance(found, Explanation) else found

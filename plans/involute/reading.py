@@ -26,13 +26,6 @@ MILLIMETRE = Decimal(1000)
 MOST_SHIFT = Decimal(5)  # modules: far beyond any tooth
 
 
-def millimetres(value: object) -> Decimal:
-    """Read a length of gears in metres: a bare number is in mm, as modules are told everywhere."""
-    if isinstance(value, int | Decimal) and not isinstance(value, bool):
-        return units.length(units.quantity(value, units.LENGTH) / MILLIMETRE)
-    return units.length(value)
-
-
 def _bounded(value: object, least: Decimal, most: Decimal, kind: units.UnitKind = units.NUMBER) -> Decimal:
     found = units.quantity(value, kind)
     if not least <= found <= most:
@@ -52,7 +45,6 @@ def _teeth(value: object) -> int:
     return found
 
 
-MILLIMETRES = one(millimetres, lambda: forms.quantity(units.LENGTH, exclusiveMinimum=0), "mm")
 TEETH = one(_teeth, lambda: {"type": "integer", "minimum": LEAST_TEETH, "maximum": MOST_TEETH}, "number")
 
 
@@ -64,7 +56,7 @@ class InvoluteTable(Table):
     """An involute pair: module, teeth, how the wheels are shifted, the rack."""
 
     module: Decimal = key(
-        MILLIMETRES, meaning='Module m, mm, or text as "5 mm".', missing=Missing("module", "module = 5", 5)
+        f.MILLIMETRES, meaning='Module m, mm, or text as "5 mm".', missing=Missing("module", "module = 5", 5)
     )
     teeth: tuple[int, int] = key(
         _two(TEETH, "[z1, z2]"),
@@ -80,7 +72,7 @@ class InvoluteTable(Table):
     aim: str | None = key(
         f.words(*AIMS), None, meaning="What the shifts are to bring: no undercut, or equal sliding at both feet."
     )
-    centre: Decimal | None = key(MILLIMETRES, None, meaning="Centre distance a_w that is to be kept, mm.")
+    centre: Decimal | None = key(f.MILLIMETRES, None, meaning="Centre distance a_w that is to be kept, mm.")
     angle: Decimal = key(
         _between(*ANGLES, units.ANGLE), Decimal(20), meaning="Profile angle of the rack, degrees; default 20."
     )

@@ -87,4 +87,4 @@ def _equal(plain: InvolutePair, total: float) -> InvolutePair:
                 middle = (low + high) / 2
                 low, high = (middle, high) if lead(middle) <= 0 else (low, middle)
             return pair(low)
-    raise NoShift("no_equal_sliding", ("aim",), total=f"{total:.4g}", most=f"{SEARCHED:g}")
+    raise NoShift("no_equal_sliding", ("centre", "aim"), total=f"{total:.4g}", most=f"{SEARCHED:g}")

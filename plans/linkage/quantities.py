@@ -261,11 +261,8 @@ class MotionNumbers(NamedTuple):
 
     def _points(self) -> dict[str, Any]:
         points = sorted(self.motion.points.items())
-        places = {k: self.datum if k == 0 else 0 for k in self.orders}
-        return {
-            name: {ORDERS[k].point.key: pairs(point[k] + place) for k, place in places.items()}
-            for name, point in points
-        }
+        places = [(k, ORDERS[k].point.key, self.datum if k == 0 else 0) for k in self.orders]
+        return {name: {key: pairs(point[k] + place) for k, key, place in places} for name, point in points}
 
     def _links(self) -> dict[str, Any]:
         links = sorted(self.motion.links.items())

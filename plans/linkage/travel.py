@@ -63,7 +63,7 @@ class OutputTravel:
         if self.way is None:
             return tuple(motion.links[self.out.link])
         name, way = self.way
-        place, *rates = motion.points[self.out.point or name]
+        place, *rates = motion.points[name]
         return tuple(np.asarray(dot(way.direction, row)) for row in (place - way.through, *rates))
 
     def _parting(self, parting: Parting, motion: Motion) -> tuple[PointMotion, Complexes]:
@@ -174,7 +174,7 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
 
     The working stroke comes first (рабочий ход): that to which the crank gives the larger angle, or as the output says.
     """
-    turns = out.link == sweep.mechanism.drive.link and out.parting is None
+    turns = out.link == sweep.mechanism.drive.link and out.parting is None and out.along is None
     if turns or not sweep.mechanism.drive.turns or sweep.barred:
         return None
     travel = OutputTravel(_resting(sweep), out)

@@ -147,6 +147,11 @@ class Output(NamedTuple):
     parting: Parting | None = None  # from what its point is away, where that counts and not its motion on the frame
     along: complex | None = None  # the direction in which the way of its point counts, where no guide gives it
 
+    @property
+    def course(self) -> float:
+        """The angle of that direction in degrees from +x, 0 of none."""
+        return math.degrees(cmath.phase(self.along or 1)) % 360
+
 
 @dataclass(frozen=True)
 class Mechanism:
@@ -246,7 +251,8 @@ def output_way(mechanism: Mechanism, output: Output) -> tuple[str, Way] | None:
     """Give the point of an output that counts and its line: of a guide, or in the direction told; None: it swings."""
     if output.along is not None:
         return output.point or "", Way(0j, output.along)
-    return frame_way(mechanism, output.link)
+    found = frame_way(mechanism, output.link)
+    return found and (output.point or found[0], found[1])
 
 
 def _progress(mechanism: Mechanism, output: Output, begin: float, end: float) -> tuple[float, float]:

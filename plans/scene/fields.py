@@ -143,6 +143,7 @@ TEXT = one(check_text, lambda: forms.text(most=TITLE_LIMIT), "text")
 POINT = one(check_name, lambda: forms.text(f"^{forms.POINT}$", NAME_LIMIT), "point")
 FLAG = one(flag, lambda: {"type": "boolean"}, "true or false")
 COORDINATE = one(units.coordinate, lambda: forms.quantity(units.LENGTH, **_sides(units.LENGTH_LIMIT)), "m")
+MILLIMETRES = one(units.millimetres, lambda: forms.quantity(units.MILLIMETRES, exclusiveMinimum=0), "mm")
 LENGTH = one(
     units.length,
     lambda: forms.quantity(

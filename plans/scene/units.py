@@ -113,6 +113,7 @@ def _kind(name: str, si: str, forms: str, listed: str, *sizes: str) -> UnitKind:
 
 SLIGHT = "1e-30"  # in SI: what is left of a zero by whatever wrote the scene is more, what a machine has is far more
 LENGTH = _kind("length", "m", "length", "m dm cm mm")
+MILLIMETRES = _kind("length", "mm", "length", "mm cm m")  # of gears, whose modules are told so everywhere
 ANGLE = _kind("angle", "deg", "angle", "deg rad")
 SPEED = _kind("angular speed", "rad/s", "angle/time speed", "rad/s 1/s rpm deg/s")
 ANGULAR_ACCELERATION = _kind("angular acceleration", "rad/s2", "angle/time2 spin", "rad/s2 1/s2 deg/s2")
@@ -219,6 +220,11 @@ def length(value: object) -> Decimal:
     return _between(positive(value, LENGTH), LENGTH, LENGTH_LEAST, LENGTH_LIMIT)
 
 
+def millimetres(value: object) -> Decimal:
+    """Give a length of gears in metres: a bare number is in millimetres."""
+    return _between(positive(value, MILLIMETRES).scaleb(-3), LENGTH, LENGTH_LEAST, LENGTH_LIMIT)
+
+
 def angle(value: object) -> Decimal:
     """Give an angle in degrees, not reduced."""
     return _between(quantity(value, ANGLE), ANGLE, -ANGLE_LIMIT, ANGLE_LIMIT)
@@ -263,6 +269,12 @@ def not_negative(value: object, kind: UnitKind) -> Decimal:
     if result < 0:
         raise wrong("negative", kind=kind.name)
     return result
+
+
+def part(value: object) -> Decimal:
+    """Read a part of one, or text in per cent."""
+    found = per_cent(value)
+    return quantity(value, NUMBER) if found is None else found.scaleb(-2)
 
 
 def per_cent(value: object) -> Decimal | None:

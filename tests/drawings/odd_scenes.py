@@ -166,12 +166,14 @@ PAIRS = {  # of involute wheels: what is given, and of the paper
     "plain pair": ("teeth = [20, 31]", 'language = "ru"'),
     "shift inwards": ("teeth = [40, 61]\nshift = [-0.4, 0.1]", 'format = "A2"'),
     "ring of odd teeth": ("teeth = [17, 45]\nshift = [0.5, 0.9]\ninternal = true", 'format = "A3"\nlanguage = "ru"'),
+    "few teeth": ('teeth = [9, 31]\naim = "no undercut"', 'language = "ru"'),
     "steep rack": ('teeth = [13, 20]\nangle = 25\naim = "equal sliding"', 'format = "A3"\nlanguage = "ru"'),
 }
 
 
 def pairs() -> Iterator[Odd]:
-    said = {"far wheel": "The centre distance is given", "plain pair": "Δy = 0", "steep rack": "α = 25°"}
+    said = {"far wheel": "is shared inversely", "plain pair": "Δy = 0", "steep rack": "α = 25°"}
+    said |= {"few teeth": "колеса 1 тоньше 0,25m"}
     for name, (given, paper) in PAIRS.items():
         text = f'sheets = ["involute"]\n[involute]\nmodule = 5\n{given}\n[sheet]\n{paper}\n'
         yield Odd(name, text, (said[name],) if name in said else ())

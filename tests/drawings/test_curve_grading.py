@@ -130,7 +130,9 @@ def test_a_profile_in_its_place_on_a_form_is_read() -> None:
     own = task("valve-cam")
     asked = own.figure("profile points")
     for values, due in ((asked.true, []), (-asked.true.conj(), ["profile backwards"])):
-        assert of("profile", said(own, line_on_form(own, asked.key, np.asarray(values)))) == due
+        told = said(own, line_on_form(own, asked.key, np.asarray(values)))
+        assert of("profile", told) == due
+        assert {one.rpartition(" ")[2] for one in of("pressure", told)} == {"missing"}  # no curve of another figure
 
 
 @pytest.mark.rest

@@ -20,7 +20,7 @@ from drawings.form.laid import given
 from drawings.layout.picture import Place
 from drawings.page.page import BLOCK, Scale
 from drawings.paper.strokes import GIVEN, PLAIN, Arc, Circle, Group, Leaf, Line, Polyline, Text
-from drawings.paper.walk import flat, texts
+from drawings.paper.walk import flat, groups, texts
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see, ungiven
 from drawings.rotor.sheet import SHEETS as ROTOR
@@ -137,6 +137,14 @@ def test_a_form_has_places_poles_and_the_heads_of_its_tables() -> None:
     assert [one.name for one in seen.measured.points] == ["C"]
     lettering = [one.plain for one in flat(seen.written.groups) if isinstance(one, Text)]
     assert {"p", "π", "by plan", "by analysis"} < set(lettering)
+
+
+def test_the_poles_of_a_train_stand_by_the_three_scales_of_its_form_apart() -> None:
+    _, (leaf,) = form(GALLERY / "planetary-reducer.toml")
+    at = {group.data["name"]: group.strokes[0].centre for group in groups(leaf.groups) if "name" in group.data}
+    told = " ".join(text.plain for text in texts(leaf.groups)).replace(",", ".")
+    v, length, omega = (float(re.findall(rf"μ{letter} = ([\d.]+)", told)[0]) for letter in "vlω")
+    assert at["0"] - at["P"] == pytest.approx(1j * v / length / omega, abs=1e-6)
 
 
 def test_a_form_gives_the_scheme_of_its_mechanism_of_which_no_line_is_graded() -> None:

@@ -13,6 +13,7 @@ from shapely.geometry.base import BaseGeometry
 
 from drawings.checks.hold import distance, labels_of
 from drawings.kinds.scheme import link_numbers
+from drawings.kinds.vector_plan import letter_images
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
@@ -160,6 +161,13 @@ def test_a_number_of_a_link_is_nearest_to_its_own_or_led_to_it() -> None:
     ((ring, _, *led),) = (one.strokes for one in link_numbers(pairs, [1], Labels(sheet, A1.drafted), A1))
     off = {one.link: [shape(Line(*bar)).distance(shape(ring)) for bar in pairs.placed(one)] for one in pairs.outlines}
     assert led or off[1] < off[2]
+
+
+def test_of_ends_of_vectors_in_a_row_each_has_its_own_letter() -> None:
+    ends = {letter: 50 + 50j + 3.0 * k for k, letter in enumerate("abcde")}
+    letters = letter_images([(at, [one]) for one, at in ends.items()], A1.letter, Labels(Ink(99, 99), A1.drafted))
+    for one, (label,) in labels_of(tuple(letters)).items():
+        assert label.leader or distance([label], [ends[one]]) <= distance([label], [*ends.values()]) + HAIR
 
 
 @pytest.mark.parametrize("marks", [[], [Circle(58 + 50j, 1.0)], [Fill((58 + 53.3j, 57 + 48.3j, 59 + 48.3j))]])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -11,6 +13,7 @@ from plans.model.diagrams import Diagrams
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.gallery import GALLERY
 from tests.plans.scenes import scene
 from tests.plans.test_scene_techniques import LINKAGE
 
@@ -56,6 +59,17 @@ def test_chords_of_a_sine_mechanism_are_those_of_the_closed_form(drive: str) -> 
         assert found.even == pytest.approx(found.true_growths, abs=1e-12)
         own = 7 / SPEED * found.at.v if "acceleration" in drive else 0.0
         assert found.at.a == pytest.approx(found.true_growths + own, abs=1e-12)
+
+
+@pytest.mark.parametrize("along", [90, 30, -60])
+def test_a_point_without_a_guide_is_the_output_along_a_direction(along: float) -> None:
+    """Peaucellier's point goes on a straight line: y = (CB² − AB²)/2OA tan(φ/2)."""
+    text = re.sub("along = .*", f"along = {along}", (GALLERY / "inversor.toml").read_text(encoding="utf-8"))
+    half, share = np.radians([-30, -15, 0, 15, 30]) / 2, 0.3375 * np.sin(np.radians(along))
+    for found in both(text.replace('sheets = ["kinematics"]', "")):
+        assert found.at.s == pytest.approx(share * np.tan(half) - (share * np.tan(half)).min(), abs=1e-12)
+        assert found.at.v == pytest.approx(share / 2 / np.cos(half) ** 2)
+        assert found.at.a == pytest.approx(share / 2 * np.tan(half) / np.cos(half) ** 2, abs=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -165,7 +165,9 @@ BAD = (
         (ROW, "1-2 2-3", "H", "ratio = 15"),
         ("14.25 to 15.75", "nearest ratio of these is 9.52941", "z_2 = 64", "36.5 %"),
     ),
-    ((ROW, "1-2 2-3", "H", "ratio = -3"), ("nearest ratio of these is 2.29565", "want 2.29565, or change")),
+    ((ROW, "1-2 2-3", "H", "ratio = 0.3"), ("nearest ratio of these is 2.29565", "want 2.29565, or change")),
+    ((ROW, "1-2 2-3", "H", "ratio = -3"), ("a positive ratio: with link 3 held, 1 and H turn the same", "ratio = 3,")),
+    ((ROW, "1-2 2-3", "3", "ratio = 3", 3, "1=960", 'fixed = ["H"]'), ("a negative ratio", "ratio = -3,")),
     ((ROW, "1-2 2-3", "H", "ratio = 4", 40), ("40 planets", "0 can be put together")),
     (
         ("1=20 2=30 3=-80 4=20", "1-2 2-3 1-4", "H", "ratio = 5"),

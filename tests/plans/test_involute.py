@@ -3,47 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from random import Random
+from typing import Any
 
 import numpy as np
 import pytest
 
-from plans.analytic.involute import angle_of, inv, solve
-from plans.involute.limits import limits
+from plans.analytic.involute import angle_of, flank, inv, solve
+from plans.involute.limits import limits, lowest
 from plans.involute.quantities import compare_pair
 from plans.involute.shift import AIMS, EQUAL_SLIDING, NoShift, aimed, least_shift
-from plans.involute.study import InvoluteStudy
+from plans.involute.study import POINTS, InvoluteStudy
 from plans.model.involute import GearWheel, InvolutePair, Rack
 from plans.model.motion import Complexes, Floats
 from plans.words.words import languages
 
 RACK = Rack(0.005, math.radians(20))
 UNIT = Rack(1.0, math.radians(20))
+LENGTHS = {10: "4.5683", 12: "4.5963", 17: "4.6663", 20: "7.6604", 30: "10.7526", 40: "13.8448"}  # over teeth
 
 
 def wheel(teeth: int, shift: float, rack: Rack = RACK) -> GearWheel:
     return GearWheel(rack, 1, teeth, shift)
-
-
-# Theme 6 of the book, tasks 2 and 3: by (17 - z)/17, and by the exact least shift; mm.
-@pytest.mark.parametrize(
-    ("teeth", "shift", "told"),
-    [
-        (12, 5 / 17, {"s": "8.924482323", "e": "6.783480945", "x": "0.2941176471"}),
-        (12, None, {"s": "8.939098211", "e": "6.768865057", "x": "0.2981333294"}),
-        (10, 7 / 17, {"d_a": "64.11764706", "d_f": "41.61764706", "x": "0.4117647059"}),
-        (10, None, {"d_a": "64.15111108", "d_f": "41.65111108", "x": "0.4151111078"}),
-    ],
-)
-def test_theme_6(teeth: int, shift: float | None, told: dict[str, str]) -> None:
-    shift = least_shift(wheel(teeth, 0.0)) if shift is None else shift
-    first = solve(InvolutePair(RACK, (teeth, 30), (shift, -shift))).wheels[0]  # of no total shift: no shortened teeth
-    known = {"s": first.thickness, "e": RACK.pitch - first.thickness, "d_a": 2 * first.tip, "d_f": 2 * first.root}
-    found = {name: 1e3 * value for name, value in known.items()} | {"x": shift}
-    for name, digits in told.items():
-        assert f"{found[name]:.{len(digits) - digits.index('.') - 1}f}" == digits
 
 
 # By (17 - z)/17, as the book has it, a wheel is undercut by a hair: that is told, and the pair is drawn.
@@ -54,42 +37,54 @@ def test_the_rule_of_17_teeth(teeth: int, shift: float) -> None:
     assert "undercut_teeth" in {limit.kind for limit in limits(replace(pair, shifts=(shift - 0.004, 0.0)))}
 
 
-def test_least_teeth_without_undercut() -> None:
-    assert f"{2 / math.sin(RACK.angle) ** 2:.8f}" == "17.09726434" and abs(least_shift(wheel(17, 0.0))) < 0.006
+def test_least_shift_and_teeth_without_undercut() -> None:
+    assert [f"{least_shift(wheel(teeth, 0.0)):.10f}" for teeth in (10, 12)] == ["0.4151111078", "0.2981333294"]
+    first, other = (least_shift(wheel(teeth, 0.0)) for teeth in (17, 18))  # in a line with the teeth: where it is zero
+    assert f"{17 + first / (first - other):.8f}" == "17.09726434" and abs(first) < 0.006
 
 
-# Tables of the involute function, of the common normal and the constant chord at m = 1 (Anuriev, vol. 2).
+# Tables of the involute function (Anuriev, vol. 2).
 @pytest.mark.parametrize(("degrees", "value"), [(15, 0.0061498), (20, 0.0149044), (25, 0.0299753), (30, 0.0537515)])
 def test_involute_function(degrees: float, value: float) -> None:
     assert round(inv(math.radians(degrees)), 7) == value
     assert math.degrees(angle_of(inv(math.radians(degrees)))) == pytest.approx(degrees, abs=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("teeth", "spanned", "length"),
-    [(10, 2, 4.5683), (12, 2, 4.5963), (17, 2, 4.6663), (20, 3, 7.6604), (30, 4, 10.7526), (40, 5, 13.8448)],
-)
-def test_common_normal(teeth: int, spanned: int, length: float) -> None:
-    pair = InvolutePair(UNIT, (teeth, teeth), (0.0, 0.0))
-    assert pair.wheels[0].spanned == spanned
-    assert round(solve(pair).wheels[0].span, 4) == length
-
-
-# By hand: inv = 1.7/(21 cos 20°) + inv 20° - π/42; then two usual pins that would lie below the tips.
-@pytest.mark.parametrize(("pair", "pins", "over"), [
-    (InvolutePair(UNIT, (21, 21), (0.0, 0.0)), (1.7, 1.7), 23.236),
-    (InvolutePair(UNIT, (20, 60), (0.4, 0.4), True), (1.7, 1.68), None),
-    (InvolutePair(UNIT, (13, 83), (0.45, 0.2)), (1.92, 1.7), None),
+@pytest.mark.parametrize(("pair", "pins"), [  # usual ones; then two that would lie below the tips
+    (((21, 21), (0.0, 0.0)), (1.7, 1.7)), (((20, 60), (0.4, 0.4), True), (1.7, 1.68)),
+    (((13, 83), (0.45, 0.2)), (1.92, 1.7)),
 ])  # fmt: skip
-def test_pins(pair: InvolutePair, pins: tuple[float, float], over: float | None) -> None:
-    for sizes in (solve(pair), InvoluteStudy(pair).sizes):
+def test_pins(pair: tuple[Any, ...], pins: tuple[float, float]) -> None:
+    for sizes in (solve(InvolutePair(UNIT, *pair)), InvoluteStudy(InvolutePair(UNIT, *pair)).sizes):
         assert tuple(round(one.pin, 9) for one in sizes.wheels) == pins
-        assert over in (None, round(sizes.wheels[0].over, 3))
 
 
-def test_constant_chord() -> None:
-    first = solve(InvolutePair(UNIT, (20, 40), (0.0, 0.0))).wheels[0]
-    assert (round(first.chord, 4), round(first.height, 4)) == (1.3870, 0.7476)
+@pytest.mark.parametrize(("module", "pair", "told"), [
+    # Theme 6 of the book, tasks 2 and 3: by (17 - z)/17, and by the exact least shift; p - s is e
+    (5, ((12, 30), (5 / 17, -5 / 17)), {"s_1": "8.924482323"}),
+    (5, ((12, 30), (0.2981333294, -0.2981333294)), {"s_1": "8.939098211"}),
+    (5, ((10, 30), (7 / 17, -7 / 17)), {"d_a1": "64.11764706", "d_f1": "41.61764706"}),
+    (5, ((10, 30), (0.4151111078, -0.4151111078)), {"d_a1": "64.15111108", "d_f1": "41.65111108"}),
+    # Tables at m = 1 (Anuriev, vol. 2); M_1 by hand: inv = 1.7/(21 cos 20°) + inv 20° - π/42
+    *((1, ((teeth, teeth), (0.0, 0.0)), {"W_1": length}) for teeth, length in LENGTHS.items()),
+    (1, ((20, 40), (0.0, 0.0)), {"s_c1": "1.3870", "h_c1": "0.7476"}), (1, ((21, 21), (0.0, 0.0)), {"M_1": "23.236"}),
+    # Examples of "Elements of Metric Gear Technology"; of the first Δy = 0.12671
+    (3, ((12, 24), (0.6, 0.36)), {"a_w": "56.4999", "d_a1": "44.840", "d_a2": "79.400", "d_f1": "32.100"}),
+    (3, ((16, 24), (0.0, 0.5), True), {"a_w": "13.1683", "d_w2": "79.010", "d_a2": "69.46"}),
+    (3, ((24, 24), (0.4, -0.4)), {"W_1": "32.8266"}), (1, ((20, 20), (0.0, 0.0)), {"M_1": "22.2941"}),
+    (10, ((12, 24), (0.3, -0.3)), {"s_c1": "15.7988", "h_c1": "10.1248"}),
+    # By hand, as d_a2 above: k_2 = 0.25 - 0.125 x_2 (GOST 19274), 0 from 2 on
+    *((4, ((20, 60), (x, x), True), {"d_a2": tip}) for x, tip in {0.0: "234.0", 0.4: "236.8", 2.0: "248.0"}.items()),
+])  # fmt: skip
+def test_worked_sizes(module: float, pair: tuple[Any, ...], told: dict[str, str]) -> None:
+    study = InvoluteStudy(InvolutePair(Rack(module / 1e3, RACK.angle), *pair))
+    known = {one.name: one for one in compare_pair(study).findings}
+    for name, digits in told.items():
+        for road in (known[name].construction, known[name].analysis):
+            assert f"{1e3 * float(road[0]):.{len(digits) - digits.index('.') - 1}f}" == digits
+
+
+def test_no_constant_chord() -> None:
     beyond = InvoluteStudy(InvolutePair(UNIT, (61, 110), (-0.85, 0.65)))  # its chord would lie above the tip
     assert math.isnan(solve(beyond.pair).wheels[0].chord) and math.isnan(beyond.sizes.wheels[0].chord)
 
@@ -113,13 +108,12 @@ def pairs(count: int, seed: int) -> Iterator[InvolutePair]:
 
 
 PAIRS = [*pairs(60, 31)]
+CUT = [InvolutePair(RACK, (z, 40), (least_shift(wheel(z, 0.0)) - lack, 0.0)) for z in (9, 17) for lack in (1e-4, 0.006)]
+NARROW = InvolutePair(RACK, (20, 60), (0.5, 1.2), True)  # its spaces have no room for the rack's corner
 
 
 def sunk(spots: Complexes, cut: GearWheel, rolled: Floats) -> Floats:
-    """Give how deep places of a wheel lie in the rack after it rolled, m: below 0 outside of it.
-
-    The rack's tooth is a trapezium, less a corner's radius all round, to which that radius is added again.
-    """
+    """Give how deep places lie in the rolled rack, m, < 0 outside: in a lesser trapezium with a radius all round."""
     rack, m = cut.rack, cut.rack.module
     moved = spots[:, None] * np.exp(-1j * rolled / cut.radius) - rolled
     off = np.abs(moved.real) - rack.land * m
@@ -130,9 +124,8 @@ def sunk(spots: Complexes, cut: GearWheel, rolled: Floats) -> Floats:
     return np.asarray(rack.rounding * m - np.where(along >= 0, beside, corner))
 
 
-def deepest(depth: object, low: Floats, high: Floats) -> Floats:
+def deepest(depth: Callable[[Floats], Floats], low: Floats, high: Floats) -> Floats:
     """Give the largest depth over a range, place by place: by a grid, then by thirds."""
-    assert callable(depth)
     grid = np.linspace(0, 1, 4001)
     tried = depth(low[:, None] + (high - low)[:, None] * grid)
     best = tried.argmax(axis=1)
@@ -145,35 +138,56 @@ def deepest(depth: object, low: Floats, high: Floats) -> Floats:
     return np.asarray(depth(((start + end) / 2)[:, None])[:, 0])
 
 
-@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("pair", PAIRS + CUT)
 def test_roads_agree_and_the_rack_touches_every_place_and_cuts_none(pair: InvolutePair) -> None:
     study = InvoluteStudy(pair)
     comparison = compare_pair(study)
     assert comparison.agrees
     for flanks in study.flanks:
+        end = lowest(flanks.wheel, flanks.root)
+        begin, base = abs(study.profile(flanks)[POINTS - 1]), flanks.wheel.base
+        assert begin == pytest.approx(math.hypot(base, end), rel=1e-12) if end > 0 else begin > base
         if not flanks.wheel.internal:
-            spots, reach = study.profile(flanks)[1::8], np.ones(10) * 3 * pair.rack.pitch
+            spots, reach = study.profile(flanks)[1::3], np.ones(27) * 3 * pair.rack.pitch
             left = deepest(lambda rolled, f=flanks, s=spots: sunk(s, f.wheel, rolled), -reach, reach)
             assert np.abs(left).max() < 1e-12 * pair.rack.module
-    ratio = study.action.length / pair.rack.base_pitch
-    assert ratio == pytest.approx(solve(pair).ratio, rel=1e-12)
 
 
-@pytest.mark.parametrize("pair", [pair for pair in PAIRS if pair.internal])
+@pytest.mark.parametrize("pair", [NARROW, *(pair for pair in PAIRS if pair.internal)])
 def test_the_pinion_touches_the_ring_everywhere_and_cuts_nowhere(pair: InvolutePair) -> None:
     study, sizes, (first, second) = InvoluteStudy(pair), solve(pair), pair.wheels
-    flank = study.profile(study.flanks[1])[41::4]  # of the ring's involute, the middle of a space above its centre
+    whole = study.profile(study.flanks[1])  # the middle of a space above the ring's centre
+    part = whole[40::4]
     half = first.width / (2 * first.radius) + inv(pair.rack.angle)
 
     def depth(turned: Floats) -> Floats:
         """Give how deep the flank lies in the pinion's tooth, along its normal, at turns of the ring."""
-        seen = flank[:, None] * np.exp(1j * turned) - 1j * sizes.distance
+        seen = part[:, None] * np.exp(1j * turned) - 1j * sizes.distance
         seen = seen * np.exp(-1j * turned * second.teeth / first.teeth)
         slope = np.sqrt(np.maximum((np.abs(seen) / first.base) ** 2 - 1, 0.0))
         return np.asarray((half - slope + np.arctan(slope) + np.angle(seen / 1j)) * first.base)
 
-    reach = np.full(len(flank), 4 * math.pi / second.teeth)
+    reach = np.full(len(part), 4 * math.pi / second.teeth)
     assert np.abs(deepest(depth, -reach, reach)).max() < 1e-12 * second.radius
+    # A circle through three places of the fillet: it touches root circle and involute, as large as it can
+    start, end = whole[20] - whole[0], (whole[40] - whole[0]) / (whole[20] - whole[0])
+    centre = whole[0] + start * (end - abs(end) ** 2) / (end - end.conjugate())
+    corner = np.abs(whole[:41] - centre)
+    assert np.ptp(corner) < 1e-9 * corner[0] and abs(centre) + corner[0] == pytest.approx(sizes.wheels[1].root)
+    arm = centre * (whole[40] - centre).conjugate()  # the normal of an involute touches the base circle
+    assert abs(arm.imag) == pytest.approx(second.base * corner[40], rel=1e-9)
+    usual, left = pair.rack.rounding * pair.rack.module, whole[0].real  # to the middle of the space
+    assert left > -1e-9 * usual and (corner[0] == pytest.approx(usual) or (corner[0] < usual and left < 1e-9 * usual))
+
+
+@pytest.mark.parametrize("pair", PAIRS[:12])
+def test_pins_touch_both_flanks_and_lie_farthest_apart(pair: InvolutePair) -> None:
+    for flanks, sizes in zip(InvoluteStudy(pair).flanks, solve(pair).wheels, strict=True):
+        spots, cut = flank(flanks.wheel, sizes.tip, sizes.root, 4001)[4000:], flanks.wheel
+        middle = abs(complex(flanks.pins[0].point) - complex(flanks.centre.point))
+        assert np.abs(spots - 1j * middle).min() == pytest.approx(sizes.pin / 2, rel=1e-6)  # by a grid of the flank
+        apart = middle * np.abs(1 - np.exp(1j * math.tau * np.arange(cut.teeth) / cut.teeth)).max()
+        assert apart + cut.inward * sizes.pin == pytest.approx(sizes.over, rel=1e-12)
 
 
 def spare(pair: InvolutePair) -> float:
@@ -199,13 +213,10 @@ def test_tips_of_a_ring_are_told_to_meet_where_they_do(teeth: tuple[int, int], s
 
 def speeds(pair: InvolutePair, spot: complex) -> tuple[float, float]:
     """Give how fast both flanks move along themselves in a place on the line of action, at 1 rad/s of wheel 1."""
-    sizes = solve(pair)
-    first, second = (one.operating for one in sizes.wheels)
-    tangent = 1j * np.exp(1j * sizes.angle)
-    ways = (
-        -1j * (spot + 1j * first),
-        1j * pair.sense * pair.teeth[0] / pair.teeth[1] * (spot - 1j * pair.sense * second),
-    )
+    first, second = (one.operating for one in solve(pair).wheels)
+    tangent = 1j * np.exp(1j * solve(pair).angle)
+    ratio = pair.sense * pair.teeth[0] / pair.teeth[1]
+    ways = -1j * (spot + 1j * first), 1j * ratio * (spot - 1j * pair.sense * second)
     return tuple(float((way * np.conj(tangent)).real) for way in ways)  # type: ignore[return-value]
 
 
@@ -216,14 +227,33 @@ def test_sliding_is_that_of_the_velocities(pair: InvolutePair) -> None:
         both = speeds(pair, complex(mark.point))
         own, other = both[number], both[1 - number]
         assert solve(pair).wheels[number].sliding == pytest.approx((own - other) / own, rel=1e-9)
+        arm, turning = (complex(one.point) for one in study.action.slid[number])  # by which a hand is told its error
+        assert turning / arm == pytest.approx(1j * pair.sense * other / own, rel=1e-9)
 
 
-@pytest.mark.parametrize("pair", PAIRS[:6])
-def test_teeth_fill_the_operating_pitch_and_profiles_stand_in_no_other(pair: InvolutePair) -> None:
-    first, second = solve(pair).wheels
-    assert first.operating_thickness + second.operating_thickness == pytest.approx(
-        math.tau * first.operating / pair.teeth[0], rel=1e-12
-    )
+def turned(pair: InvolutePair, k: int) -> float:
+    """Give the turn of wheel 1 from the touch in P at which a tip slides along the flank of the other wheel."""
+    sizes, own, other = solve(pair).wheels, pair.wheels[k], pair.wheels[1 - k]
+    centres = -1j * sizes[0].operating, 1j * pair.sense * sizes[1].operating
+    speeds = -1.0, pair.sense * pair.teeth[0] / pair.teeth[1]
+    slopes = (math.sqrt((radius / own.base) ** 2 - 1) for radius in (sizes[k].operating, sizes[k].tip))
+    pole, tip = (np.exp(1j * slope) * (1 - 1j * slope) for slope in slopes)
+    low, high = 0.0, (-1) ** k * 3 * math.tau / pair.teeth[0]
+    for _ in range(6):
+        turns = np.linspace(low, high, 601)
+        arm = -centres[k] * tip / pole * np.exp(1j * speeds[k] * turns)
+        seen = arm + centres[k] - centres[1 - k]
+        normal = seen - seen / (1 - 1j * np.sqrt(np.maximum(np.abs(seen / other.base) ** 2 - 1, 0.0)))
+        along = ((speeds[k] * arm - speeds[1 - k] * seen) * 1j * normal.conj()).real
+        first = int(np.argmax(along[1:] * along[:-1] < 0))
+        low, high = turns[first : first + 2]
+    return float(low)
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_the_contact_ratio_is_how_many_pitches_lie_between_the_touches_of_both_tips(pair: InvolutePair) -> None:
+    told = (turned(pair, 0) - turned(pair, 1)) * pair.teeth[0] / math.tau
+    assert abs(InvoluteStudy(pair).sizes.ratio - told) < 1e-12 > abs(solve(pair).ratio - told)
 
 
 @pytest.mark.parametrize("aim", AIMS)

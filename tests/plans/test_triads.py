@@ -308,6 +308,16 @@ def test_a_lead_is_never_met_that_is_longer_than_the_way_round(size: str, long: 
     assert never(LinkageStudy(parse_scene(changed(PLATE, ("A3B3 = 0.27", f"A3B3 = {size}")))).mechanism) is long
 
 
+@pytest.mark.parametrize(("above", "far"), [(0.04, False), (0.06, True), (-0.04, False)])
+def test_a_guide_farther_off_than_crank_and_rod_reach_is_never_met(above: float, far: bool) -> None:
+    slides = [f"link = 3; along = {{ through = [0, 0.25], angle = 0 }}; offset = {above}"]
+    slider = scene(
+        frame="O = [0, 0]", links="OA AB B", lengths="OA = 0.1; AB = 0.2", slides=slides, sketch="B = [0.05, 0.2]",
+        drive="link = 1; speed = 1; start = 90",
+    )  # fmt: skip
+    assert never(LinkageStudy(parse_scene(slider)).mechanism) is far
+
+
 @pytest.mark.parametrize("why", REFUSED)
 def test_what_no_triad_can_be_is_refused_by_name(why: str) -> None:
     changes, said = REFUSED[why]

@@ -114,7 +114,7 @@ def rates_of(study: Study, kind: str, positions: Collection[int | None]) -> Rate
     }
 
 
-READ_OFF = ("kinematics", "dynamics")  # kinds of sheets on which what has no error by hand is read off graphs
+READ_OFF = ("kinematics", "dynamics", "involute")  # sheets on which what has no error by hand is read off graphs
 POSITIONS = ("output", "positions")  # tables whose rows are positions
 COURSES = (*POSITIONS, "radii", "coordinates")  # tables that tell how a quantity goes on from row to row
 CAM = "cam"  # what the data of a sheet say that its table is of
@@ -190,7 +190,11 @@ class _Own:
         for key, value in asked.items() if self.sought[1] in COURSES else ():
             most[self._worded(key)] = max(abs(value), most.get(self._worded(key), 0.0))
         scales = {part.sheet.name: dict(self._scales(part.sheet)) for part in self.parts}
-        cells = {key: self._cell(key, value, most.get(self._worded(key), abs(value))) for key, value in asked.items()}
+        sizes = {key: most.get(self._worded(key), abs(value)) for key, value in asked.items()}
+        sizes |= {
+            key: 0.0 for key in asked if isinstance(self.cells[key].expected.value, int)
+        }  # no slip alters a count
+        cells = {key: self._cell(key, value, sizes[key]) for key, value in asked.items()}
         for key, cell in cells.items():
             cells[key] = cell._replace(coarse=scales[cell.sheet].get(folded(cell.unit), 0.0))
         sheets = tuple(dict.fromkeys(part.sheet.name for part in self.parts))
@@ -207,21 +211,20 @@ class _Own:
         told = hand is not None or self.sought[1] != "values"  # where it lies by a dead centre
         shown = int(place) if self.sought[1] in POSITIONS and place.isdigit() else position
         return CellAsked(
-            name, quantity, place, value, self._printed(key, value), unit, largest, hand, told=told, position=shown,
-            read=read,
+            name, quantity, place, value, self._printed(key, value, largest), unit, largest,
+            hand if head == self.plan else None, told=told, position=shown, read=read,
             reading=next((self.rates[vector, position] for vector in read if (vector, position) in self.rates), None),
             sheet=self.cells[key].sheet.name,
             idle=_due(self.cells[key].idle),
         )  # fmt: skip
 
-    def _printed(self, key: Key, value: float) -> float:
-        """Give how far what is printed may be from the value: by its last digit, and by what both roads differ by."""
+    def _printed(self, key: Key, value: float, largest: float) -> float:
+        """Give how far what is printed is from the value, by its last digit where that is not told by three others."""
         plain, expected, *_ = self.cells[key]
         written = number((Text(0j, plain),))
-        off = abs(written.value - value) if written is not None and value else 0.0
-        rough = off <= 0.5 * 10.0 ** (math.floor(math.log10(abs(value) or 1.0)) + 1 - SURE)
-        half = 0.5 * 10.0 ** last_place(plain)
-        return max(half, off if rough else 0.0) + expected.allowed + ROUNDED * abs(value)
+        off = math.inf if written is None or not largest else abs(written.value - value)
+        rough = 0.5 * 10.0 ** (math.floor(math.log10(largest or 1.0)) + 1 - SURE)
+        return (off if off <= rough else 0.5 * 10.0 ** last_place(plain)) + expected.allowed + ROUNDED * abs(value)
 
     def _called(self, key: Key, quantity: str) -> tuple[str, str]:
         """Give what a cell is called beside its position, and its place among those of its quantity."""
@@ -246,7 +249,9 @@ class _Own:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
         if sheet.kind in READ_OFF:
             for mark in sorted(self.originals.read_back(sheet).measured.marks, key=lambda mark: mark.scale):
-                yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
+                units = {mark.unit: 1.0} | ({"mm": 1e3} if mark.unit == "m" else {})
+                for unit, times in units.items():
+                    yield folded(Text(0j, term(self.originals.language, "unit", unit)).plain), times * mark.scale
 
 
 def _due(row: Expected | None) -> float | None:

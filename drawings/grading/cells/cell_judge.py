@@ -222,10 +222,10 @@ class CellJudge:
         ordered = sorted(_factors(cells[wrong[0]].unit), key=lambda row: self._misfit(wrong, row[1]))
         for kind, _, of in ordered[: 1 if self._misfit(wrong, ordered[0][1]) <= 1 else 0]:
             yield kind, of, SEVERAL if kind == verdict.TWICE else 1, lambda key: self._numbers[key].value
-        away = float(np.median([self._numbers[key].value - cells[key].true for key in wrong]))
-        yield verdict.LEVEL, "", COURSE, lambda key: cells[key].true + away
         for step in (-1, 1):
             yield verdict.PLACE, "", COURSE, lambda key, step=step: self._beside(key, step)  # type: ignore[misc]
+        away = float(np.median([self._numbers[key].value - cells[key].true for key in wrong]))
+        yield verdict.LEVEL, "", COURSE, lambda key: cells[key].true + away
         for quantity in dict.fromkeys(cell.quantity for cell in cells.values()):
             if quantity != cells[wrong[0]].quantity:
                 yield verdict.ROW, quantity, SEVERAL, lambda key, quantity=quantity: self._other(key, quantity)  # type: ignore[misc]
@@ -284,10 +284,10 @@ def table_verdicts(
     there = {drawn.asked.sought for drawn in found}
     for table in asked:
         if table.sought not in there and set(table.sheets) & shown.sheets:
-            # The word in its corner is still there: its lines are not read, and it is not missing.
-            words = sum(folded(text.plain) == table.corner for text in texts(sheet.leaf.groups))
+            # The word in its corner is still there, or all words are outlines: it is not read, and not missing.
+            words = [folded(text.plain) == table.corner for text in texts(sheet.leaf.groups)]
             read = sum(drawn.parts for drawn in found if drawn.asked.corner == table.corner)
-            stands, data = words > read, sheet.measured.metadata
+            stands, data = sum(words) > read or not words, sheet.measured.metadata
             lost = [] if stands else list(_missing(table, {}, shown.sheets, sheet))
             if lost or stands or "form" not in data or data.get("of") == 1:  # else it is on another page of the form
                 yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]

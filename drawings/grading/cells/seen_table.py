@@ -78,11 +78,13 @@ class Ruling(NamedTuple):
 
     def below(self, box: CellFrame) -> float:
         """Give how far down the upright line on the left of a box goes."""
-        return min(rule.low for rule in self.uprights if _on(rule, box.left) and rule.passes(box.low))
+        lows = (rule.low for rule in self.uprights if _on(rule, box.left) and rule.passes(box.low))
+        return min(lows, default=box.low)
 
     def right_of(self, box: CellFrame) -> float:
         """Give how far to the right the level line under a box goes."""
-        return max(rule.high for rule in self.levels if _on(rule, box.low) and rule.passes(box.right))
+        highs = (rule.high for rule in self.levels if _on(rule, box.low) and rule.passes(box.right))
+        return max(highs, default=box.right)  # of one about a word that stands in no table
 
 
 def ruling(leaf: Leaf) -> Ruling:

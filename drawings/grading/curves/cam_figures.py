@@ -211,12 +211,8 @@ class _CamSheet(CamValues):
 
     @property
     def _ends(self) -> dict[Place, int]:
-        count = len(self.turned)
-        return {("D", k): k for k in range(count)} | {
-            ("O", None): count,
-            ("R_0", None): count + 1,
-            ("L", None): count + 2,
-        }
+        places: list[Place] = [*(("D", k) for k in range(len(self.turned))), ("O", None), ("R_0", None), ("L", None)]
+        return {place: k for k, place in enumerate(places)}
 
     def size_figure(self) -> Iterator[FigureAsked]:
         """Give the diagram of the main sizes."""

@@ -118,10 +118,11 @@ def _ink(sheet: SeenSheet) -> list[Group]:
 
 
 def _curves(sheet: SeenSheet, plan: str) -> Iterator[Complexes]:
-    """Give the curves that are nearer to the axes of a graph than to any others."""
-    blanks = every_axes(sheet)
+    """Give the curves that are nearer to the axes of a graph than to any others, and in no place of another figure."""
+    blanks, places = every_axes(sheet), form_places(sheet.leaf)
     for curve in chains(_ink(sheet)):
-        if min(blanks, key=lambda name: blanks[name].away(curve)) == plan:
+        near = min(blanks, key=lambda name: blanks[name].away(curve)) == plan
+        if near and not any(place.holds(curve.tolist()) for place in places):
             yield curve
 
 

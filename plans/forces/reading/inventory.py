@@ -115,6 +115,8 @@ def _coupled(track: Track, course: complex, mechanism: Mechanism) -> Track:
     Its working stroke is that against the force, if no way is named: time tells hardly more than which is longer.
     """
     out = mechanism.output
+    if out and out.along and not track.point:
+        return track
     own = Track(out.point or "", out.working) if out and not track.point else track
     if not own.point or output_at(mechanism, own.point) is not None:
         return track

@@ -162,8 +162,17 @@ ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a 
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on masses, loads and friction."""
     form = scene.of(ForceForm)
-    for notes in (_masses, _gravity, _friction, _diagrams, _pistons):
+    for notes in (_masses, _gravity, _friction, _diagrams, _pistons, _letters):
         yield from notes(scene, form)
+
+
+def _letters(scene: Scene, form: ForceForm) -> Iterator[Fault]:
+    """Find loads that have the letter of a point: on a scheme it would be of both."""
+    mechanism = _mechanism(scene) if form.loads else None
+    points = {name for link in mechanism.links.values() for name in link.points} if mechanism else set()
+    for path, load in _loads(form.loads) if form.loads else ():
+        if load.name in points:
+            yield scene.fault((*path, "name"), "letter_of_point", name=load.name, example=f"{load.name}_1")
 
 
 def _friction(scene: Scene, form: ForceForm) -> Iterator[Fault]:

@@ -162,22 +162,31 @@ class DriveTable(Table):
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
-        """Give the speed that a crank lacks."""
-        if not {"speed", "stroke"} & value.keys():
+        """Give the speed that a crank lacks: one behind a gear train has that of its shaft."""
+        if not {"speed", "stroke"} & value.keys() and value.get("train") is not True:
             yield wrong("missing", at=("speed",))
 
     @classmethod
     def rules(cls) -> Form:
         """Say that a list of positions stands alone, and that a speed or a stroke is needed."""
         lone: Form = {"not": {"required": ["start", "positions"], "properties": {"positions": {"type": "array"}}}}
-        return lone | {"oneOf": [{"required": ["speed"]}, {"required": ["stroke"]}]}
+        geared: Form = {"required": ["train"], "properties": {"train": {"const": True}}}
+        return lone | {"oneOf": [{"anyOf": [{"required": ["speed"]}, geared]}, {"required": ["stroke"]}]}
 
 
 class OutputTable(Table):
     """The output link (выходное звено), by its number or by a point of it, and which of its strokes works."""
 
     link: int | None = key(g.MOVING_LINK, None, meaning="The output link.")
-    point: str | None = key(f.POINT, None, meaning="A point of the output link.")
+    point: str | None = key(
+        f.POINT, None, meaning="A point of the output link.", missing=Missing("point of the link", 'point = "B"')
+    )
+    along: Decimal | None = key(
+        f.ANGLE,
+        None,
+        meaning="The direction in which the way S of that point counts, where no guide gives it (направление отсчёта "
+        "пути точки): its angle from +x; default: of a link without a guide its turn counts.",
+    )
     working: str = key(
         f.words(*(name for name in STROKES if name not in PARTINGS)),
         SLOWER,
@@ -186,15 +195,18 @@ class OutputTable(Table):
     )
 
     def check(self) -> None:
-        """See that the output is named once, or its working stroke alone."""
+        """See that the output is named once, or its working stroke alone, and of what a direction is."""
+        if self.along is not None and self.point is None:
+            raise wrong("missing", at=("point",))
         both = self.link is not None and self.point is not None
         if both or self.given.isdisjoint(self.keys):
             raise wrong("one_of_two", first="link", second="point", found="both" if both else "none")
 
     @classmethod
     def rules(cls) -> Form:
-        """Say that the output is named once, or its working stroke alone."""
-        return {"not": {"required": ["link", "point"]}, "anyOf": [{"required": [name]} for name in cls.keys]}
+        """Say that the output is named once, or its working stroke alone, and of what a direction is."""
+        either: Form = {"not": {"required": ["link", "point"]}, "anyOf": [{"required": [name]} for name in cls.keys]}
+        return either | {"dependentRequired": {"along": ["point"]}}
 
 
 class PlansTable(Table):

@@ -254,7 +254,10 @@ def _output(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> Output | None:
         survey.report(("output", "point"), "fixed_output", name=point)
         return None
     sliders = [slide.slider for slide in slides if slide.slider in owners and slide.owner == FRAME]
-    return Output(sliders[-1] if sliders else owners[-1], point, wanted.working)
+    if sliders and wanted.along is not None:
+        survey.report(("output", "along"), "guided_output", name=point)
+    along = None if wanted.along is None else direction(wanted.along)
+    return Output(sliders[-1] if sliders else owners[-1], point, wanted.working, along=along)
 
 
 def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
