@@ -180,11 +180,9 @@ def figures(lines: Sequence[Segment]) -> list[list[Segment]]:
     """Put together the segments with arrowheads that hang together by their ends."""
     found: list[list[Segment]] = []
     for line in (line for line in lines if line.headed):
-        touched = [figure for figure in found if any(_touch(line, other) for other in figure)]
+        ends = [[spot for other in figure for spot in other[:2]] for figure in found]
+        near = [any(abs(spot - end) <= JOINED for end in line[:2] for spot in spots) for spots in ends]
+        touched = [figure for figure, joined in zip(found, near, strict=True) if joined]
         found = [figure for figure in found if figure not in touched]
         found.append([line, *(part for figure in touched for part in figure)])
     return found
-
-
-def _touch(segment: Segment, other: Segment) -> bool:
-    return any(abs(a - b) <= JOINED for a in (segment.start, segment.end) for b in (other.start, other.end))

@@ -289,16 +289,12 @@ def figure_verdicts(
             if filled is not None and not (figure.plan in filled and (figure.curved or figure.is_graph)):
                 continue
             if sheet in marked or (found if filled is None else not filled[figure.plan]):
-                yield from _missing(figure)
+                missing = Verdict(figure.plan, None, "", verdict.MISSING, unit=figure.unit)
+                yield from (missing._replace(name=item.called, letters=("", item.name)) for item in figure.items)
             else:
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
         if kept is not None:
             kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]
-
-
-def _missing(asked: FigureAsked) -> Iterator[Verdict]:
-    for item in asked.items:
-        yield Verdict(asked.plan, None, item.called, verdict.MISSING, unit=asked.unit, letters=("", item.name))
 
 
 def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Floats:
