@@ -111,6 +111,12 @@ class Study:
         return next((pace for pace in paces if pace is not None), None)
 
     @property
+    def driving(self) -> float | None:
+        """The constant moment N*m of the drive over a steady turn of the scene's machine; None where none drives it."""
+        found = (techniques()[name].driving(self) for name in self.scene.techniques)
+        return next((moment for moment in found if moment is not None), None)
+
+    @property
     def made(self) -> frozenset[str]:
         """The plans that were made so far."""
         return frozenset(plan for study in self._made.values() for plan in study.made)

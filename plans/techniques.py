@@ -45,6 +45,10 @@ class Technique(ABC):
     def form(self) -> type[TechniqueForm]:
         """Give what a scene says of it: its tables, and its keys of shared ones."""
 
+    def completed(self, scene: Scene) -> Scene:
+        """Give a scene with what its part in it says of the parts of others."""
+        return scene
+
     def survey(self, meaning: Meaning) -> Survey:
         """Examine its part of a scene for faults that only it can see; its form has told all others."""
         from plans.scene.scene import Sound
@@ -90,6 +94,10 @@ class Technique(ABC):
 
     def pace(self, study: Study) -> Pace | None:
         """Give the rates of the drive at its positions, where the scene asks this technique for them."""
+        return None
+
+    def driving(self, study: Study) -> float | None:
+        """Give the constant moment N*m of the drive that a steady turn of the machine needs, where it is told."""
         return None
 
 

@@ -206,6 +206,7 @@ ROOMS = (
     ("plans.study",),
     ("plans.linkage",),
     ("plans.forces",),
+    ("plans.gears",),
     (
         *("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams"),
         *("plans.structure", "plans.transfer", "plans.centres"),

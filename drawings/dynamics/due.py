@@ -22,6 +22,8 @@ from plans.analytic.dynamics.flywheel import flywheel_of_points, wheel
 from plans.dynamics.quantities import DynamicsComparison, reducing_of
 from plans.dynamics.study import DynamicsStudy
 from plans.forces.statics import Statics
+from plans.gears.form import geared
+from plans.gears.quantities import GearsComparison
 from plans.linkage.quantities import MotionComparison
 from plans.model.dynamics import THICKEST, TURN, Cycle, Flywheel, Task, Wheel, edge_names, settled
 from plans.model.motion import Floats
@@ -46,6 +48,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     statics, comparison, drafting = study.of(Statics), study.of(DynamicsComparison), drafting_of(study.scene)
     strokes = statics.over(study.of(MotionComparison).road.extremes)
     yield from diagrams(statics.machine.loads, strokes)
+    if geared(study.scene):
+        yield from phrases(NOTES, _train(study, comparison.analysis.cycle), DIGITS, may_lack=True)
     if comparison.analysis.cycle is None:
         yield from phrases(NOTES, _rates(study.of(DynamicsStudy).task), DIGITS, may_lack=True)
         yield from _reduction(study, comparison.analysis)
@@ -60,6 +64,15 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from chain(machine.positions(), machine.results(), machine.notes())
     if comparison.construction.run is not None:
         yield from tachogram(comparison.construction.run)
+
+
+def _train(study: Study, cycle: Cycle | None) -> Iterator[tuple[str, float, float]]:
+    """Give ratio, driving moment and inertia of the train before the crank, by exact equations."""
+    found = study.of(GearsComparison).analysis
+    gear, ratio = found.train.gears[0], float(found.ratio(found.train.gears[0]) or math.nan)
+    yield from (("U", ratio, 0.0), ("J_train", found.inertia(gear, found.train.output) or 0.0, 0.0))
+    if cycle is not None:
+        yield f"M_{found.train.drives[0][0]}", cycle.driving / ratio, KNOWN * float(np.abs(cycle.work / ratio).max())
 
 
 def _reduction(study: Study, found: Account) -> Iterator[Expected]:

@@ -124,10 +124,10 @@ def true(rim: Wheel) -> tuple[tuple[str, complex], ...]:
 def said(rim: Wheel, drafting: Drafting) -> list[str]:
     """Say the mass of the rim and its moment of inertia on its own shaft, and what both shafts have to do."""
     own = drafting.phrase("rim mass", mass=Slot("m", rim.mass, DIGITS), inertia=Slot("J", rim.inertia, DIGITS))
-    return [own, *geared(rim, drafting)]
+    return [own, *on_its_shaft(rim, drafting)]
 
 
-def geared(rim: Wheel, drafting: Drafting) -> list[str]:
+def on_its_shaft(rim: Wheel, drafting: Drafting) -> list[str]:
     """Say how fast the flywheel's shaft turns, and its inertia reduced to the crank, where that is another shaft."""
     if rim.ratio == 1:
         return []

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.dynamics import report_tables as tables
-from drawings.dynamics.flywheel_sketch import geared
-from drawings.dynamics.given import RPM, given
+from drawings.dynamics.flywheel_sketch import on_its_shaft
+from drawings.dynamics.given import RPM, given, train_given
 from drawings.forces.report import masses_and_loads
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, drafting_of
@@ -24,6 +24,7 @@ from plans.dynamics.loop import loop
 from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import DynamicsStudy
 from plans.forces.statics import Statics
+from plans.gears.form import geared
 from plans.model.dynamics import TURN, Cycle, Flywheel, Task, Wheel, settled
 from plans.model.run import Account
 from plans.study import Study
@@ -238,7 +239,9 @@ def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
     true = exact.inertia if exact is not None else None
     flywheel_at = partial(_flywheel, account.cycle, dynamics.task)
     form, drafting = study.scene.of(DynamicsForm).dynamics, drafting_of(study.scene)
-    told = tuple(given(form, dynamics.task, drafting))
+    driving = account.cycle.driving if account.cycle is not None else 0.0
+    train = tuple(train_given(study, driving, drafting)) if geared(study.scene) else ()
+    told = tuple(given(form, dynamics.task, drafting, train))
     engine = form.motor is None and not all(load.useful for load in study.of(Statics).machine.loads)
     return DynamicsNotes(dynamics.task, account, flywheel_at, drafting, rim, true, digits, told, engine)
 
@@ -290,7 +293,7 @@ def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     wheel, language, drafting = notes.account.flywheel, notes.drafting.language, notes.drafting
     if wheel is None:
         return
-    exact, further = study.of(DynamicsComparison).exact.flywheel, geared(notes.rim, drafting) if notes.rim else ()
+    exact, further = study.of(DynamicsComparison).exact.flywheel, on_its_shaft(notes.rim, drafting) if notes.rim else ()
     yield from listed(
         chapter(language, "flywheel"), [*notes.reasons(), *notes.missing(), *notes.other(), *notes.sizes(), *further]
     )

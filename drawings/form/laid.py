@@ -122,18 +122,17 @@ def _worded(of: str, name: str, language: str) -> str:
     path, _, last = name.rpartition(".")
     known = words(language)
     phrase = next((known[key] for key in (f"{of}.{name}", f"{of}.{path}.*", f"{of}.{last}") if key in known), None)
-    return str(phrase).format(name=last) if phrase is not None else _plainly(last)
-
-
-def _plainly(name: str) -> str:
-    return name if INDEXED.fullmatch(name) else verbatim(name.replace("_", " "))
+    if phrase is not None:
+        return str(phrase).format(name=last)
+    return last if INDEXED.fullmatch(last) else verbatim(last.replace("_", " "))
 
 
 def _said(key: str, value: Any, language: str) -> str:
     """Word a key with its value; one that holds or not by itself."""
     name, key = key, key.rpartition(".")[2]
     own = key == "name" and f"form_value.{value}" not in words(language)  # of a cam, whatever it looks like
-    joined = verbatim(value) if own else _inner(value, language)
+    joined = verbatim(value) if own else _written(value, language)
+    joined = f"({joined})" if isinstance(value, dict | list) else joined
     if value is True:
         return _worded("form_key", name, language)
     if key[:1].isupper() or key[:1].isdigit():  # the name of a point, or the number of a link
@@ -160,10 +159,6 @@ def _written(value: Any, language: str) -> str:
 def _lettered(quantity: str, language: str) -> str:
     """Write a number of a scene, with the unit that it has there, as sheets write numbers."""
     return decimal(quantity.translate(SIGNS), language)
-
-
-def _inner(value: Any, language: str) -> str:
-    return f"({_written(value, language)})" if isinstance(value, dict | list) else _written(value, language)
 
 
 def _numbers(value: Any) -> Iterator[float]:
@@ -269,9 +264,7 @@ def _heading(group: Group) -> Heading | None:
     if group.name or group.data or len(texts) != len(strokes) or len(texts) < 2:
         return None
     title, under = texts[:2]
-    if title.anchor != under.anchor or title.size <= under.size:
-        return None
-    return Heading(_marked(title), _marked(under))
+    return None if title.anchor != under.anchor or title.size <= under.size else Heading(_marked(title), _marked(under))
 
 
 def _figure(group: Group, what: str, heading: Heading, parts: int, scales: Mapping[str, float]) -> Iterator[LaidFigure]:
@@ -281,21 +274,20 @@ def _figure(group: Group, what: str, heading: Heading, parts: int, scales: Mappi
     ink = [stroke for stroke in flat(group.strokes) if not isinstance(stroke, Text)]
     if not ink or not marks or scale is None:
         return
-    data = (poles or marks)[0].data
-    at = _centre(poles[0]) if poles else None
-    mu = float(data["scale"])
+    data, pole = (poles or marks)[0].data, poles[0].data if poles else {}
+    at, mu = _centre(poles[0]) if poles else None, float(data["scale"])
     laid = scales.get(group.name, mu) if ";" in heading.under else mu
     settled = parts == CENTRED and (what == FRAME or laid != mu)
     reach = _reach(ink, at, laid, PARTS if settled else parts)
-    axes = _axes([text for text in _loose(group) if LETTER.fullmatch(_level(text))][:2])
-    pole = poles[0].data if poles else {}
+    level = ((text, "".join(run.text for run in text.runs if not run.level)) for text in _loose(group))
+    lettered = [text for text, own in level if LETTER.fullmatch(own)][:2]
+    axes = tuple(map(_marked, sorted(lettered, key=lambda text: text.at.real)))  # of the ordinate stands further left
     of = {key: data[key] for key in ("plan", "position") if key in data}
     vectors = (mark for mark in marks if mark.data["kind"] == "vector")
     names = ((mark.data["name"], mark.title) for mark in vectors if not VALUED.search(mark.title or mark.data["name"]))
     # One that is lettered itself has a title
     letters = (title if title and " " not in name else with_index(name.replace(" ", "")) for name, title in names)
-    arrows = tuple(sorted(set(letters)))
-    laid_out = (scale[2], data["unit"], reach, axes, of, arrows, mu / laid)
+    laid_out = (scale[2], data["unit"], reach, axes, of, tuple(sorted(set(letters))), mu / laid)
     yield LaidFigure(group.name, what, heading, pole, *laid_out, poles[1].data if len(poles) > 1 else {})
 
 
@@ -317,16 +309,6 @@ def _loose(group: Group) -> list[Text]:
     """Give the letters of a figure that stand in its own groups, the headings left out."""
     own = (stroke for stroke in group.strokes if isinstance(stroke, Group) and not stroke.data)
     return [text for part in own if _heading(part) is None for text in part.strokes if isinstance(text, Text)]
-
-
-def _level(text: Text) -> str:
-    """Give what of a text stands on its line: no index, no power."""
-    return "".join(run.text for run in text.runs if not run.level)
-
-
-def _axes(letters: Sequence[Text]) -> tuple[str, ...]:
-    """Give the letters of an ordinate and an abscissa: that of the ordinate stands further left."""
-    return tuple(_marked(text) for text in sorted(letters, key=lambda text: text.at.real))
 
 
 def _centre(pole: Group) -> complex:

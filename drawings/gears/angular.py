@@ -35,7 +35,7 @@ class ShownAngular(NamedTuple):
     @property
     def ends(self) -> dict[str, complex]:
         """The ends of the links' segments."""
-        return {link: complex(complex(mark.point).real, 0) for link, mark in self.plan.speeds.items()}
+        return {link: complex(complex(mark.point).real, 0) for link, mark in self.plan.level_speeds.items()}
 
     @property
     def pole(self) -> complex:

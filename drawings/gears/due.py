@@ -16,7 +16,7 @@ from plans.analytic.gears import TrainSpeeds, ratio_with, speeds, velocity
 from plans.gears.kutzbach import ANGULAR, LINEAR, LINES, board_of
 from plans.gears.quantities import GearsComparison, tabled
 from plans.gears.study import GEARS, GearsStudy, of_gear
-from plans.model.gears import FRAME, BoxGear
+from plans.model.gears import FRAME, BoxGear, Train
 from plans.quantity import Quantity
 from plans.quantity import by_hand as slipping
 from plans.study import Study
@@ -51,7 +51,8 @@ def _linear(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> It
 
 def _angular(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> Iterator[Expected]:
     """Give the ends of the segments of links, rad/s; of links that turn alike the first may stand for all."""
-    name, every = board_of(ANGULAR, gear), TrainSpeeds(study.train).true(gear)
+    name, found = board_of(ANGULAR, gear), TrainSpeeds(study.train).true(gear)
+    every = {link: speed for link, speed in found.items() if link not in study.train.crossing}
     largest = max(map(abs, every.values()))
     for k, (link, speed) in enumerate(every.items()):
         others = (0.0, *[*every.values()][:k])
@@ -89,6 +90,12 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     for link, speed in train.drives:
         numbers |= {f"n_{link}": speed * 30 / math.pi, f"given ω_{link}": speed}
     for one, other in train.pairs:
+        if one.side:
+            numbers |= {
+                f"δ_{a.name}": math.degrees(math.atan2(a.teeth, b.teeth)) for a, b in ((one, other), (other, one))
+            }
+            numbers[f"R_{one.name}{other.name}"] = 500 * float(one.module) * math.hypot(one.teeth, other.teeth)
+            continue
         numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
     for gear in train.gears:
         ratio, speed = found.ratio(gear), found.true(gear)[train.output]
@@ -101,28 +108,50 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
     if train.single:
         numbers |= {f"given J_{link}": size for link, size in train.inertia.items()}
         numbers |= {f"given m_{link}": size for link, size in train.masses.items()}
-    for gear in filter(study.closed, train.gears):
+    for gear in (gear for gear in train.gears if study.closed(gear) or not train.single):
         numbers |= {of_gear(f"P_{one}", gear): power for one, power in TrainSpeeds(train).powers(gear).items()}
     numbers |= {"load": train.load} if train.load is not None else {}
     numbers |= {"force": study.force[1]} if study.force else {}
-    for name, value in numbers.items():
-        yield Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS)
-    yield from _ratios(study)
+    yield from (Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS) for name, value in numbers.items())
+    yield from _ratios(train)
+    yield from _friction(study)
     yield from _planets(study)
 
 
-def _ratios(study: GearsStudy) -> Iterator[Expected]:
+def _friction(study: GearsStudy) -> Iterator[Expected]:
+    """Give the efficiencies of meshes and of the train, and its ratios with friction, by the forces of meshes."""
+    train, found = study.train, TrainSpeeds(study.train)
+    first = {part: mesh for mesh, part in reversed([*train.efficiency.items()])}  # the first of those that are alike
+    numbers = {f"η {'-'.join(mesh)}": float(part) for part, mesh in first.items()}
+    for gear in train.gears:
+        friction, ratio = found.friction(gear), found.ratio(gear)
+        if friction:
+            part = friction.efficiency
+            numbers |= {of_gear(study.efficiency_name, gear): part} if ratio or not friction.locks else {}
+            numbers |= {of_gear(f"{study.ratio_name}'", gear): part / train.slides * float(ratio)} if ratio else {}
+            yield from _ratios(friction.train, of_gear("'", gear))
+    yield from (Expected(Kind.PHRASE, NOTES, name, value, digits=DIGITS) for name, value in numbers.items())
+
+
+def _ratios(train: Train, mark: str = "") -> Iterator[Expected]:
     """Give the ratios with a carrier stopped: speeds of the analysis over that of the carrier."""
-    for one in study.train.willis:
-        value = float(ratio_with(study.train, one.first.link, one.other.link, one.carrier or FRAME))
-        yield Expected(Kind.PHRASE, NOTES, f"U_{one.first.name}{one.other.name}^{one.carrier}", value, digits=DIGITS)
+    for one in train.willis:
+        name = f"U_{one.first.name}{one.other.name}^{one.carrier}{mark}"
+        value = float(ratio_with(train, one.first.link, one.other.link, one.carrier or FRAME))
+        yield Expected(Kind.PHRASE, NOTES, name, value, may_lack=bool(mark), digits=DIGITS)
 
 
 def _planets(study: GearsStudy) -> Iterator[Expected]:
     train = study.train
     for link, carrier in train.carrier_of.items() if (train.planets or 0) > 1 else ():
         far = float(train.heights[link] - train.heights[carrier])
-        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+        for name, row in {row.cross.name: row for row in train.crossing.get(link, ())}.items():
+            cone = math.atan(row.cross.radius / row.level.radius) + math.atan2(
+                2, abs(complex(row.cross.teeth, row.level.teeth))
+            )
+            for key, value in (("share", 180 / (train.planets or 1)), ("tip", math.degrees(cone))):
+                yield Expected(Kind.PHRASE, NOTES, f"{key} {name}", value, digits=DIGITS)
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
             chord = 2000 * far * math.sin(math.pi / (train.planets or 1))
             yield Expected(Kind.PHRASE, NOTES, f"chord {wheel.name}", chord)
             yield Expected(Kind.PHRASE, NOTES, f"tips {wheel.name}", 1000 * float(wheel.module) * (wheel.teeth + 2))

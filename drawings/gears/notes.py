@@ -5,14 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import chain
 from typing import NamedTuple
 
 from drawings.gears import synthesis
+from drawings.gears.efficiency import EfficiencyNotes
+from drawings.gears.willis import by_teeth, lettered, quantity, ratio_letters, stopped
 from drawings.lettering.gear_letters import link_letters, teeth_letters
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
-from plans.gears.study import GearsStudy, of_gear, pair_of
+from plans.gears.study import GearsStudy, of_gear
 from plans.gears.synthesis import CLEAR
 from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, Willis, assembly, bodies
 
@@ -30,16 +33,8 @@ class GearsNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, how it fits, what Willis gives, how the plans are read."""
-        return (
-            *self.given(),
-            *self.synthesis(),
-            *self.fit(),
-            *self.willis(),
-            *self.solved(),
-            *self.inertia(),
-            *self.moments(),
-            *self.read(),
-        )
+        told = self.given(), self.synthesis(), self.fit(), self.willis(), self.solved(), self.inertia(), self.moments()
+        return tuple(chain(*told, self.read()))
 
     def given(self) -> Iterator[str]:
         """Tell teeth, module and speeds."""
@@ -84,6 +79,9 @@ class GearsNotes(NamedTuple):
         """Tell the distances of axes, and the conditions of neighbourhood and of assembly."""
         train = self.study.train
         for one, other in train.pairs:
+            if one.side:
+                yield self._cones(one, other)
+                continue
             sign = "−" if one.internal or other.internal else "+"
             large, small = (other, one) if other.internal else (one, other)
             terms = f"{teeth_letters(large.name)} {sign} {teeth_letters(small.name)}"
@@ -94,10 +92,19 @@ class GearsNotes(NamedTuple):
         for link in train.carrier_of if (train.planets or 0) > 1 else ():
             yield from self._planets(link)
 
+    def _cones(self, one: ToothedWheel, other: ToothedWheel) -> Phrase:
+        """Tell the half angles of two pitch cones and how long their common edge is."""
+        pair, far = f"{one.name}{other.name}", MILLIMETRES * float(one.module / 2) * math.hypot(one.teeth, other.teeth)
+        said: dict[str, object] = {"pair": pair, "far": Slot(f"R_{pair}", far, DIGITS)}
+        said |= {"one": one.name, "other": other.name}
+        for key, a, b in (("first", one, other), ("second", other, one)):
+            said[key] = Slot(f"δ_{a.name}", math.degrees(math.atan(a.teeth / b.teeth)), DIGITS)
+        return self._said("gears cones", letter=module_letter(self.study.train, one), **said)
+
     def _cut(self) -> Iterator[str]:
         """Warn of wheels that a rack undercuts, and of rings with hardly more teeth than the wheel within."""
         least, wheels = synthesis.USUAL_LEAST[False], self.study.train.wheels.values()
-        few = [f"{teeth_letters(w.name)} = {w.teeth}" for w in wheels if 0 < w.teeth < least]
+        few = [f"{teeth_letters(w.name)} = {w.teeth}" for w in wheels if 0 < w.teeth < least and not w.side]
         pairs = (sorted(pair, key=lambda wheel: wheel.teeth) for pair in self.study.train.pairs)
         more = [(ring, inner, -ring.teeth - inner.teeth) for ring, inner in pairs if ring.internal]
         close = [f"{teeth_letters(a.name)} − {teeth_letters(b.name)} = {n}" for a, b, n in more if n < CLEAR]
@@ -107,7 +114,11 @@ class GearsNotes(NamedTuple):
     def _planets(self, link: str) -> Iterator[str]:
         train, count = self.study.train, self.study.train.planets or 1
         far = train.heights[link] - train.heights[train.carrier_of[link]]
-        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link):
+        rows = {row.cross.name: ("".join(mesh), row) for mesh, row in train.bevels.items() if row.cross.link == link}
+        for name, (pair, row) in rows.items():
+            share, tip = Slot(f"share {name}", 180 / count, DIGITS), Slot(f"tip {name}", row.tip, DIGITS)
+            yield self._said("gears cone", wheel=name, count=count, share=share, tip=tip, pair=pair)
+        for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
             chord = Slot(f"chord {wheel.name}", MILLIMETRES * 2 * float(far) * math.sin(math.pi / count))
             tips = Slot(f"tips {wheel.name}", MILLIMETRES * float(wheel.module * (wheel.teeth + 2)))
             letter = module_letter(train, wheel)
@@ -126,12 +137,8 @@ class GearsNotes(NamedTuple):
         name = ratio_letters(one)
         top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
         speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
-        driven, driving = _kept(one)
-        sign = "−" if one.ratio < 0 else ""
-        product = "·".join(teeth_letters(w.name) for w in driven), "·".join(teeth_letters(w.name) for w in driving)
-        numbers = "·".join(str(abs(w.teeth)) for w in driven), "·".join(str(abs(w.teeth)) for w in driving)
-        terms = [name, speeds, f"{sign}{_over(*product, len(driving))}", f"{sign}{_over(*numbers, len(driving))}"]
-        return joined(" = ", (*terms, self.drafting.slot(Slot(_quantity(one), float(one.ratio), DIGITS))))
+        value = self.drafting.slot(Slot(quantity(one), float(one.ratio), DIGITS))
+        return joined(" = ", (name, speeds, *by_teeth(one), value))
 
     def ratios(self) -> Iterator[str]:
         """Tell the ratio of each gear, by Willis's formula where that gives it at once, and the driven speed."""
@@ -141,7 +148,7 @@ class GearsNotes(NamedTuple):
     def solved(self) -> Iterator[str]:
         """Tell the ratios, before each that its formulas give only together these for the links as they turn."""
         for gear in self.study.train.gears:
-            if not [*self._stopped(gear)]:
+            if not stopped(self.study.train, gear):
                 yield from self._together(gear)
             yield self._ratio(gear)
             yield from self.racks(gear)
@@ -178,43 +185,11 @@ class GearsNotes(NamedTuple):
             omega = slot(Slot(of_gear(f"ω_{driven}", gear), speed, DIGITS))
             index = f"{driven},{gear.name}" if gear.name else driven
             return joined("", (f"ω_{{{index}}} = ", omega, f" {self.drafting.word('rad/s')};  ", turns))
-        name = f"U^{{{gear.name}}}_" if gear.name else "U_"
-        name += f"{{{pair_of(driving, driven)}}}"
         value = slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
-        terms = [name, *(self._stopped(gear) or (f"ω_{{{driving}}}/ω_{{{driven}}}",))]
+        formula = stopped(self.study.train, gear) or f"ω_{{{driving}}}/ω_{{{driven}}}"
+        terms = [lettered(self.study.ratio_name, gear), formula]
         terms += [_fraction(ratio)] if ratio.denominator != 1 else []
         return joined("", (joined(" = ", (*terms, value)), ";  ", turns))
-
-    def _stopped(self, gear: BoxGear) -> list[str]:
-        """Write the ratio by those with carriers stopped, where these lead from the driving link to the driven one."""
-        driving, driven = self.study.train.drives[0][0], self.study.train.output
-        body = bodies(self.study.train.links, (*self.study.train.joined, *gear.locked))
-        ways, steps = {body[driving]: ("", "")}, [*self._steps(gear)]
-        for _ in steps:
-            for one, other, top, low in steps:
-                for a, b, over, under in ((body[one], body[other], top, low), (body[other], body[one], low, top)):
-                    if a in ways and b not in ways:
-                        ways[b] = ways[a][0] + over, ways[a][1] + under
-        top, low = ways.get(body[driven], ("", ""))
-        if not (self.study.train.single and (top or low)):
-            return []
-        bare = top[1:-1] if top.count("(1") == 1 and top[0] == "(" and not low else top
-        return [f"{bare or 1}/[{low}]" if low.count("(1") > 1 else f"{bare or 1}/{low}" if low else bare]
-
-    def _steps(self, gear: BoxGear) -> Iterator[tuple[str, str, str, str]]:
-        """Give pairs of links with the numerator and the denominator of their ratio: 1 - U_13^(H), where 3 is held."""
-        held = {link for link, one in bodies(self.study.train.links, [(FRAME, *gear.held)]).items() if one == FRAME}
-        for one in self.study.train.willis:
-            a, b, name = one.first.link, one.other.link, ratio_letters(one)
-            if not one.carrier:
-                yield a, b, name, ""
-            elif b in held:
-                yield a, one.carrier, f"(1 − {name})", ""
-                for third in self.study.train.willis:
-                    if third.first is one.first and third is not one and third.other.link not in held:
-                        yield third.other.link, one.carrier, f"(1 − {name}/{ratio_letters(third)})", ""
-            elif a in held:
-                yield b, one.carrier, f"(1 − 1/{name})", ""
 
     def inertia(self) -> Iterator[str]:
         """Tell the inertia of links, and how that of all is reduced."""
@@ -231,7 +206,7 @@ class GearsNotes(NamedTuple):
                 yield self._said("gears one planet")
 
     def moments(self) -> Iterator[str]:
-        """Tell the load, and how the moments that balance it are found."""
+        """Tell the load, how the moments that balance it are found, and what friction in the meshes takes."""
         train = self.study.train
         if train.load is not None:
             if self.study.force is not None:
@@ -239,11 +214,16 @@ class GearsNotes(NamedTuple):
                 wheel = train.wheels[train.racks[rack]]
                 arm = f"{module_letter(train, wheel)}·{teeth_letters(wheel.name)}/2"
                 yield self._said("gears force", rack=rack, force=Slot("force", force), arm=arm, link=wheel.link)
-            yield self._said("gears load", link=link_letters(train.output), load=Slot("load", train.load))
-            for gear in filter(self.study.closed, train.gears):
-                yield from self._powers(gear)
+            key = "gears load" if train.single else "gears load of several"
+            yield self._said(key, link=link_letters(train.output), load=Slot("load", train.load))
+            if train.load == self.study.resisted:
+                yield self._said("gears load of machine")
+            for gear in train.gears:
+                if self.study.closed(gear) or not train.single:
+                    yield from self._powers(gear)
             if not all(map(self.speeds.moments, train.gears)):
                 yield self._said("gears unbalanced")
+        yield from EfficiencyNotes(*self).all
 
     def _powers(self, gear: BoxGear) -> Iterator[str]:
         """Tell the power that is put in and what flows through joints; what is more than that circulates."""
@@ -252,11 +232,15 @@ class GearsNotes(NamedTuple):
             told = ((f"P_{{{of_gear(name, gear)}}}", of_gear(f"P_{name}", gear), size) for name, size in powers.items())
             parts = [self._equal(letter, Slot(name, size, DIGITS)) for letter, name, size in told]
             said = "gears circulating" if self.speeds.circulates(gear) else "gears powers"
+            said = said if self.study.train.joints else "gears put in"
             yield self._said(said, powers=joined(",  ", parts))
 
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""
         yield self._said("gears read")
+        for link in self.study.train.crossing:
+            key = "gears over" if link in self.study.train.carrier_of else "gears axis across"
+            yield self._said(key, link=link_letters(link))
         for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
             yield self._said("gears assumed", link=link_letters(link))
 
@@ -265,12 +249,6 @@ class GearsNotes(NamedTuple):
 
     def _said(self, key: str, **parts: object) -> Phrase:
         return self.drafting.phrase(key, **parts)
-
-
-def ratio_letters(one: Willis) -> str:
-    """Letter a ratio with the carrier stopped: U_13^(H)."""
-    carrier = f"^{{({one.carrier})}}" if one.carrier else ""
-    return f"U{carrier}_{{{pair_of(one.first.link, one.other.link)}}}"
 
 
 def module_letter(train: Train, wheel: ToothedWheel) -> str:
@@ -288,24 +266,6 @@ def _over_carrier(link: str, carrier: str) -> str:
 
 def _bracketed(text: str) -> str:
     return f"({text})" if "−" in text else text
-
-
-def _quantity(one: Willis) -> str:
-    return f"U_{one.first.name}{one.other.name}^{one.carrier}"
-
-
-def _kept(one: Willis) -> tuple[list[ToothedWheel], list[ToothedWheel]]:
-    """Leave out wheels that are driven and drive: an idler changes the sign alone."""
-    driven, driving = [*one.driven], [*one.driving]
-    for wheel in one.driven:
-        if wheel in driving:
-            driven.remove(wheel)
-            driving.remove(wheel)
-    return driven, driving
-
-
-def _over(top: str, low: str, count: int) -> str:
-    return f"{top}/({low})" if count > 1 else f"{top}/{low}"
 
 
 def _fraction(value: Fraction) -> str:

@@ -44,12 +44,13 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     notes, drafting = _notes(study), drafting_of(study.scene)
     comparison = study.of(GearsComparison)
     searched = study.of(GearsStudy).searched
-    sought = ["", *ruled(solutions(searched, drafting, None))] if searched else []
+    sought = ["", *ruled(solutions(searched, drafting, None).plain)] if searched else []
     told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
-    tables = [line for each in told for line in ("", *ruled(each))]
+    tables = [line for each in told for line in ("", *ruled(each.plain))]
+    head = chapter(drafting.language, GEARS)
     return Chapters(
         subject=[
-            chapter(drafting.language, GEARS).lstrip(),
+            head if study.techniques[0] != GEARS else head.lstrip(),
             *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
             *sought,
         ],

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Final, NamedTuple
 
-from plans.model.gears import ToothedWheel, Train
+from plans.model.gears import ACROSS, ToothedWheel, Train
 
 SUN, ARM, DISC, PLATE, BRAKE, HELD, INPUT, OUTPUT = "sun", "arm", "disc", "plate", "brake", "held", "input", "output"
 RIM, LEVEL, STUB = 0.07, 0.05, 0.16  # of the height of the train: a ring's thickness, hollow shafts apart, short posts
@@ -45,11 +45,13 @@ class Routing:
     """The posts and rods of a train: first those that columns settle, then all others, each where it crosses least."""
 
     train: Train
+    roofed: bool = False  # whether carriers that bear a wheel go round the bevel wheels of their planets
     posts: list[Post] = field(default_factory=list)
     levels: dict[str, int] = field(default_factory=dict)
+    roofs: dict[str, float] = field(default_factory=dict)  # heights m of carriers that go round a bevel wheel
 
     def __post_init__(self) -> None:
-        tops = (self.train.heights[wheel.link] + wheel.radius for wheel in self.train.wheels.values())
+        tops = (self.train.heights[w.link] + w.radius * (w.side not in ACROSS) for w in self.train.wheels.values())
         self.size = float(max(tops))
         self.columns = columns(self.train)
         self.bodies = self.train.body_of
@@ -76,7 +78,7 @@ class Routing:
 
     def shaft(self, body: str) -> Rod | None:
         """Give the shaft of a body between its posts."""
-        across = [post.x for post in self.posts if post.body == body]
+        across = [post.x for post in self.posts if post.body == body and not (body in self.roofs and post.kind == ARM)]
         if not across:
             return None
         return Rod(body, min(across), max(across), self.level(body))
@@ -99,11 +101,15 @@ class Routing:
                 across = [self.columns[ring.name] for ring in rings]
                 across += [post.x for post in self.posts if post.body == body and post.kind == DISC]
                 yield Rod(body, min(across), max(across), self.bar(body))
+        for body, y in self.roofs.items():
+            across = [post.x for post in self.posts if post.body == body and post.kind in (ARM, DISC)]
+            yield Rod(body, min(across), max(across), y)
 
     def rods(self) -> list[Rod]:
         """Give all level lines."""
         shafts = (self.shaft(body) for body in dict.fromkeys(self.bodies.values()))
-        return [*(rod for rod in shafts if rod), *(self.axle(link) for link in self.train.carrier_of), *self.bars()]
+        level = (link for link in self.train.carrier_of if link not in self.train.crossing)
+        return [*(rod for rod in shafts if rod), *map(self.axle, level), *self.bars()]
 
     def nest(self) -> None:
         """Put coaxial shafts about one another: one that passes under a post of another is the inner one."""
@@ -139,7 +145,7 @@ class Routing:
             low, high = sorted((self.level(post.body), post.top))
             yield post.x, low, high, post.body
         for wheel in self.train.wheels.values():
-            if wheel.link in self.train.carrier_of:
+            if wheel.link in self.train.carrier_of and not wheel.side:
                 y, r = float(self.train.heights[wheel.link]), float(wheel.radius)
                 yield self.columns[wheel.name], y - r, y + r, self.bodies[self.train.carrier_of[wheel.link]]
 
@@ -163,26 +169,39 @@ class Routing:
 
 
 def columns(train: Train) -> Mapping[str, float]:
-    """Give the place of each wheel across: those that mesh stand in one column."""
+    """Give the place of each wheel across: those that mesh stand in one column, bevel wheels about that of the apex."""
     row = {name: k for k, name in enumerate(train.wheels)}
-    for _ in train.meshes:
-        for one, other in train.meshes:
+    one_column = [mesh for mesh in train.meshes if mesh not in train.bevels]
+    one_column += [(some[0].cross.name, one.cross.name) for some in train.crossing.values() for one in some]
+    for _ in train.wheels:
+        for one, other in one_column:
             low = min(row[one], row[other])
             row[one] = row[other] = low
     order = [*dict.fromkeys(row.values())]
+    for bevel in sorted(train.bevels.values(), key=lambda bevel: -bevel.cross.radius):
+        order.remove(row[bevel.level.name])
+        order.insert(order.index(row[bevel.cross.name]) + (bevel.place[0] > 0), row[bevel.level.name])
     return {name: COLUMN * order.index(k) for name, k in row.items()}
 
 
 def routed(train: Train) -> Routing:
-    """Put all that a train has in its places."""
-    routing, bodies = Routing(train), train.body_of
+    """Put all that a train has in its places, in that of two ways whose lines cross less."""
+    ways = (_laid(Routing(train, roofed), train) for roofed in ((False, True) if train.crossing else (False,)))
+    return min(ways, key=Routing.cost)
+
+
+def _laid(routing: Routing, train: Train) -> Routing:
+    bodies = train.body_of
     for wheel in train.wheels.values():
-        if wheel.link not in train.carrier_of and not wheel.internal:
+        if wheel.link not in train.carrier_of and not wheel.internal and wheel.link not in train.crossing:
             top = float(train.heights[wheel.link] + wheel.radius)
             routing.posts.append(Post(SUN, bodies[wheel.link], routing.columns[wheel.name], top, wheel.name))
     for carrier, links in train.carriers.items():
         top = max(float(train.heights[link]) for link in links)
         last = max(routing.columns[wheel.name] for wheel in train.wheels.values() if wheel.link in links)
+        if not train.crossing.keys().isdisjoint(links):
+            _across(routing, bodies[carrier], last, carrier)
+            continue
         routing.put(Post(ARM, bodies[carrier], 0.0, top, carrier), near=last + COLUMN / 3)
     driven, left, right = [bodies[link] for link, _ in train.drives], -BESIDE, max(routing.columns.values()) + BESIDE
     for k, (body, (link, _)) in enumerate(zip(driven, train.drives, strict=True)):
@@ -196,6 +215,18 @@ def routed(train: Train) -> Routing:
     _hold(routing)
     routing.nest()
     return routing
+
+
+def _across(routing: Routing, body: str, x: float, carrier: str) -> None:
+    """Put the arm of bevel planets up from the shaft, or, where the carrier bears a wheel, down from over theirs."""
+    train = routing.train
+    rows = [row for link in train.carriers[carrier] for row in train.crossing.get(link, ())]
+    top = routing.height(body) + float(max(row.level.radius for row in rows)) + STUB * routing.size
+    borne = [post.x for post in routing.posts if post.body == body and post.kind == SUN]
+    routing.posts.append(Post(ARM, body, x, top, carrier))
+    if borne and routing.roofed:
+        routing.roofs[body] = top
+        routing.posts.append(Post(DISC, body, borne[0], top))
 
 
 def _hold(routing: Routing) -> None:
@@ -219,7 +250,9 @@ def held(train: Train) -> Iterator[tuple[str, str]]:
 
 
 def _end(routing: Routing, post: Post, places: Sequence[float]) -> None:
-    """Let a shaft end at the side where it crosses less, at the first if that is one."""
+    """Let a level shaft end at the side where it crosses less, at the first if that is one."""
+    if post.body in routing.train.crossing:
+        return
     before, ways = [*routing.posts], list[tuple[float, int, list[Post]]]()
     for k, x in enumerate(places):
         routing.posts = [*before, post._replace(x=x, top=routing.height(post.body))]

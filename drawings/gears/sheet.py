@@ -51,7 +51,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     size, tables = drafting.hand.text, [speeds(comparison.analysis, drafting)]
     tables += [solutions(train.searched, drafting)] if train.searched else []
     # No formula is broken
-    narrow = size + max(text_width(Text(0j, note, size)) for note in said if note[0] in "Uω")
+    narrow = size + max(text_width(Text(0j, note, size)) for note in said if note[0] in "Uωη")
     draft = Draft(GEARS, title, shows, (*tables,), said, figures_facts, scaled, narrow, later=later)
     return lay_out(study.scene, [draft])
 

@@ -14,7 +14,7 @@ from drawings.grading.onlooker import spelled
 from drawings.grading.verdict import Verdict
 from drawings.grading.written_number import scales_of
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import groups, texts
 from drawings.reading.sheet import SeenSheet
 from plans.quantity import SLIP
@@ -69,7 +69,7 @@ def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: Draw
     gaps = (*_open(plan), *open_sides(plan, CLOSED))
     yield from gaps
     opened = {gap.name for gap in gaps}
-    yield from (letter for letter in _letters(labels, plan) if letter.name not in opened)
+    yield from (letter for letter in _letters(leaf, labels, plan) if letter.name not in opened)
     yield from _outside(leaf, plan)
 
 
@@ -99,7 +99,16 @@ class _Bearer(NamedTuple):
         return distance(labels.get(letter, ()), self.spots)
 
 
-def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
+def _detailed(leaf: Leaf, plan: DrawnPlan, name: str) -> Iterator[complex]:
+    """Give where an arrow lies in the enlarged details of its polygon, by whose letters it is known too."""
+    begun = f"detail-{plan.asked.plan.partition('-')[2]}-"
+    for group in groups(leaf.groups):
+        if group.data.get("name") == name and group.data.get("plan", "").startswith(begun):
+            lines = (stroke for stroke in group.strokes if isinstance(stroke, Line))
+            yield from (spot for line in lines for spot in along(line.start, line.end))
+
+
+def _letters(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters that stand at the place of another, and those that are missing."""
     titles = {vector.end: vector.title for vector in plan.asked.vectors if not vector.start and vector.title}
     lost = {vector.end for vector in plan.lacking} - {end for _, end in plan.arrows}  # which need no letter
@@ -108,7 +117,8 @@ def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator
     drawn = (vector for vector in plan.asked.vectors if vector.letter and vector.letters in plan.arrows)
     free = ((vector, plan.arrows[vector.letters]) for vector in drawn)
     seen = ((vector, arrow) for vector, arrow in free if abs(arrow.vector) > 2 * SEEN)
-    for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), along(*arrow)) for vector, arrow in seen]):
+    spots = ((vector, [arrow.start, *_detailed(leaf, plan, vector.end), *along(*arrow)]) for vector, arrow in seen)
+    for bearers in (ends, [_Bearer(vector.name, spelled(vector.letter), where) for vector, where in spots]):
         for bearer in bearers:
             away = bearer.away(labels, bearer.letter)
             if away > CLOSED and any(_takes(labels, bearer, other) for other in bearers):

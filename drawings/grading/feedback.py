@@ -177,7 +177,8 @@ def _mark(number: int, said: Verdict, height: float) -> str:
     if said.at is None:
         return ""
     if said.frames and not said.name:
-        return "".join(f'<polygon points="{_points(frame, height)}"/>' for frame in said.frames)
+        frames = (" ".join(f"{spot.real:.3f},{height - spot.imag:.3f}" for spot in frame) for frame in said.frames)
+        return "".join(f'<polygon points="{points}"/>' for points in frames)
     start, end = said.at
     if said.kind in verdict.OF_DRAWING or start == end:
         return f'<circle cx="{end.real:.3f}" cy="{height - end.imag:.3f}" r="{2 * RADIUS}"/>'
@@ -185,10 +186,6 @@ def _mark(number: int, said: Verdict, height: float) -> str:
         f'<line id="wrong-{number}" x1="{start.real:.3f}" y1="{height - start.imag:.3f}" '
         f'x2="{end.real:.3f}" y2="{height - end.imag:.3f}"/>'
     )
-
-
-def _points(frame: Sequence[complex], height: float) -> str:
-    return " ".join(f"{spot.real:.3f},{height - spot.imag:.3f}" for spot in frame)
 
 
 def _numbers(wrong: Sequence[Verdict], height: float) -> str:

@@ -74,12 +74,12 @@ class Onlooker(Observer):
         self.moved, self.page = moved, (0.0, 0.0)
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
-        """See the paper that a root lays what is drawn on, as it lies."""
+        """See the paper that a root lays what is drawn on, as it lies; what was moved off it is on its own yet."""
         self.paper = super().opened(attributes)
         self.page = self.paper.width, self.paper.height
         if self.moved != STAY:
             corners = (complex(x, y) for x in (0.0, self.paper.width) for y in (0.0, self.paper.height))
-            far = [(corner - self.moved.t) / self.moved.p for corner in corners]
+            far = [complex(*self.page), *((corner - self.moved.t) / self.moved.p for corner in corners)]
             back = Affine(1 / self.moved.p, 0j, -self.moved.t / self.moved.p)
             wide, high = max(spot.real for spot in far), max(spot.imag for spot in far)
             self.paper = Viewport(wide, high, back.after(self.paper.placing), self.paper.notes)
@@ -180,11 +180,9 @@ def figures(lines: Sequence[Segment]) -> list[list[Segment]]:
     """Put together the segments with arrowheads that hang together by their ends."""
     found: list[list[Segment]] = []
     for line in (line for line in lines if line.headed):
-        touched = [figure for figure in found if any(_touch(line, other) for other in figure)]
+        ends = [[spot for other in figure for spot in other[:2]] for figure in found]
+        near = [any(abs(spot - end) <= JOINED for end in line[:2] for spot in spots) for spots in ends]
+        touched = [figure for figure, joined in zip(found, near, strict=True) if joined]
         found = [figure for figure in found if figure not in touched]
         found.append([line, *(part for figure in touched for part in figure)])
     return found
-
-
-def _touch(segment: Segment, other: Segment) -> bool:
-    return any(abs(a - b) <= JOINED for a in (segment.start, segment.end) for b in (other.start, other.end))

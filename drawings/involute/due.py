@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, cells, measured
+from drawings.checks.expected import NOTES, Expected, by_hand, cells, measured
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
@@ -19,14 +19,18 @@ from plans.involute.study import InvoluteStudy
 from plans.model.involute import InvolutePair, PairSizes
 from plans.model.motion import Complexes
 from plans.model.teeth import placed, racked
-from plans.quantity import Comparison
+from plans.quantity import Comparison, Quantity
+from plans.quantity import by_hand as slipping
 from plans.study import Study
 
 MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", "pair", "sizes", "data"
 MILLIMETRES = 3  # decimals
-# By the unit of a quantity: times which it is told, with how many decimals, in which unit.
-UNITS = {"m": (1e3, MILLIMETRES, "mm"), "rad": (math.degrees(1.0), 4, "°"), "1": (1.0, 3, "")}
-DIGITS, SHARES = 9, 4  # enough for all decimals of data and notes; decimals of what is told in modules, of degrees
+UNITS = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "°"), "1": (1.0, "")}  # times which a quantity is told, in which
+DIGITS, TOLD, SHARES = (
+    9,
+    5,
+    4,
+)  # enough for all decimals of data and notes; digits beside a slip; decimals of modules, degrees
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
 EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
@@ -35,14 +39,22 @@ FINE = {"α", "α_w", "y", "Δy", "x_Σ", "k", "u"}  # told with more decimals t
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
 
-def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
-    """Give the rows of what both wheels have in common: as drawn, by formulas."""
+def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[tuple[str, Quantity]]:
+    """Give what both wheels have in common by the names of its rows, in the units that it is told in."""
     known = {one.name: one for one in comparison.findings}
     for name in ("α_w", "a_w", "g_α", "ε_α", "λ_B1", "λ_B2"):
         one = known[name]
-        times, places, unit = UNITS[one.unit]
+        times, unit = UNITS[one.unit]
+        roads = times * one.construction, times * one.analysis
         row = f"{with_index(name)}, {drafting.word(unit)}" if unit else with_index(name)
-        yield row, [times * float(road[0]) for road in (one.construction, one.analysis)], places
+        yield row, one._replace(construction=roads[0], analysis=roads[1], largest=times * one.largest)
+
+
+def slips(comparison: Comparison, scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
+    """Give within what hands are of what both wheels have in common, by the figure of the mesh."""
+    units = {one.name: UNITS[one.unit][0] for one in comparison.findings}
+    found = slipping(comparison.findings, {"involute": scales[MESH]})
+    return {key: units[key[0]] * error for key, error in found.items()}
 
 
 def size_rows(comparison: Comparison, drafting: Drafting) -> Iterator[Row]:
@@ -89,10 +101,13 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     comparison, drafting = study.comparison("involute"), drafting_of(study.scene)
     pair, sizes = study.of(InvoluteStudy).pair, comparison.analysis
     yield from chain(_mesh(pair, sizes), _generation(pair, sizes), _sliding(pair, sizes))
-    for name, rows in ((PAIR, pair_rows(comparison, drafting)), (SIZES, size_rows(comparison, drafting))):
-        for row, values, places in rows:  # by formulas, in the columns of both roads
-            known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
-            yield from cells(name, row, [one for one in known for _ in range(2)])
+    off = slips(comparison, {name: mu for leaf in leaves for name, mu in leaf.metadata["scales"].items()})
+    for row, quantity in pair_rows(comparison, drafting):
+        roads = [(float(quantity.analysis[0]), FAR)] * 2
+        yield from cells(PAIR, row, (*roads, by_hand(off[quantity.name, 0], quantity.largest)), digits=TOLD)
+    for row, values, places in size_rows(comparison, drafting):  # by formulas, in the columns of both roads
+        known = [None if one is None else (one, 10.0**-places / 2) for one in values[1::2]]
+        yield from cells(SIZES, row, [one for one in known for _ in range(2)])
     for row, both in data_rows(pair, sizes, drafting):
         numbers = [one if one is None or isinstance(one, int) else (one, FAR) for one in both]
         yield from cells(DATA, row, numbers, digits=DIGITS)

@@ -38,7 +38,7 @@ def subject(study: Study) -> TableSubject:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a pair: what is given and found, then both tables of the sheet."""
     drafting = drafting_of(study.scene)
-    told = [line for one in tables(study, drafting) for line in ("", *ruled(one))]
+    told = [line for one in tables(study, drafting) for line in ("", *ruled(one.plain))]
     return Chapters(values=[chapter(drafting.language, NAME), *map(entry, _notes(study).all), *told])
 
 

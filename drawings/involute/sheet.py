@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Final
 
 from drawings.involute import generation, mesh, sliding
-from drawings.involute.due import DATA, DIGITS, PAIR, SIZES, data_rows, expected, pair_rows, size_rows
+from drawings.involute.due import DATA, DIGITS, PAIR, SIZES, data_rows, expected, pair_rows, size_rows, slips
 from drawings.involute.notes import InvoluteNotes
 from drawings.layout.table import RuledTable, TableRow, table
+from drawings.layout.value_table import COLUMNS, value_row
 from drawings.lettering.words import fixed
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
@@ -27,7 +29,7 @@ def tables(study: Study, drafting: Drafting) -> tuple[RuledTable, ...]:
     word, text = drafting.word, drafting.hand.text
     roads = word("by construction"), word("by analysis")
     both = tuple(word("involute wheel", number=n, road=road) for n in (1, 2) for road in roads)
-    first = [_row(name, cells, places, drafting) for name, cells, places in pair_rows(comparison, drafting)]
+    first = [value_row(one, name, (0,), drafting.language) for name, one in pair_rows(comparison, drafting)]
     second = [_row(name, cells, places, drafting) for name, cells, places in size_rows(comparison, drafting)]
     data = [
         TableRow(name, tuple("—" if one is None else drafting.number(one, DIGITS) for one in cells))
@@ -36,7 +38,7 @@ def tables(study: Study, drafting: Drafting) -> tuple[RuledTable, ...]:
     wheels = tuple(word("involute wheel alone", number=n) for n in (1, 2))
     return (
         table(data, word("involute data"), wheels, text)._replace(name=DATA),
-        table(first, word("quantity"), roads, text)._replace(name=PAIR),
+        table(first, word("quantity"), tuple(map(word, COLUMNS)), text)._replace(name=PAIR),
         table(second, word("involute sizes"), both, text)._replace(name=SIZES),
     )
 
@@ -55,9 +57,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     )
     told = tables(study, drafting)
     title, notes = drafting.word("involute sheet title"), InvoluteNotes.of(found, drafting).all
-    return lay_out(
-        study.scene, [Draft(NAME, title, shows, told, notes, figures_facts, mesh.NAME, later=lambda scales: {})]
-    )
+    later = partial(slips, study.comparison(NAME))
+    return lay_out(study.scene, [Draft(NAME, title, shows, told, notes, figures_facts, mesh.NAME, later=later)])
 
 
 SCALES: Final = {mesh.NAME: "mesh", generation.NAME: "generation"}

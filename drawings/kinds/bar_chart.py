@@ -17,6 +17,7 @@ from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Anchor, Group, Line, Stroke, Text
 from drawings.paper.walk import tied
+from drawings.symbols import trimming
 from drawings.symbols.figure import Subject, around, heading
 from drawings.symbols.symbols import TICK, arrowhead, fit_dashes
 from plans.model.cyclogram import TURN, BarRow, Period, within
@@ -132,7 +133,9 @@ class BarFigure(ChartFigure):
         """All that is drawn before any letter is placed: heading, rows, abscissa, bars, setting angles."""
         frame = Group((*self._grid(), *self._column(), *self._axis()))
         bars = Group(tuple(stroke for bar in self._bars() for stroke in self._bar(bar)), ROWS)
-        return (Group((self.title, frame, bars, *self._settings()), NAME),)
+        settings = tuple(self._settings())
+        masks = [trimming.around(one, BESIDE / 2) for one in settings if isinstance(one, Text)]
+        return (Group((self.title, frame, bars, *trimming.trim(settings, masks)), NAME),)
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole chart, what is too long for its bar lettered beside it."""

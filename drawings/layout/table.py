@@ -101,6 +101,13 @@ class RuledTable(NamedTuple):
         lines = tuple(TableRow(line.name, line.cells[cells]) for line in self.lines)
         return self._replace(lines=lines, positions=self.positions[chosen])
 
+    @property
+    def plain(self) -> list[list[str]]:
+        """Its rows in plain text, the headings first, without what a hand may be out, which the sheet alone tells."""
+        kept = [k for k in range(len(self.heads)) if not any(isinstance(line.cells[k], Later) for line in self.lines)]
+        rows = [(self.first, self.heads), *self.lines]
+        return [[Text(0j, str(text)).plain for text in (name, *(cells[k] for k in kept))] for name, cells in rows]
+
     def filled(self, write: Callable[[Later], str]) -> "RuledTable":
         """Give the table with all its cells written; it keeps its size."""
         lines = (TableRow(name, tuple(_written(cell, write) for cell in cells)) for name, cells in self.lines)

@@ -20,7 +20,7 @@ GROUPS = ("sheet", "unit", "reason")  # of words that stand on sheets
 # Indices that each language has letters of its own for: of useful resistance, of balance, of a tangential part,
 # of what is reduced, of the drive, of the flywheel, of the steady motion; of a cam's phases, which may be numbered.
 _INDEX = re.compile(
-    r"(?<=\^)t(?![a-z])|(?<=[_{])(?:us|bal|red|dr|fly|st)(?=}|$|,)"
+    r"(?<=\^)t(?![a-z])|(?<=[_{])(?:us|bal|red|dr|fly|st|fr)(?=}|$|,)"
     r"|(?<=_{)(?:rise|dwell|return|rest|rol|hol)(?=[ \u00a0}])"
 )
 

@@ -220,7 +220,7 @@ def _is_shown(bones: Skeletons, station: NumberedPlace) -> bool:
     return station.column == bones.shown
 
 
-TINY, SHARE = 12.0, 0.7  # mm: of a smaller crank circle the numbers are not told apart; of a sheet, what a plan takes
+TINY, SHARE = 15.0, 0.7  # mm: of a smaller crank circle the numbers are not told apart; of a sheet, what a plan takes
 
 
 def apart(bones: Skeletons) -> bool:

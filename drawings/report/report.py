@@ -13,10 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from drawings.layout.table import Later, RuledTable
 from drawings.lettering.words import RAISED, decimal, fixed, letter, number, runs, span
 from drawings.page.page import Drafting
-from drawings.paper.strokes import Leaf, Text
+from drawings.paper.strokes import Leaf
 from drawings.report.formula import DIGITS, Chapters, drawn, entry, literal, mathed
 from geometry.board import Mark
 from plans.model.mechanism import Drive
@@ -42,12 +41,9 @@ def header(heads: Sequence[str]) -> list[str]:
     return [row(heads).replace("|  |", "| |"), "|" + "---|" * len(heads)]
 
 
-def ruled(table: RuledTable) -> list[str]:
-    """Write a table of a sheet, without what a hand may be out, which the sheet tells."""
-    kept = [k for k in range(len(table.heads)) if not any(isinstance(line.cells[k], Later) for line in table.lines)]
-    told = [(table.first, table.heads), *((line.name, line.cells) for line in table.lines)]
-    first, *others = ([Text(0j, str(text)).plain for text in (name, *(cells[k] for k in kept))] for name, cells in told)
-    return [*header(first), *map(row, others)]
+def ruled(table: Sequence[Sequence[str]]) -> list[str]:
+    """Write a table by its rows, the first of them its headings."""
+    return [*header(table[0]), *map(row, table[1:])]
 
 
 def united(heads: Iterable[str], drafting: Drafting) -> list[str]:

@@ -36,7 +36,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     found, drafting = study.of(StructureStudy), drafting_of(study.scene)
     tables = [pairs_table(found, drafting), divisions_table(found, drafting)]
     tables += [ways_table(found, drafting)] if found.replacements else []
-    told = [line for each in tables for line in ("", *ruled(each))]
+    told = [line for each in tables for line in ("", *ruled(each.plain))]
     notes = map(entry, StructureNotes(found, drafting).all)
     return Chapters(values=[chapter(drafting.language, STRUCTURE), *notes, *told])
 

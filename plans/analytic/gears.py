@@ -3,41 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import NamedTuple
 
 from plans.model.gears import FRAME, BoxGear, Train, joint_name
 from plans.model.motion import Gap
-from plans.model.trains import Row, equations, matrix, reduced
+from plans.model.trains import equations, inertia, matrix, reduced, shares
 
+Mesh = tuple[str, str]
 ROUNDED = 2.0**-40  # of powers: far above what their sums lose, far below what circulates anywhere
-
-
-def shares(train: Train, gear: BoxGear) -> Mapping[str, tuple[Fraction, ...]]:
-    """Give the speed of each link as shares of those of the drives."""
-    count, links = len(train.drives), train.links
-    rows = [*matrix(train, gear, count), *_drives(train)]
-    return {link: tuple(row[len(links) :]) for link, row in zip(links, reduced(rows, len(links)), strict=True)}
-
-
-def _drives(train: Train) -> list[Row]:
-    """Give the equation of each drive: its link has its own speed."""
-    found = []
-    for k, (link, _) in enumerate(train.drives):
-        row = [Fraction(0)] * (len(train.links) + len(train.drives))
-        row[train.links.index(link)] = row[len(train.links) + k] = Fraction(1)
-        found.append(row)
-    return found
 
 
 def speeds(train: Train, gear: BoxGear) -> Mapping[str, Fraction]:
     """Give the speeds rad/s of all links, exact for the speeds that the drives are given."""
     given = [Fraction(speed) for _, speed in train.drives]
-    return {
-        link: sum((u * w for u, w in zip(row, given, strict=True)), Fraction(0))
-        for link, row in shares(train, gear).items()
-    }
+    rows = shares(train, gear).items()
+    return {link: sum((u * w for u, w in zip(row, given, strict=True)), Fraction(0)) for link, row in rows}
 
 
 def ratio_with(train: Train, first: str, other: str, carrier: str) -> Fraction:
@@ -56,24 +39,76 @@ def velocity(train: Train, speeds: Mapping[str, Fraction], link: str, height: Fr
     return float(centre + speeds[link] * (height - train.heights[link]))
 
 
-def moments(train: Train, gear: BoxGear, load: float) -> Mapping[str, float]:
-    """Give the moments N*m on the driving link, on those that are held, through joints, by equilibrium of each link.
+class LoadBalance(NamedTuple):
+    """Forces of meshes, times half their modules, and moments N*m: on drives, on what is held, through joints."""
+
+    forces: tuple[Fraction, ...]
+    moments: Mapping[str, float]
+
+
+def balance(train: Train, gear: BoxGear, load: float) -> LoadBalance | None:
+    """Give what balances a load by equilibrium of each link.
 
     Each equation of speeds has a multiplier: of a mesh half the module times its force, of what is held its moment.
     Nothing where more conditions hold than are independent: then the moments hang on how stiff the links are.
     """
-    driving, rows = train.drives[0][0], [*equations(train, gear)]
+    drives, rows = [link for link, _ in train.drives], [*equations(train, gear)]
     matrix = []
     for link in train.links:
-        own = [Fraction(row.get(link, 0)) for row in rows]
-        matrix.append([*own, Fraction(link == driving), -Fraction(load) * (link == train.output)])
-    found = reduced(matrix, len(rows) + 1)
-    if len(found) < len(rows) + 1:
-        return {}
-    moments = [float(row[-1]) for row in found]
-    held, joints = moments[len(train.meshes) :], moments[len(rows) - len(train.joints) : -1]
-    through = zip(map(joint_name, train.joints), joints, strict=True)
-    return {driving: moments[-1], **dict(zip(gear.held, held, strict=False)), **dict(through)}
+        own = [Fraction(row.get(link, 0)) for row in rows] + [Fraction(link == drive) for drive in drives]
+        matrix.append([*own, -Fraction(load) * (link == train.output)])
+    found = [row[-1] for row in reduced(matrix, len(rows) + len(drives))]
+    if len(found) < len(rows) + len(drives):
+        return None
+    forces, free = len(train.meshes), len(rows) - len(train.joints)
+    names = {**dict(zip(drives, found[len(rows) :], strict=True)), **dict(zip(gear.held, found[forces:], strict=False))}
+    names |= zip(map(joint_name, train.joints), found[free : len(rows)], strict=True)
+    return LoadBalance(tuple(found[:forces]), {name: float(moment) for name, moment in names.items()})
+
+
+def passed(train: Train, speeds: Mapping[str, Fraction], forces: Sequence[Fraction]) -> Mapping[Mesh, Fraction]:
+    """Give what share of its moment each mesh passes on from its first wheel: less where that drives, else more.
+
+    A wheel drives that gives power to the mesh as its carrier sees it; where it gives none nothing is lost.
+    """
+    found = {}
+    for mesh, (one, other), force in zip(train.meshes, train.pairs, forces, strict=True):
+        carrier = "" if one.link in train.crossing else train.carrier_between(one, other)
+        power = force * train.rolling(mesh)[0] * (speeds[one.link] - speeds.get(carrier, Fraction(0)))  # it gets that
+        found[mesh] = train.efficiency[mesh] ** ((power < 0) - (power > 0))
+    return found
+
+
+class TrainFriction(NamedTuple):
+    """A load that is balanced with friction: what meshes pass on, moments, efficiency; whether the train locks itself.
+
+    Then (самоторможение) no forces agree with their powers, and the efficiency is that by powers without friction.
+    """
+
+    train: Train
+    moments: Mapping[str, float]
+    efficiency: float
+    locks: bool
+
+
+def friction(train: Train, gear: BoxGear, load: float) -> TrainFriction | None:
+    """Balance a load with friction: by its powers without, then by those that it has with it, until they agree."""
+    turns, plain, tried = speeds(train, gear), balance(train, gear, load), list[Train]()
+    if plain is None:
+        return None
+    found, with_it = plain, train
+    while with_it not in tried:
+        tried.append(with_it)
+        found = balance(with_it, gear, load) or found
+        with_it = replace(train, factors=passed(train, turns, found.forces))
+    locks = with_it != tried[-1]
+    with_it = tried[1] if locks else with_it
+    lossy = balance(with_it, gear, load)
+    powers = [lossy.moments[link] * float(turns[link]) for link, _ in train.drives] if lossy else []
+    brought = sum(powers) if train.single else sum(power for power in powers if power > 0)
+    if lossy is None or not brought:
+        return TrainFriction(with_it, {}, 0.0, True)
+    return TrainFriction(with_it, lossy.moments, 1 - (sum(powers) + load * float(turns[train.output])) / brought, locks)
 
 
 @dataclass(frozen=True)
@@ -105,41 +140,43 @@ class TrainSpeeds:
 
     def inertia(self, gear: BoxGear, link: str) -> float | None:
         """Give the moment of inertia kg*m2 of all links, reduced to one; nothing where it rests or none is given."""
-        train, shares = self.train, self.shares(gear)
-        if not (train.inertia or train.masses) or not train.single or not shares[link][0]:
-            return None
-        turns = {name: (share[0] / shares[link][0]) for name, share in shares.items()}
-        total = sum(train.count(one) * size * float(turns[one]) ** 2 for one, size in train.inertia.items())
-        for one, mass in train.masses.items():
-            carrier = train.carrier_of[one]
-            arm = turns[carrier] * (train.heights[one] - train.heights[carrier])
-            total += train.count(one) * mass * float(arm) ** 2
-        return total
+        return inertia(self.train, gear, link)
 
     def moments(self, gear: BoxGear) -> Mapping[str, float]:
         """Give the moments N*m on the driving and the held links that balance the load, which resists the motion."""
         speed = self.true(gear)[self.train.output]
         if self.train.load is None or not speed:
             return {}
-        return moments(self.train, gear, -math.copysign(self.train.load, speed))
+        found = balance(self.train, gear, -math.copysign(self.train.load, speed))
+        return found.moments if found else {}
+
+    def friction(self, gear: BoxGear) -> TrainFriction | None:
+        """Give what balances the load with friction in the meshes, if that is given; without a load 1 N*m is one."""
+        speed = self.true(gear)[self.train.output]
+        if not self.train.efficiency or not speed:
+            return None
+        found = friction(self.train, gear, -math.copysign((self.train.load or 1.0) / self.train.slides, speed))
+        return found._replace(efficiency=found.efficiency * self.train.slides) if found else None
 
     def powers(self, gear: BoxGear) -> Mapping[str, float]:
-        """Give the power W of the driving link and those through joints, from the second link to the first."""
+        """Give the power W of the driving links and those through joints, from the second link to the first."""
         speeds, moments = self.true(gear), self.moments(gear)
-        links = {joint_name(pair): pair[0] for pair in self.train.joints}
-        links[self.train.drives[0][0]] = self.train.drives[0][0]
+        links = {link: link for link, _ in self.train.drives}
+        links |= {joint_name(pair): pair[0] for pair in self.train.joints}
         return {name: moment * speeds[links[name]] for name, moment in moments.items() if name in links}
 
     def circulates(self, gear: BoxGear) -> bool:
         """Whether a row gives a joined shaft, or takes from it, more power than the drive brings (циркуляция)."""
-        powers, drive = self.powers(gear), self.train.drives[0][0]
-        given = dict.fromkeys(self.train.links, 0.0) | {drive: -powers[drive]}
-        given[self.train.output] += powers[drive]
+        powers = self.powers(gear)
+        drives = {link: powers[link] for link, _ in self.train.drives}
+        brought = sum(power for power in drives.values() if power > 0)
+        given = dict.fromkeys(self.train.links, 0.0) | {link: -power for link, power in drives.items()}
+        given[self.train.output] += sum(drives.values())
         for pair in self.train.joints:
             given[pair[0]] -= powers[joint_name(pair)]
             given[pair[1]] += powers[joint_name(pair)]
         engaged = {link for pair in gear.locked for link in pair}  # what a clutch gives its shafts is not found
-        return any(abs(given[link]) > abs(powers[drive]) * (1 + ROUNDED) for link in given.keys() - engaged)
+        return any(abs(given[link]) > brought * (1 + ROUNDED) for link in given.keys() - engaged)
 
     def ratio(self, gear: BoxGear) -> Fraction | None:
         """Give the ratio U of the driving link to the driven one; nothing of a differential, or where that rests."""

@@ -33,8 +33,7 @@ def share(value: object) -> Decimal | str:
     """
     if isinstance(value, str) and value[:1].isalpha():
         return f.choice(value, LEASTS, "share_of_mass")
-    per_cent = units.per_cent(value)
-    found = units.quantity(value, units.NUMBER) if per_cent is None else per_cent.scaleb(-2)
+    found = units.part(value)
     if not 0 <= found <= 1:
         raise wrong("share_of_mass", choices=", ".join(LEASTS), suggestion=message("advice.share_of_mass"))
     return found

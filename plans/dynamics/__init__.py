@@ -24,6 +24,7 @@ class Dynamics(Technique):
     paces = True
     scales = {"wheel": ("", "Of the sketch of the flywheel.")}
     form = late("form:DynamicsForm")
+    completed = late("reading:with_train")
     survey = late("reading:survey_of")
     notes = late("reading:notes_of")
     study = late("study:study_of")
@@ -32,6 +33,7 @@ class Dynamics(Technique):
     numbers = late("numbers:numbers")
     marks = late("marks:marks")
     pace = late("numbers:pace_of")
+    driving = late("study:driving_of")
 
     def idle(self, scene: Scene) -> Iterable[Message]:
         return [message("report.idle_dynamics")] if scene.has(("dynamics",)) else []

@@ -8,6 +8,7 @@ from decimal import Decimal
 from itertools import pairwise
 from typing import Any
 
+from plans.gears.form import PART
 from plans.model.motor import Constant, Kloss, Linear, Motor, MotorLaw, Tabled
 from plans.model.run import RunTask
 from plans.scene import fields as f
@@ -116,7 +117,11 @@ class MotorTable(Table):
     """The motor: its rotor, its turns for one turn of the crank, and by one of four laws its moment over its speed."""
 
     rotor: Decimal | None = key(INERTIA, None, meaning="Moment of inertia of the rotor.")
-    ratio: Decimal = key(RATIO, Decimal(1), meaning="Turns of the motor for one turn of the crank.")
+    ratio: Decimal = key(
+        RATIO,
+        Decimal(1),
+        meaning="Turns of the motor for one turn of the crank; default: of the train before it, or 1.",
+    )
     starting: Decimal | None = key(
         MOMENT,
         None,
@@ -245,7 +250,23 @@ def run_task(form: RunTable, speed: float) -> RunTask:
 DRIVE, DYNAMICS = "drive", "dynamics"  # where the speed of the crank comes from
 
 
-class ShaftTable(Table):
+class TurningTable(Table):
+    """What turns beside the linkage: as fast as a link of the train before the crank, if it is on one."""
+
+    on: str = key(PART, "", meaning="The link of the train before the crank that it turns with, instead of a ratio.")
+
+    def check(self) -> None:
+        """See that its turns are told once."""
+        if {"on", "ratio"} <= self.given:
+            raise wrong("one_of_two", first="ratio", second="on", found="both", at=("on",))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that its turns are told once."""
+        return {"not": {"required": ["on", "ratio"]}}
+
+
+class ShaftTable(TurningTable):
     """A rotating mass beside the linkage: moment of inertia kg*m2, and its turns for one turn of the crank."""
 
     inertia: Decimal = key(
@@ -255,7 +276,7 @@ class ShaftTable(Table):
     name: str = key(f.TEXT, "", meaning="What it is: gear, pulley, carrier.")
 
 
-class FlywheelTable(Table):
+class FlywheelTable(TurningTable):
     """What is known of the flywheel: the shaft that it is to sit on, mean diameter of its rim m, material."""
 
     ratio: Decimal = key(RATIO, Decimal(1), meaning="Turns of its shaft for one turn of the crank: 1 is the crank's.")

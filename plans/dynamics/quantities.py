@@ -39,6 +39,9 @@ from plans.analytic.dynamics.speeds import (
 )
 from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStudy
 from plans.forces.loading import OutputStroke, loading
+from plans.gears.form import geared
+from plans.gears.quantities import GearsComparison
+from plans.gears.study import GearsStudy
 from plans.linkage.quantities import ANALYSIS, MotionComparison
 from plans.model.dynamics import Cycle, Flywheel, Methods, Speeds
 from plans.model.machine import Track
@@ -244,8 +247,17 @@ class DynamicsComparison(Comparison):
 
 
 def comparison_of(study: Study) -> DynamicsComparison:
-    """Compare a scene's machine."""
-    return compare_dynamics(study.of(DynamicsStudy), study.of(MotionComparison))
+    """Compare a scene's machine, and what the train before its crank gives it."""
+    found = compare_dynamics(study.of(DynamicsStudy), study.of(MotionComparison))
+    return replace(found, findings=(*found.findings, *_of_train(study))) if geared(study.scene) else found
+
+
+def _of_train(study: Study) -> Iterator[Quantity]:
+    """Give ratio, reduced inertia and driving moment of the train before the crank, by Kutzbach's plan and exactly."""
+    made, findings = study.of(GearsStudy), study.of(GearsComparison).findings
+    driving, driven = made.train.drives[0][0], made.train.output
+    names = made.ratio_name, f"ω_{driven}", f"J_red,{driven}", f"M_{driving}"
+    yield from (one._replace(plan=REDUCTION) for name in names for one in findings if one.name == name)
 
 
 def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> DynamicsComparison:

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
-from plans.dynamics.form import DynamicsForm, DynamicsTable, motor_of
+from plans.dynamics.form import DynamicsForm, DynamicsTable, FlywheelTable, ShaftTable, motor_of
+from plans.gears.crank import CrankTrain
+from plans.gears.form import geared
+from plans.gears.reading import crank_train
 from plans.linkage.reading.form import LinkageForm
 from plans.model.dynamics import Rim, Shaft, Task
-from plans.scene.faults import Fault
+from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Meaning, Scene
+
+T = TypeVar("T", ShaftTable, FlywheelTable)
 
 
 class DynamicsSurvey(NamedTuple):
@@ -52,8 +57,41 @@ def survey_of(meaning: Meaning) -> DynamicsSurvey:
     return DynamicsSurvey(
         [scene.fault(still, "crank_at_rest")]
         if speed == 0 and drive.stroke is None
-        else [*_motor_faults(meaning, abs(speed))]
+        else [*_motor_faults(meaning, abs(speed)), *_train_faults(scene)]
     )
+
+
+def with_train(scene: Scene) -> Scene:
+    """Give a scene with the turns of motor, shafts and flywheel by the train before the crank, and with its inertia."""
+    form, train = scene.of(DynamicsForm), crank_train(scene)
+    if train is None:
+        return scene
+    machine, motor = form.dynamics, form.dynamics.motor
+    if motor is not None and "ratio" not in motor.given:
+        motor = motor.changed(ratio=train.turns(train.train.drives[0][0]))
+    own = [ShaftTable(inertia=Decimal(train.inertia), name="train")] if train.inertia else []
+    shafts, wheel = (*(_turned(shaft, train) for shaft in machine.shafts), *own), _turned(machine.flywheel, train)
+    return scene.changed(form.changed(dynamics=machine.changed(motor=motor, shafts=shafts, flywheel=wheel)))
+
+
+def _turned(part: T, train: CrankTrain) -> T:
+    return part.changed(ratio=train.turns(part.on)) if part.on in train.links else part
+
+
+def _train_faults(scene: Scene) -> Iterator[Fault]:
+    """Give what of a machine does not fit the train before its crank: a speed, a link that something is on."""
+    form, train = scene.of(DynamicsForm).dynamics, crank_train(scene)
+    if train is None and geared(scene):
+        return  # it has faults of its own
+    if train is not None and form.speed is not None:
+        yield from train.unlike(scene, ("dynamics", "speed"), form.speed.copy_sign(train.speed))
+    links = train.links if train is not None else ()
+    parts: list[tuple[Path, str]] = [(("dynamics", "flywheel", "on"), form.flywheel.on)]
+    parts += [(("dynamics", "shafts", k, "on"), shaft.on) for k, shaft in enumerate(form.shafts)]
+    for path, name in parts:
+        if name and name not in links:
+            advice = suggestion(name, links)
+            yield scene.fault(path, "no_link_before_crank", name=name, known=", ".join(links) or "-", suggestion=advice)
 
 
 def _motor_faults(meaning: Meaning, speed: Decimal) -> Iterator[Fault]:

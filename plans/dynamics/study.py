@@ -263,3 +263,9 @@ def study_of(study: Study) -> DynamicsStudy:
         return DynamicsStudy(study.of(LinkageStudy), study.of(Statics))
     linkage = LinkageStudy(study.scene, study.plans)
     return DynamicsStudy(linkage, Statics(linkage))
+
+
+def driving_of(study: Study) -> float | None:
+    """Give the constant moment N*m that drives a machine over a steady turn; None where loads drive it, or none is."""
+    machine = study.of(DynamicsStudy)
+    return machine.cycle.driving if machine.steady and machine.cycle.driving > 0 else None

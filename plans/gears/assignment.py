@@ -23,16 +23,10 @@ def wanted_of(form: GearsTable, raw: RawTrain) -> Wanted | None:
     central = [link_of(one) for one, _ in rows]
     plain = len(planets) == 1 == len(raw.carriers) and not raw.coaxial and len(form.engaged) < 2
     apart = len(held) == 1 == len(form.drives) and len({*ends}) == 3 and not planets.keys() & {*central, *ends}
-    alone = (
-        len({wheel for _, wheel in rows}) < 3
-        and len({*central}) == len(rows) > 1
-        and {*ends} <= {*central, *raw.carriers}
-    )
-    if (
-        asked is None
-        or not (plain and apart and alone)
-        or any(wheel in raw.rings or link_of(wheel) not in planets for _, wheel in rows)
-    ):
+    alone = len({wheel for _, wheel in rows}) < 3 and len({*central}) == len(rows) > 1
+    alone &= {*ends} <= {*central, *raw.carriers}
+    alone &= all(wheel not in raw.rings and link_of(wheel) in planets for _, wheel in rows)
+    if asked is None or not (plain and apart and alone):
         return None
     numbers = USUAL if form.planets is None else (form.planets,)
     within = Fraction(asked.ratio), Fraction(asked.tolerance)

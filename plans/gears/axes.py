@@ -21,6 +21,7 @@ class RawTrain(NamedTuple):
     meshes: tuple[Mesh, ...]
     carriers: Mapping[str, tuple[str, ...]]
     coaxial: tuple[tuple[str, ...], ...]  # shafts that are one or that clutches join
+    sides: Mapping[str, str]  # of bevel wheels
 
     @property
     def links(self) -> tuple[str, ...]:
@@ -43,7 +44,12 @@ class RawTrain(NamedTuple):
 
     def wheel(self, name: str) -> ToothedWheel:
         """Give a wheel whose teeth are known."""
-        return ToothedWheel(name, self.teeth[name] or 0, self.modules[name])
+        return ToothedWheel(name, self.teeth[name] or 0, self.modules[name], self.sides.get(name, ""))
+
+    @property
+    def flat(self) -> tuple[Mesh, ...]:
+        """The meshes of parallel axes."""
+        return tuple(mesh for mesh in self.meshes if self.sides.keys().isdisjoint(mesh))
 
 
 class Apart(NamedTuple):
@@ -71,7 +77,7 @@ def apart(raw: RawTrain, mesh: Mesh) -> Apart:
 def between_axes(raw: RawTrain) -> Mapping[frozenset[str], list[Apart]]:
     """Give what meshes say of how far the axes of each two are apart."""
     axes, found = raw.axes(), dict[frozenset[str], list[Apart]]()
-    for mesh in raw.meshes:
+    for mesh in raw.flat:
         pair = frozenset(axes[link_of(name)] for name in mesh)
         found.setdefault(pair, []).append(apart(raw, mesh))
     return found
@@ -132,7 +138,7 @@ def heights(raw: RawTrain) -> tuple[Mapping[str, Fraction], Sequence[Unlike]]:
     """
     axes, planets = raw.axes(), {raw.axes()[link] for link in raw.planets}
     start = axes[next(iter(raw.carriers), raw.links[0])]
-    found, left, wrong = {start: Fraction(0), axes[FRAME]: Fraction(0)}, [*raw.meshes], list[Unlike]()
+    found, left, wrong = {start: Fraction(0), axes[FRAME]: Fraction(0)}, [*raw.flat], list[Unlike]()
     while left:
         mesh = next((one for one in left if any(axes[link_of(name)] in found for name in one)), None)
         if mesh is None:  # a part that no mesh joins to the others stands on the main axis

@@ -6,12 +6,12 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 
-from plans.gears.wanted import WantedTable
+from plans.gears.wanted import EFFICIENCY, WantedTable
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.readers import either, many, named, one
-from plans.scene.scene import TechniqueForm
+from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
 WHEEL = re.compile(r"(?!0['′]*$)[0-9A-ZА-ЯЁ][0-9A-Za-zА-Яа-яЁё]*['′]*")  # 0 is the frame
@@ -45,6 +45,8 @@ def check_mesh(value: object) -> tuple[str, str]:
 PART = one(check_part, lambda: forms.text(f"^{WHEEL.pattern}$", 8), "name")
 TEETH = one(check_teeth, lambda: {**forms.whole(LEAST_TEETH), "maximum": MOST_TEETH}, "number")
 MESH = one(check_mesh, lambda: forms.text(r"^[^\s-]+\s*-\s*[^\s-]+$"), '"1-2"')
+SIDES = ("left", "right", "up", "down")
+SIDE = one(lambda value: f.choice(value, SIDES), lambda: forms.choice(SIDES), "name")
 NAMES = many(PART, f.NO_REPEATS, first=f.FEW)
 TWO = f.pair(PART, '["1", "H"]')
 
@@ -55,12 +57,20 @@ class WheelTable(Table):
     teeth: int | None = key(TEETH, None, meaning="Number of teeth; default: found from coaxiality.")
     internal: bool = key(f.FLAG, False, meaning="Whether the teeth are inside, as of a ring (внутренние зубья).")
     rack: bool = key(f.FLAG, False, meaning="Whether it is a rack (рейка), a wheel without end, which slides.")
+    bevel: str | None = key(
+        SIDE,
+        None,
+        meaning="Of a bevel wheel (коническое колесо) its side of the apex: left or right, or up or down across these.",
+    )
     module: Decimal | None = key(f.MILLIMETRES, None, meaning="Module of its own, mm.")
 
     def check(self) -> None:
         """See that a rack, which has no circle, is told no teeth."""
-        if self.rack and (self.internal or self.teeth is not None):
-            raise wrong("toothed_rack", at=("internal" if self.internal else "teeth",))
+        for name in ("internal", "teeth", "bevel"):
+            if self.rack and getattr(self, name):
+                raise wrong("toothed_rack", at=(name,))
+        if self.internal and self.bevel:
+            raise wrong("bevel_ring", at=("internal",))
 
 
 class DrivingLinkTable(Table):
@@ -131,6 +141,15 @@ class GearsTable(Table):
         None,
         meaning="Moment that resists the driven link, N*m: those that balance it are found.",
     )
+    efficiency: Decimal | None = key(
+        EFFICIENCY,
+        None,
+        meaning='Efficiency of each mesh, its carrier stopped: a part, or "98 %"; that of the train is found.',
+        also=("eta", "η", "кпд"),
+    )
+    efficiencies: Mapping[tuple[str, str], Decimal] = key(
+        named(MESH, EFFICIENCY, first=f.FEW), {}, meaning='Efficiencies of their own, by meshes: "2\'-3" = 0.99.'
+    )
     force: Decimal | None = key(
         f.not_negative(units.FORCE), None, meaning="Force that resists the driven rack, N, in place of a moment."
     )
@@ -151,14 +170,22 @@ class GearsTable(Table):
         """See that something turns."""
         if not any(drive.speed for drive in self.drives):
             raise wrong("zero", kind="angular speed", at=("drive",))
-        for name in ("load", "force"):
-            if getattr(self, name) is not None and len(self.drives) > 1:
-                raise wrong("load_of_differential", at=(name,))
 
     @property
     def drives(self) -> tuple[DrivingLinkTable, ...]:
         """The drives."""
         return (self.drive,) if isinstance(self.drive, DrivingLinkTable) else self.drive
+
+
+class CrankTable(Table):
+    """Of the drive what the train needs: whether its driven link is on the crank's shaft."""
+
+    train: bool = key(
+        f.FLAG,
+        False,
+        meaning="Whether the driven link of [gears] is on the crank's shaft: it gives the crank its speed, and the "
+        "machine its ratio and its inertia.",
+    )
 
 
 class GearsForm(TechniqueForm):
@@ -169,3 +196,10 @@ class GearsForm(TechniqueForm):
         meaning="A gear train (зубчатый механизм): ordinary, planetary, differential, a box.",
         missing=Missing("table", EXAMPLE, {}),
     )
+    drive: CrankTable = key(table(CrankTable), CrankTable(), meaning="Whether the train is before the crank.")
+
+
+def geared(scene: Scene) -> bool:
+    """Tell whether a train is before the crank of a scene."""
+    form = scene.part("gears")
+    return isinstance(form, GearsForm) and form.drive.train

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
@@ -34,6 +35,7 @@ class TrainPoint(NamedTuple):
     height: Fraction
     links: tuple[str, ...]
     rack: str = ""  # that meshes there with a wheel of the link
+    across: Fraction | None = None  # m, from the axis across of the other link
 
     @property
     def image(self) -> str:
@@ -46,17 +48,20 @@ def spots_of(train: Train) -> tuple[TrainPoint, ...]:
     taken = {name[0].translate(TWINS) for name in (*train.links, *train.racks, *train.brakes, *train.clutches)}
     free = [one for one in POINTS if one not in taken] or [*POINTS]
     found, letters = list[TrainPoint](), iter([*free, *(f"{one}{k}" for k in range(1, 10) for one in free)])
-    fixed = [link for link in train.links if link not in train.carrier_of]
+    fixed = [link for link in train.links if link not in train.carrier_of and link not in train.crossing]
     for height in dict.fromkeys(train.heights[link] for link in fixed):
         links = tuple(link for link in fixed if train.heights[link] == height)
         found.append(TrainPoint(AXIS if height == 0 else f"{AXIS}{links[0]}", height, (FRAME, *links)))
     for mesh in train.meshes:
-        one, other = (train.wheels[name].link for name in mesh)
-        found.append(TrainPoint(next(letters), train.contact(mesh), (one, other)))
+        links, at = tuple(train.wheels[name].link for name in mesh), None
+        if bevel := train.bevels.get(mesh):
+            links, at = (bevel.level.link, bevel.cross.link), bevel.place[0]
+        found.append(TrainPoint(next(letters), train.contact(mesh), links, "", at))
     for rack, wheel in train.racks.items():
         found.append(TrainPoint(next(letters), train.rack_height(rack), (train.wheels[wheel].link,), rack))
     for link, carrier in train.carrier_of.items():
-        found.append(TrainPoint(f"{AXIS}{link}", train.heights[link], (link, carrier)))
+        links, at = ((carrier, link), Fraction(0)) if link in train.crossing else ((link, carrier), None)
+        found.append(TrainPoint(f"{AXIS}{link}", train.heights[link], links, "", at))
     return tuple(found)
 
 
@@ -90,6 +95,11 @@ class KutzbachPlan(NamedTuple):
     racks: Mapping[str, Mark]  # upright lines: all points of a rack have the velocity of its mesh point
 
     @property
+    def level_speeds(self) -> Mapping[str, Mark]:
+        """The angular velocities of links with level axes, which the plan shows."""
+        return {link: mark for link, mark in self.speeds.items() if mark.subject == self.angular.subject}
+
+    @property
     def width(self) -> float:
         """How far apart the images lie, m."""
         across = [0.0, *(complex(mark.point).real for mark in self.images.values())]
@@ -111,17 +121,25 @@ class _Drafter:
         self.up = board.given("y", complex(0, float(size)), because("gear_up"))
         self.across = board.given("x", complex(float(size), 0), because("gear_across"))
         self.axis = board.parallel("0", self.origin, self.up, because("gear_zero"))
-        self.places, self.levels = dict[str, Mark](), dict[str, Mark]()
+        self.places, self.levels, self.columns = dict[str, Mark](), dict[str, Mark](), dict[str, Mark]()
         for spot in self.spots:
             at = complex(0, float(spot.height))
             place = self.origin if spot.letter == AXIS else board.given(spot.letter, at, because("gear_point"))
             self.places[spot.letter] = place
             self.levels[spot.letter] = board.parallel(f"h_{spot.letter}", place, self.across, because("gear_level"))
+            if spot.across is not None:
+                aside = board.given(f"x_{spot.letter}", complex(0, float(spot.across)), because("gear_aside"))
+                column = board.parallel(f"k_{spot.letter}", aside, self.across, because("gear_level"))
+                self.columns[spot.letter] = column
 
     def of(self, body: str) -> list[TrainPoint]:
-        """Give the points of a body, from the lowest."""
+        """Give the points of a body, from the lowest, of one that turns across from the leftmost."""
         some = (spot for spot in self.spots if any(self.body[link] == body for link in spot.links))
-        return sorted(some, key=lambda spot: spot.height)
+        return sorted(some, key=partial(self._place, body))
+
+    def _place(self, body: str, spot: TrainPoint) -> Fraction:
+        """Give the height m of a point, for a body that turns across how far the point is from its axis."""
+        return spot.height if body not in self.train.crossing or spot.across is None else spot.across
 
     def start(self) -> _KnownMotion:
         """Give what is known of itself: what is held rests, a driving link has the speed that it is given."""
@@ -135,8 +153,9 @@ class _Drafter:
 
     def _drive(self, drawing: _KnownMotion, link: str, speed: float) -> None:
         """Lay off the velocity of a driving link at its farthest point: v = omega r."""
-        far = self.farthest(link)
-        length = speed * float(far.height - self.train.heights[link]) * self.tau
+        far, crossing = self.farthest(link), self.train.crossing.get(link)
+        arm = crossing[0].arm if crossing else far.height - self.train.heights[link]
+        length = speed * float(arm) * self.tau
         vector = self.board.given(f"v_{far.letter}", complex(length, 0), because("gear_drive", link=link))
         self.known(drawing, far, self.board.lay_off(far.image, self.places[far.letter], vector, because("gear_laid")))
         self.run(drawing, "")
@@ -157,7 +176,8 @@ class _Drafter:
         """Draw the line of each link that has two known points, and read its other points off it."""
         while body := next(self._ready(drawing), ""):
             known = [spot for spot in self.of(body) if spot.letter in drawing.velocities]
-            low, high = (drawing.velocities[spot.letter] for spot in (known[0], known[-1]))
+            low, high = (self._seen(drawing, body, spot, suffix) for spot in (known[0], known[-1]))
+            low = self.origin if len(known) == 1 else low
             name = f"{self._named(body)}{suffix}"
             along = self.board.join(f"{low.name}{high.name}", low, high, because("gear_two", link=self._named(body)))
             line = self.board.parallel(name, low, along, because("gear_line", link=self._named(body)))
@@ -165,8 +185,24 @@ class _Drafter:
             for spot in self.of(body):
                 if spot not in (known[0], known[-1]):
                     why = because("gear_read", link=self._named(body))
-                    image = self.board.meet(f"{spot.image}{suffix}", line, self.levels[spot.letter], why=why)
+                    across = body in self.train.crossing
+                    level = (self.columns if across else self.levels)[spot.letter]
+                    prime = "'" if across else ""
+                    image = self.board.meet(f"{spot.image}{prime}{suffix}", line, level, why=why)
+                    if across:
+                        image = self._carried(f"{spot.image}{suffix}", image, self.levels[spot.letter])
                     self.known(drawing, spot, image)
+
+    def _seen(self, drawing: _KnownMotion, body: str, spot: TrainPoint, suffix: str) -> Mark:
+        """Give the end of a velocity, carried over to where a body that turns across has the point (перенос)."""
+        image = drawing.velocities[spot.letter]
+        if body not in self.train.crossing:
+            return image
+        return self._carried(f"{image.name}'{suffix}", image, self.columns[spot.letter])
+
+    def _carried(self, name: str, image: Mark, level: Mark) -> Mark:
+        upright = self.board.parallel(f"({name})", image, self.up, because("gear_carried"))
+        return self.board.meet(name, upright, level, why=because("gear_carried"))
 
     def _named(self, body: str) -> str:
         return " = ".join(link for link in self.train.links if self.body[link] == body)
@@ -174,8 +210,10 @@ class _Drafter:
     def _ready(self, drawing: _KnownMotion) -> Iterator[str]:
         for body in dict.fromkeys(self.body.values()):
             if body not in drawing.lines:
-                heights = {spot.height for spot in self.of(body) if spot.letter in drawing.velocities}
-                if len(heights) > 1:
+                places = {self._place(body, spot) for spot in self.of(body) if spot.letter in drawing.velocities}
+                if body in self.train.crossing and body not in self.train.carrier_of:
+                    places.add(Fraction(0))
+                if len(places) > 1:
                     yield body
 
     def solve(self, drawing: _KnownMotion, suffix: str = "", depth: int = 0) -> _KnownMotion:
@@ -239,7 +277,10 @@ class _Drafter:
             length = self.board.join(f"{name}{spot.image}", *ends, because("gear_span"))
             velocities[name] = self.board.turn(f"v_{name}", length, 1 / self.tau, because("gear_velocity"))
         lines = {link: drawing.lines[self.body[link]] for link in self.train.links}
-        boards, found = (self.board, self.angular), (drawing.velocities, lines, velocities, self._speeds(lines))
+        boards, found = (
+            (self.board, self.angular),
+            (drawing.velocities, lines, velocities, self._speeds(lines, drawing.velocities)),
+        )
         racks = {
             spot.rack: self.board.parallel(spot.rack, drawing.velocities[spot.letter], self.up, because("gear_rack"))
             for spot in self.spots
@@ -247,7 +288,17 @@ class _Drafter:
         }
         return KutzbachPlan(self.gear, *boards, *found, self.tau, tuple(self.assumed), racks)
 
-    def _speeds(self, lines: Mapping[str, Mark]) -> dict[str, Mark]:
+    def _relative(self, link: str, lines: Mapping[str, Mark], images: Mapping[str, Mark]) -> Mark:
+        """Read the speed of a link that turns across: the velocity of its mesh point over the carrier there, by r."""
+        mesh, board = self.train.crossing[link][0], self.board
+        spot = next(spot for spot in self.spots if spot.links == (mesh.level.link, link))
+        under, carrier = self.places[spot.letter], self.train.carrier_of.get(link)
+        if carrier:
+            under = board.meet(f"{carrier}_{spot.letter}", lines[carrier], self.levels[spot.letter])
+        over = board.join(f"{under.name}{spot.image}", under, images[spot.letter], because("gear_over"))
+        return board.turn(f"ω_{link}", over, 1 / (self.tau * float(mesh.arm)), because("gear_omega", link=link))
+
+    def _speeds(self, lines: Mapping[str, Mark], images: Mapping[str, Mark]) -> dict[str, Mark]:
         """Draw the plan of angular velocities: parallels through its pole cut them off from its line."""
         board, speeds, far = self.angular, dict[str, Mark](), 1 / self.tau
         zero = board.given("0", 0j, because("gear_zero_speed"))
@@ -255,6 +306,9 @@ class _Drafter:
         across = board.given("x", complex(far, 0), because("gear_across"))
         level = board.parallel("h", zero, across, because("gear_base"))
         for link, line in lines.items():
+            if link in self.train.crossing:
+                speeds[link] = self._relative(link, lines, images)
+                continue
             along = board.transfer(f"({link})", line.step.inputs[1], because("gear_slope", link=link))
             ray = board.parallel(f"P{link}", pole, along, because("gear_ray", link=link))
             end = board.meet(link, ray, level, why=because("gear_end"))

@@ -10,9 +10,11 @@ from geometry.board import Mark, Reading, behind
 from geometry.precision import Error, errors
 from plans.analytic.gears import TrainSpeeds, speeds, velocity
 from plans.explanation import Explanation, NoMark, explained_by
+from plans.gears.efficiency import lossy
 from plans.gears.kutzbach import ANGULAR, AXIS, LINEAR, KutzbachPlan
 from plans.gears.study import GEARS, GearsStudy, of_gear
 from plans.gears.synthesis import listed
+from plans.model.gears import Train
 from plans.model.motion import Gap
 from plans.quantity import Comparison, Numbers, Quantity, numbers_of
 from plans.words.words import because, message
@@ -55,7 +57,9 @@ def _gear(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
     yield from _ratio(study, plan, bound)
     yield from _racks(study, plan, bound)
     yield from _inertia(study, plan, bound)
-    yield from _moments(study, plan)
+    moments = TrainSpeeds(study.train).moments(plan.gear)
+    yield from _moments(study, plan, study.train, moments)
+    yield from _friction(study, plan, bound)
     spots = {spot.letter: spot for spot in study.spots}
     values = {name: velocity(study.train, true, spots[name].links[0], spots[name].height) for name in plan.velocities}
     most = max(map(abs, values.values()))
@@ -83,12 +87,12 @@ def _inertia(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error])
         yield Quantity.of(named, (total, true), DATA * off + ROUNDED * true, true)
 
 
-def _moments(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
+def _moments(study: GearsStudy, plan: KutzbachPlan, train: Train, true: Mapping[str, float]) -> Iterator[Quantity]:
     """Compare the moments that balance the load: by virtual speeds, of the plan itself or with a held link let go."""
-    train, true = study.train, TrainSpeeds(study.train).moments(plan.gear)
-    drive, most = train.drives[0][0], max(map(abs, true.values()), default=0.0)
-    load = -math.copysign(train.load or 0.0, complex(plan.speeds[train.output].point).real)
-    for name, links, one in ((drive, (drive,), plan), *study.released(plan.gear)) if true else ():
+    most, sign = max(map(abs, true.values()), default=0.0), "fr," if train.factors else ""
+    size = (train.load or 1.0) / train.slides if train.factors else train.load or 0.0
+    load = -math.copysign(size, complex(plan.speeds[train.output].point).real)
+    for name, links, one in study.released(plan, train) if true else ():
         driven, over = one.speeds[train.output], one.speeds[links[0]]
         if len(links) > 1:  # the shafts of a joint turn against each other
             first, last = (one.angular[link] for link in links)
@@ -96,9 +100,30 @@ def _moments(study: GearsStudy, plan: KutzbachPlan) -> Iterator[Quantity]:
         bound, size = errors(over, driven), abs(complex(over.point))
         ratio = (complex(driven.point) / complex(over.point)).real
         off = abs(load) * float((bound[driven].place + abs(ratio) * bound[over].place).max()) / size
-        named = ANGULAR, of_gear(f"M_{name}", plan.gear), "N*m"
+        named = ANGULAR, of_gear(f"M_{sign}{name}", plan.gear), "N*m"
         turned = one.angular.turn(f"M{name}", driven, -load * 1j, because("gear_virtual", link=name))
         yield Quantity.of(named, (-load * ratio, true[name]), DATA * off + ROUNDED * most, most, Reading(over, turned))
+
+
+def _friction(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
+    """Compare the moments with friction, and the efficiency: of what is put in, how much is taken out."""
+    train, found = study.train, TrainSpeeds(study.train).friction(plan.gear)
+    if not found or found.locks:
+        return
+    moments = {one.name: one for one in _moments(study, plan, lossy(train, plan.gear), found.moments)}
+    yield from moments.values() if train.load else ()
+    rows = [(-(train.load or 1.0) / train.slides, 0.0, plan.speeds[train.output])]
+    for link, _ in train.drives:
+        moment, speed = moments[of_gear(f"M_fr,{link}", plan.gear)], plan.speeds[link]
+        sense = 1 if complex(speed.point).real > 0 else -1
+        rows.append((float(moment.construction[0]) * sense, float(moment.allowed[0]), speed))
+    powers = [size * abs(complex(speed.point)) for size, _, speed in rows]
+    put = sum(power for power in powers if power > 0)
+    off = sum(abs(m) * bound[one].place.max() + out * abs(complex(one.point)) for m, out, one in rows)
+    named, ratio = (ANGULAR, of_gear(study.efficiency_name, plan.gear), ""), train.slides * (1 - sum(powers) / put)
+    yield Quantity.of(
+        named, (ratio, found.efficiency), DATA * float(off) / put, 1.0, next(iter(moments.values())).shown
+    )
 
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
@@ -170,9 +195,6 @@ def numbers(study: Study, by: str) -> Numbers:
     ratios = ((gear, TrainSpeeds(found.train).ratio(gear)) for gear in found.train.gears)
     fractions = {of_gear(found.ratio_name, gear): str(ratio) for gear, ratio in ratios if ratio is not None}
     teeth = {name: abs(wheel.teeth) for name, wheel in found.train.wheels.items()}
-    told = (
-        data
-        | {"teeth": teeth, "fractions": fractions}
-        | ({"solutions": listed(found.searched)} if found.searched else {})
-    )
+    told = data | {"teeth": teeth, "fractions": fractions}
+    told |= {"solutions": listed(found.searched)} if found.searched else {}
     return Numbers({"scene": study.scene.heading(), "by": by, GEARS: told})

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
+from dataclasses import replace
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from plans.gears.assignment import lack, wanted_of
 from plans.gears.axes import RawTrain, completed, heights, sought, unlike
-from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable
+from plans.gears.crank import CrankTrain
+from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable, geared
 from plans.gears.synthesis import TIP, Searched, clear_of, search
-from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, assembly, link_of
+from plans.linkage.reading.form import LinkageForm
+from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, centre_of, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Meaning, Scene
 from plans.words.words import message
+
+HALF_TURN = 180
 
 
 class GearsSurvey(NamedTuple):
@@ -31,11 +37,27 @@ def survey_of(meaning: Meaning) -> GearsSurvey:
     if any(path[:2] == ("gears", table) for path in meaning.doubts for table in ("wheels", "carriers", "module")):
         return GearsSurvey(None, [])  # what is not read well is there for all that
     reading = _TrainReading(meaning.scene, meaning.scene.of(GearsForm).gears, [])
-    for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
+    steps = reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities
+    for step in (*steps, reading.crank):
         step()
         if reading.faults:
             return GearsSurvey(None, reading.faults)
     return GearsSurvey(reading.train, [], reading.searched)
+
+
+def crank_train(scene: Scene) -> CrankTrain | None:
+    """Give the train before the crank of a scene; nothing where there is none, or it has faults."""
+    train = survey_of(Meaning(scene)).train if geared(scene) else None
+    return None if train is None else CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed)
+
+
+def with_speed(scene: Scene) -> Scene:
+    """Give a scene with the speed of its crank, with any where the train before it has faults."""
+    if not geared(scene):
+        return scene
+    train, linkage = crank_train(scene), scene.of(LinkageForm)
+    speed = train.speed if train is not None else linkage.drive.speed or Decimal(1)
+    return scene.changed(linkage.changed(drive=linkage.drive.changed(speed=speed)))
 
 
 def millimetres(length: Fraction) -> str:
@@ -76,6 +98,8 @@ class _TrainReading:
         rows += [(self._drive(k), (drive.link,)) for k, drive in enumerate(form.drives)]
         for path, named in rows:
             self._know(path, named, central, "no_central")
+        meshes = ["-".join(way) for mesh in form.meshes for way in (mesh, mesh[::-1])]
+        self._know(("efficiencies",), ["-".join(mesh) for mesh in form.efficiencies], meshes, "unmeshed")
         for name in form.inertia:
             self._know(("inertia", name), (name,), links, "no_link")
         for name in form.masses:
@@ -114,9 +138,43 @@ class _TrainReading:
             if given is not None and slides == (key == "load"):
                 self.report((key,), "load_of_rack" if slides else "force_of_wheel", output=self.form.output)
 
+    def _cones(self) -> None:
+        """See that bevel wheels mesh with such of axes across, and that these stand in the plane of all axes."""
+        form, sides, rows = self.form, self.raw.sides, dict[str, list[tuple[str, str]]]()
+        for k, mesh in enumerate(form.meshes):
+            across = [name for name in mesh if sides.get(name) in ACROSS]
+            if not sides.keys().isdisjoint(mesh) and (len(across) != 1 or not sides.keys() >= {*mesh}):
+                self.report(("meshes", k), "bevel_mesh", first=mesh[0], second=mesh[1])
+            elif across:
+                rows.setdefault(link_of(across[0]), []).append(
+                    (next(one for one in mesh if one not in across), across[0])
+                )
+        planets = {link: name for name, some in form.carriers.items() for link in some}
+        coaxial = {link for group in (*self.raw.coaxial, form.fixed, form.brakes.values()) for link in group}
+        for link, pairs in rows.items():
+            own = {self.wheels[name].bevel for name in self.wheels if link_of(name) == link}
+            most, level = (2 if link in planets else 1), [self.wheels[one] for one, _ in pairs]
+            away = (
+                len(own) > 1
+                or link in coaxial
+                or (link in planets and "down" in own)
+                or any(link_of(one) in planets for one, _ in pairs)
+            )
+            if away or len(pairs) > most:
+                self.report(("wheels", pairs[0][1]), "bevel_axis", name=link)
+            elif len(pairs) > 1:
+                (first, one), (second, other) = pairs
+                alike = level[0].bevel == level[1].bevel and self.raw.teeth[one] == self.raw.teeth[other]
+                if alike or (one == other and level[0].teeth != level[1].teeth):
+                    self.report(("wheels", one), "bevel_cone", name=link, first=first, second=second)
+        for key, given in (("inertia", form.inertia), ("masses", form.masses)):
+            for name in given.keys() & rows.keys() & planets.keys():
+                self.report((key, name), "bevel_inertia", name=name)
+
     def rings(self) -> None:
         """See that no two rings mesh, that wheels that mesh have one module, that every wheel meshes."""
         self._slide()
+        self._cones()
         for k, mesh in enumerate(self.form.meshes):
             if link_of(mesh[0]) == link_of(mesh[1]):
                 self.report(("meshes", k), "own_mesh", first=mesh[0], second=mesh[1])
@@ -146,13 +204,14 @@ class _TrainReading:
             tuple(mesh for mesh in form.meshes if turning.keys() >= {*mesh}),
             form.carriers,
             (*form.joined, *form.clutches.values()),
+            {name: wheel.bevel for name, wheel in turning.items() if wheel.bevel},
         )
 
     def synthesis(self) -> None:
         """Find the teeth that give the wanted ratio, if one is wanted."""
         if self.form.wanted is None:
             return
-        wanted = wanted_of(self.form, self.raw)
+        wanted = None if self.raw.sides else wanted_of(self.form, self.raw)
         if wanted and wanted.sign * wanted.ratio < 0:
             ends = dict(zip(("held", "driving", "driven"), wanted.ends, strict=True))
             kind = "only_positive" if wanted.sign > 0 else "only_negative"
@@ -208,7 +267,7 @@ class _TrainReading:
         form, driving = self.form, self.racks.get(self.form.output, "")  # the wheel that moves the driven rack
         load = form.load if form.force is None else Fraction(form.force) * raw.wheel(driving).radius
         engaged: Mapping[str, tuple[str, ...]] = form.engaged or {"": (*form.brakes, *form.clutches)}
-        return Train(
+        train = Train(
             wheels={name: raw.wheel(name) for name in raw.teeth},
             meshes=raw.meshes,
             carriers=form.carriers,
@@ -223,9 +282,20 @@ class _TrainReading:
             inertia={link: float(size) for link, size in form.inertia.items()},
             load=None if load is None else float(load),
             masses={link: float(size) for link, size in form.masses.items()},
+            efficiency=self._efficiency(),
             racks=self.racks,
             driven=form.output if driving else "",
         )
+        across = {link: found[rows[0].level.link] + centre_of(rows) for link, rows in train.crossing.items()}
+        return replace(train, heights={**found, **across})
+
+    def _efficiency(self) -> Mapping[tuple[str, str], Fraction]:
+        """Give the efficiency of each mesh, if any is given: its own one, or that of all; of what is not told 1."""
+        form, usual = self.form, Fraction(self.form.efficiency or 1)
+        own = {mesh: Fraction(part) for mesh, part in form.efficiencies.items()}
+        if form.efficiency is None and not own:
+            return {}
+        return {mesh: own.get(mesh, own.get(mesh[::-1], usual)) for mesh in form.meshes}
 
     def _gear(self, name: str, engaged: tuple[str, ...]) -> BoxGear:
         held = (*self.form.fixed, *(self.form.brakes[one] for one in engaged if one in self.form.brakes))
@@ -238,7 +308,11 @@ class _TrainReading:
         if count is None or count < 2:
             return
         for link, carrier in train.carrier_of.items():
-            for own in (wheel for wheel in train.wheels.values() if wheel.link == link):
+            rows = {row.cross.name: row for row in train.crossing.get(link, ()) if row.tip * count >= HALF_TURN}
+            for row in rows.values():
+                sizes = {"tip": f"{row.tip:.6g}", "share": f"{HALF_TURN / count:.6g}", "most": int(HALF_TURN / row.tip)}
+                self.report(("planets",), "cones_touching", name=row.cross.name, count=count, **sizes)
+            for own in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):
                 self._neighbours(own, abs(train.heights[link] - train.heights[carrier]), count)
             for one in assembly(train, link):
                 if one.share.denominator != 1:
@@ -269,6 +343,11 @@ class _TrainReading:
                 self.report(path, "locked_train" if not found else "too_held", **parts)
             elif not determined(train, gear):
                 self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
+
+    def crank(self) -> None:
+        """See that the train fits the crank that it is before."""
+        if geared(self.scene):
+            self.faults += CrankTrain(self.train, self.form.drives[0].speed).faults(self.scene)
 
     def _freed(self, gear: BoxGear, wanted: int) -> str:
         """Name the links that, held too, leave the mobility that is wanted."""

@@ -6,10 +6,10 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 from functools import cached_property
 
-from plans.gears.form import GearsForm, WheelTable
+from plans.gears.form import GearsForm, WheelTable, geared
 from plans.gears.kutzbach import ANGULAR, LINEAR, KutzbachPlan, TrainPoint, plans_of, spots_of
 from plans.gears.reading import GearsSurvey
-from plans.model.gears import BoxGear, Train, bare, joint_name
+from plans.model.gears import BoxGear, Train, freed, joint_name
 from plans.model.trains import determined, mobility
 from plans.scene.faults import SceneError
 from plans.study import Study
@@ -26,7 +26,9 @@ class GearsStudy:
         survey = study.scene.meaning.of(GearsSurvey)
         train, self.searched = survey.train, survey.searched
         assert train is not None  # it is without faults
-        self.train, self.made, self._form = train, set[str](), study.scene.of(GearsForm).gears
+        self.made, self._form = set[str](), study.scene.of(GearsForm).gears
+        self.resisted = study.driving if geared(study.scene) else None  # N*m, by a machine whose crank it turns
+        self.train = train if train.load is not None else replace(train, load=self.resisted)
 
     @property
     def lacking(self) -> tuple[str, ...]:
@@ -54,18 +56,21 @@ class GearsStudy:
         self.made |= {LINEAR, ANGULAR}
         return plans_of(self.train)
 
-    def released(self, gear: BoxGear) -> Iterator[tuple[str, tuple[str, ...], KutzbachPlan]]:
-        """Give for each held link and each joint of shafts, by its name and links, the plan of what moves without it.
+    def released(self, plan: KutzbachPlan, train: Train) -> Iterator[tuple[str, tuple[str, ...], KutzbachPlan]]:
+        """Give for each drive, held link and joint of shafts, by its name and links, the plan of what it alone moves.
 
-        There the driving link is held instead.
+        There the other driving links are held. Of the train itself, with one drive, its plan is there; with friction,
+        whose moments are as the speeds of another train, not.
         """
-        train, driving = self.train, self.train.drives[0][0]
-        for link in gear.held:
-            yield from self._moved(train, bare(gear, link, driving), link, (link,))
+        gear, drives, own = plan.gear, tuple(link for link, _ in train.drives), train.single and not train.factors
+        if own:
+            yield drives[0], drives, plan
+        for link in (*(() if own else drives), *gear.held):
+            held = (one for one in (*gear.held, *drives) if one != link)
+            yield from self._moved(train, freed(gear, link, held), link, (link,))
         for pair in train.joints if self.closed(gear) else ():
             joined, name = tuple(one for one in train.joints if one != pair), joint_name(pair)
-            apart = BoxGear(f"{gear.name}({name})", (*gear.held, driving), gear.locked)
-            yield from self._moved(replace(train, joined=joined), apart, name, pair)
+            yield from self._moved(replace(train, joined=joined), freed(gear, name, (*gear.held, *drives)), name, pair)
 
     def closed(self, gear: BoxGear) -> bool:
         """Whether a train is closed in a gear, so that power divides: its plan rests on an assumed speed."""
@@ -89,6 +94,12 @@ class GearsStudy:
     def ratio_name(self) -> str:
         """The letter of the ratio: U_1H."""
         return f"U_{pair_of(self.train.drives[0][0], self.train.output)}"
+
+    @property
+    def efficiency_name(self) -> str:
+        """The letter of the efficiency: η_1H; of a train with several drives η."""
+        train = self.train
+        return f"η_{pair_of(train.drives[0][0], train.driven or train.output)}" if train.single else "η"
 
 
 def pair_of(one: str, other: str) -> str:

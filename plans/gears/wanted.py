@@ -16,10 +16,17 @@ LEAST_SOUGHT = 6
 
 def check_tolerance(value: object) -> Decimal:
     """Read how far a ratio may be off: a part, or text in per cent; less than all of it."""
-    per_cent = units.per_cent(value)
-    found = units.quantity(value, units.NUMBER) if per_cent is None else per_cent.scaleb(-2)
+    found = units.part(value)
     if not 0 <= found < 1:
         raise wrong("ratio_tolerance")
+    return found
+
+
+def check_efficiency(value: object) -> Decimal:
+    """Read an efficiency: a part, or text in per cent; more than nothing, no more than all."""
+    found = units.part(value)
+    if not 0 < found <= 1:
+        raise wrong("efficiency")
     return found
 
 
@@ -40,7 +47,10 @@ def check_sought(value: object) -> int:
 
 RATIO = one(check_ratio, lambda: {"type": "number"}, "number")
 SOUGHT = one(check_sought, lambda: {**forms.whole(LEAST_SOUGHT), "maximum": MOST_SOUGHT}, "number")
-TOLERANCE = one(check_tolerance, lambda: {"anyOf": [{"type": "number"}, {"type": "string"}]}, '"3 %"')
+TOLERANCE, EFFICIENCY = (
+    one(check, lambda: {"anyOf": [{"type": "number"}, {"type": "string"}]}, shown)
+    for check, shown in ((check_tolerance, '"3 %"'), (check_efficiency, "0.98"))
+)
 
 
 class WantedTable(Table):

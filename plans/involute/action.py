@@ -7,7 +7,7 @@ import math
 from functools import cached_property
 from typing import Final
 
-from geometry.board import Board, Mark, between
+from geometry.board import Board, Mark, Reading, between
 from plans.model.involute import EPS, GearWheel, InvolutePair
 from plans.words.words import because
 
@@ -156,6 +156,14 @@ class LineOfAction:
         ratio = self.pair.teeth[0] / self.pair.teeth[1]
         first = 1 - ratio * -self.pair.sense * self._to(1, start) / self._to(0, start)
         return first, 1 - self._to(0, end) / (ratio * -self.pair.sense * self._to(1, end))
+
+    def slid(self, end: int) -> Reading:
+        """What 1 less the sliding at the foot of a flank is read from: u N2B square to the line, over N1B."""
+        spot, name, board = self.active[end], f"λ_B{end + 1}", self.board
+        ratio = self.pair.teeth[end] / self.pair.teeth[1 - end]
+        arm = board.join(f"{name}:N", self.ends[end], spot, because("involute_curved"))
+        other = board.join(f"{name}:N'", spot, self.ends[1 - end], because("involute_curved"))
+        return Reading(arm, board.turn(name, other, 1j * ratio, because("involute_slides")))
 
 
 # By how many roundings a size may be off: sums and roots of a few, and a meeting of a line and an arc.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark, Span, behind
+from geometry.board import Mark, Reading, Span, behind
 from plans.analytic.involute import flank, foot, solve
 from plans.explanation import Explanation, NoMark, explained_by
 from plans.involute.action import MESH, slack
@@ -17,7 +17,7 @@ from plans.involute.generation import GENERATION
 from plans.involute.study import POINTS, InvoluteStudy
 from plans.model.involute import EPS, PairSizes, WheelSizes
 from plans.quantity import Comparison, Quantity, Shown
-from plans.words.words import message
+from plans.words.words import because, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -50,10 +50,14 @@ class _ComparedPair(NamedTuple):
         """Compare what both wheels have in common."""
         ours, theirs, action = self.ours, self.theirs, self.study.action
         turned = self.slack / (theirs.distance * math.sin(theirs.angle))
-        yield self._of("α_w", "rad", (ours.angle, theirs.angle), turned, action.way)
+        centres = action.board["a_w"]
+        along = action.board.turn("α_w:a", centres, complex(action.way.point) / complex(centres.point))
+        yield self._of("α_w", "rad", (ours.angle, theirs.angle), turned, Reading(along, action.way))
         yield self._of("a_w", "m", (ours.distance, theirs.distance), self.slack, Span(*action.centres))
         yield self._of("g_α", "m", (ours.active, theirs.active), self.slack, Span(*action.active))
-        yield self._of("ε_α", "1", (ours.ratio, theirs.ratio), self.slack / self.study.pair.rack.base_pitch)
+        over = 1 / self.study.pair.rack.base_pitch
+        part = action.board.turn("ε_α", action.board.join("B_1B_2", *action.active), over, because("involute_ratio"))
+        yield self._of("ε_α", "1", (ours.ratio, theirs.ratio), self.slack * over, part)
 
     def wheels(self) -> Iterator[Quantity]:
         """Compare the sizes of each wheel."""
@@ -66,7 +70,7 @@ class _ComparedPair(NamedTuple):
             strings = self.study.action.feet[n - 1]
             share = self.slack * (1 / strings + 1 / abs(strings - self.theirs.distance * math.sin(self.theirs.angle)))
             off = abs(1 - theirs.sliding) * share
-            yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off)
+            yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off, self.study.action.slid(n - 1))
 
     def _ends(self, flanks: Flanks) -> dict[str, Span]:
         """Give the marks between which sizes are measured."""

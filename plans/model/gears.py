@@ -7,7 +7,7 @@ Numbers of teeth, modules and heights are exact: a ratio is a quotient of whole 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 FRAME = "0"
+ACROSS = ("up", "down")  # sides of an apex where a bevel wheel stands whose axis is not level
 
 
 def link_of(wheel: str) -> str:
@@ -29,11 +30,15 @@ def link_of(wheel: str) -> str:
 
 
 class ToothedWheel(NamedTuple):
-    """A wheel: its name, the number of its teeth, negative of a ring, and its module m."""
+    """A wheel: its name, the number of its teeth, negative of a ring, its module m; a bevel wheel's side of its apex.
+
+    Its axis is level left and right of the apex (вершина конусов), and across, square to that, up and down.
+    """
 
     name: str
     teeth: int
     module: Fraction
+    side: str = ""
 
     @property
     def link(self) -> str:
@@ -51,6 +56,57 @@ class ToothedWheel(NamedTuple):
         return self.teeth < 0
 
 
+class BevelMesh(NamedTuple):
+    """A bevel wheel of a level axis and one of an axis across; the sense of that, +1 or -1, makes its arm positive."""
+
+    level: ToothedWheel
+    cross: ToothedWheel
+    sense: int
+
+    @property
+    def up(self) -> int:
+        """Give 1 of a mesh point over the level axis, -1 of one under it."""
+        return 1 if self.cross.side == "up" else -1
+
+    @property
+    def place(self) -> tuple[Fraction, Fraction]:
+        """The mesh point from the apex, m across and up: on the common edge of the cones."""
+        return self.cross.radius * (-1 if self.level.side == "left" else 1), self.level.radius * self.up
+
+    @property
+    def arm(self) -> Fraction:
+        """The velocity m/s of the mesh point at a speed of 1 rad/s about the axis across."""
+        return self.cross.radius * self.sense
+
+    @property
+    def tip(self) -> float:
+        """The half angle, degrees, of the tip cone of the wheel across, its addendum a module."""
+        teeth = self.cross.teeth, self.level.teeth
+        return math.degrees(math.atan2(*teeth) + math.atan(2 / math.hypot(*teeth)))
+
+    def moved(self, factor: Fraction) -> BevelMesh:
+        """Give the mesh with its point moved across, so that the ratio is so many times greater."""
+        return self._replace(cross=self.cross._replace(module=self.cross.module * factor))
+
+    @property
+    def signed(self) -> Mapping[str, int]:
+        """The teeth so signed that (w_l - w_H) z_l + w_c z_c = 0, w_c over the carrier H."""
+        return {self.level.name: self.level.teeth * self.up, self.cross.name: -self.cross.teeth * self.sense}
+
+
+def bevel_mesh(one: ToothedWheel, other: ToothedWheel, planet: bool) -> BevelMesh:
+    """Put two bevel wheels in order; the sense of a fixed axis across is chosen so that no ratio is negative."""
+    level, cross = (other, one) if one.side in ACROSS else (one, other)
+    found = BevelMesh(level, cross, 1 if level.side == "left" else -1)
+    return found if planet else found._replace(sense=found.up)
+
+
+def centre_of(meshes: Sequence[BevelMesh]) -> Fraction:
+    """Give the height m over the apex where the line of its mesh points crosses the axis of a planet."""
+    (x, y), (x2, y2) = meshes[0].place, meshes[-1].place
+    return y if len(meshes) == 1 else (y * x2 - y2 * x) / (x2 - x)
+
+
 class BoxGear(NamedTuple):
     """A gear of a box (передача, ступень): its name, the links that are held, the pairs of links that turn as one."""
 
@@ -59,9 +115,9 @@ class BoxGear(NamedTuple):
     locked: tuple[tuple[str, str], ...]
 
 
-def bare(gear: BoxGear, link: str, instead: str) -> BoxGear:
-    """Give a gear with a held link let go and another one held instead, under a name of its own."""
-    return BoxGear(f"{gear.name}({link})", (*(one for one in gear.held if one != link), instead), gear.locked)
+def freed(gear: BoxGear, link: str, held: Iterable[str]) -> BoxGear:
+    """Give a gear in which one link is free and others are held, under a name of its own."""
+    return BoxGear(f"{gear.name}({link})", tuple(held), gear.locked)
 
 
 def joint_name(pair: tuple[str, str]) -> str:
@@ -105,6 +161,8 @@ class Train:
     load: float | None = None  # N*m, that resists the driven link
     inertia: Mapping[str, float] = field(default_factory=dict)  # kg*m2 of links about their own axes, of one planet
     masses: Mapping[str, float] = field(default_factory=dict)  # kg of one planet
+    efficiency: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of meshes, their carrier stopped
+    factors: Mapping[tuple[str, str], Fraction] = field(default_factory=dict)  # of the ratios of meshes, by friction
     racks: Mapping[str, str] = field(default_factory=dict)  # each with the wheel that moves it, of a fixed axis
     driven: str = ""  # the rack that the driven link moves, if that is what is driven
 
@@ -138,11 +196,37 @@ class Train:
         """The wheels that mesh."""
         return ((self.wheels[one], self.wheels[other]) for one, other in self.meshes)
 
+    @cached_property
+    def bevels(self) -> Mapping[tuple[str, str], BevelMesh]:
+        """The meshes of bevel wheels (конические колёса), with friction their points moved across."""
+        rows = zip(self.meshes, self.pairs, strict=True)
+        found = {mesh: bevel_mesh(*pair, bool(self.planet_of(*pair))) for mesh, pair in rows if pair[0].side}
+        powers = {mesh: 1 if row.cross.name == mesh[1] else -1 for mesh, row in found.items()}
+        return {mesh: row.moved(self.factors.get(mesh, Fraction(1)) ** powers[mesh]) for mesh, row in found.items()}
+
+    @cached_property
+    def crossing(self) -> Mapping[str, tuple[BevelMesh, ...]]:
+        """The links whose axes lie across, with their meshes."""
+        links = dict.fromkeys(one.cross.link for one in self.bevels.values())
+        return {link: tuple(one for one in self.bevels.values() if one.cross.link == link) for link in links}
+
+    def rolling(self, mesh: tuple[str, str]) -> tuple[Fraction, Fraction]:
+        """Give the signed teeth of two wheels that mesh, of the second times what friction makes of their ratio."""
+        one, other = self.signed(*(self.wheels[name] for name in mesh))
+        return Fraction(one.teeth), other.teeth * self.factors.get(mesh, Fraction(1))
+
+    @property
+    def slides(self) -> float:
+        """The efficiency of the mesh of the driven rack, if a rack is driven and that is given."""
+        return math.prod(float(part) for mesh, part in self.efficiency.items() if self.driven in mesh)
+
     def contact(self, mesh: tuple[str, str]) -> Fraction:
         """Give the height m of the mesh point of two wheels: it divides the line of centres as their teeth."""
-        one, other = (self.wheels[name] for name in mesh)
-        y_one, y_other = self.heights[one.link], self.heights[other.link]
-        return (y_one * other.teeth + y_other * one.teeth) / (one.teeth + other.teeth)
+        if mesh in self.bevels:
+            return self.heights[self.bevels[mesh].level.link] + self.bevels[mesh].place[1]
+        y_one, y_other = (self.heights[self.wheels[name].link] for name in mesh)
+        one, other = self.rolling(mesh)
+        return (y_one * other + y_other * one) / (one + other)
 
     def rack_side(self, rack: str) -> int:
         """Give 1 of a rack over its wheel, -1 of one under it, where another wheel or rack is over it already."""
@@ -167,9 +251,20 @@ class Train:
             elif other.link == link:
                 yield other, one
 
+    def planet_of(self, one: ToothedWheel, other: ToothedWheel) -> str:
+        """Give the carrier of the planet of a mesh, if either is one."""
+        return self.carrier_of.get(one.link) or self.carrier_of.get(other.link) or ""
+
     def carrier_between(self, one: ToothedWheel, other: ToothedWheel) -> str:
         """Give the carrier of the planet of a mesh; the frame where both axes are fixed."""
-        return self.carrier_of.get(one.link) or self.carrier_of.get(other.link) or FRAME
+        return self.planet_of(one, other) or FRAME
+
+    def signed(self, one: ToothedWheel, other: ToothedWheel) -> tuple[ToothedWheel, ToothedWheel]:
+        """Give two wheels that mesh with the signs of their teeth there: w_one/w_other = -z_other/z_one."""
+        found = self.bevels.get((one.name, other.name)) or self.bevels.get((other.name, one.name))
+        teeth = found.signed if found else {}
+        first, second = (wheel._replace(teeth=teeth.get(wheel.name, wheel.teeth)) for wheel in (one, other))
+        return first, second
 
     @cached_property
     def willis(self) -> tuple[Willis, ...]:
@@ -178,10 +273,22 @@ class Train:
         for link, carrier in self.carrier_of.items():
             first, *others = sorted(self._ways(link, frozenset()), key=len)
             for way in others if len(first) == 1 else ():
-                one = _willis(first[0][1], first[0][0], way, carrier)
+                one = self._willis(first[0][1], first[0][0], way, carrier)
                 found.setdefault(frozenset((one.first.name, one.other.name)), one)
         fixed = ((a, b) for a, b in self.pairs if self.carrier_between(a, b) == FRAME)
-        return *found.values(), *(Willis(a, b, "", (b,), (a,), Fraction(-b.teeth, a.teeth)) for a, b in fixed)
+        return *found.values(), *(Willis(a, b, "", (b,), (a,), self._ratio(a, b)) for a, b in fixed)
+
+    def _ratio(self, one: ToothedWheel, other: ToothedWheel) -> Fraction:
+        """Give the ratio of two wheels that mesh, with the carrier stopped."""
+        a, b = self.signed(one, other)
+        return Fraction(-b.teeth, a.teeth)
+
+    def _willis(
+        self, first: ToothedWheel, own: ToothedWheel, way: Sequence[tuple[ToothedWheel, ToothedWheel]], carrier: str
+    ) -> Willis:
+        driving, driven = (first, *(one for one, _ in way)), (own, *(other for _, other in way))
+        ratio = math.prod((self._ratio(a, b) for a, b in zip(driving, driven, strict=True)), start=Fraction(1))
+        return Willis(first, way[-1][1], carrier, driven, driving, ratio)
 
     def _ways(self, link: str, seen: frozenset[str]) -> Iterator[tuple[tuple[ToothedWheel, ToothedWheel], ...]]:
         """Give the meshes on the ways from a planet to the wheels of fixed axes, by itself or through other planets."""
@@ -190,16 +297,6 @@ class Train:
                 yield ((own, other),)
             elif other.link not in seen:
                 yield from (((own, other), *rest) for rest in self._ways(other.link, seen | {link}))
-
-
-def _willis(
-    first: ToothedWheel, own: ToothedWheel, way: tuple[tuple[ToothedWheel, ToothedWheel], ...], carrier: str
-) -> Willis:
-    driving, driven = (first, *(one for one, _ in way)), (own, *(other for _, other in way))
-    ratio = Fraction(1)
-    for one, other in zip(driven, driving, strict=True):
-        ratio *= Fraction(-one.teeth, other.teeth)
-    return Willis(first, way[-1][1], carrier, driven, driving, ratio)
 
 
 def bodies(links: Collection[str], joined: Collection[tuple[str, ...]]) -> Mapping[str, str]:
@@ -240,12 +337,14 @@ class Assembled(NamedTuple):
     @property
     def blocks(self) -> bool:
         """Whether both are in mesh with different wheels of one block."""
-        return self.inner != self.outer and self.inner.link == self.outer.link
+        return self.inner.name != self.outer.name and self.inner.link == self.outer.link
 
     def parts(self, count: int) -> dict[str, object]:
         """Give the names and numbers of the condition for k planets, the greater term first where one is taken off."""
         divisor = math.gcd(self.inner.teeth, self.outer.teeth) if self.blocks else 1
-        less = (self.first.internal == self.other.internal) == (self.inner.link == self.outer.link)
+        same = self.inner.link == self.outer.link
+        turned = same and self.inner.internal != self.outer.internal  # as a bevel wheel between two others
+        less = (self.first.internal == self.other.internal) == (same and not turned)
         ends = (self.first.name, self.inner.name), (self.other.name, self.outer.name)
         (first, inner), (second, outer) = reversed(ends) if less and (self.share < 0) != self.first.internal else ends
         numbers = {"count": count, "divisor": divisor, "sum": abs(self.share) * count * divisor}
@@ -270,4 +369,5 @@ def assembly(train: Train, link: str) -> Iterator[Assembled]:
 
 
 def _central(train: Train, link: str) -> list[tuple[ToothedWheel, ToothedWheel]]:
-    return [(own, other) for own, other in train.meshes_of(link) if other.link not in train.carrier_of]
+    rows = (train.signed(own, other) for own, other in train.meshes_of(link))
+    return [(own, other) for own, other in rows if other.link not in train.carrier_of]

@@ -11,13 +11,18 @@ from plans.model.gears import FRAME, BoxGear, Train
 Row: TypeAlias = list[Fraction]
 
 
-def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, int]]:
-    """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y."""
-    for one, other in train.pairs:
-        carrier = train.carrier_between(one, other)
-        yield {one.link: one.teeth, other.link: other.teeth, carrier: -one.teeth - other.teeth}
-    yield from ({link: 1} for link in gear.held)
-    yield from ({one: 1, other: -1} for one, other in (*gear.locked, *train.joints))
+def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, Fraction]]:
+    """Give the factors of the speeds in each equation: (w_a - w_H) z_a + (w_b - w_H) z_b = 0, w = 0, w_x = w_y.
+
+    Of an axis across the speed is that over its carrier, so that this has no part in it.
+    """
+    unit = Fraction(1)
+    for mesh, (one, other) in zip(train.meshes, train.pairs, strict=True):
+        turned = dict(zip((one.link, other.link), train.rolling(mesh), strict=True))
+        level = sum((teeth for link, teeth in turned.items() if link not in train.crossing), Fraction(0))
+        yield {**turned, train.carrier_between(one, other): -level}
+    yield from ({link: unit} for link in gear.held)
+    yield from ({one: unit, other: -unit} for one, other in (*gear.locked, *train.joints))
 
 
 def mobility(train: Train, gear: BoxGear) -> int:
@@ -59,3 +64,34 @@ def reduced(matrix: Sequence[Row], columns: int) -> list[Row]:
 
 def _less(row: Row, unit: Row, column: int) -> Row:
     return [value - row[column] * part for value, part in zip(row, unit, strict=True)] if row[column] else row
+
+
+def shares(train: Train, gear: BoxGear) -> Mapping[str, tuple[Fraction, ...]]:
+    """Give the speed of each link as shares of those of the drives."""
+    count, links = len(train.drives), train.links
+    rows = [*matrix(train, gear, count), *_drives(train)]
+    return {link: tuple(row[len(links) :]) for link, row in zip(links, reduced(rows, len(links)), strict=True)}
+
+
+def _drives(train: Train) -> list[Row]:
+    """Give the equation of each drive: its link has its own speed."""
+    found = []
+    for k, (link, _) in enumerate(train.drives):
+        row = [Fraction(0)] * (len(train.links) + len(train.drives))
+        row[train.links.index(link)] = row[len(train.links) + k] = Fraction(1)
+        found.append(row)
+    return found
+
+
+def inertia(train: Train, gear: BoxGear, link: str) -> float | None:
+    """Give the moment of inertia kg*m2 of all links, reduced to one; nothing where it rests or none is given."""
+    found = shares(train, gear)
+    if not (train.inertia or train.masses) or not train.single or not found[link][0]:
+        return None
+    turns = {name: share[0] / found[link][0] for name, share in found.items()}
+    total = sum(train.count(one) * size * float(turns[one]) ** 2 for one, size in train.inertia.items())
+    for one, mass in train.masses.items():
+        carrier = train.carrier_of[one]
+        arm = turns[carrier] * (train.heights[one] - train.heights[carrier])
+        total += train.count(one) * mass * float(arm) ** 2
+    return total

@@ -217,4 +217,6 @@ def _read(source: Source, data: Mapping[str, Any]) -> Scene:
     assert isinstance(scene, Scene)
     vars(scene).update(_source=source, techniques=asked, _forms={type(form): form for form in forms})
     vars(scene).update({} if scene.sheets else {"sheets": first_sheet(data)})
+    for name in asked:
+        scene = techniques()[name].completed(scene)
     return scene

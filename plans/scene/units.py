@@ -271,6 +271,12 @@ def not_negative(value: object, kind: UnitKind) -> Decimal:
     return result
 
 
+def part(value: object) -> Decimal:
+    """Read a part of one, or text in per cent."""
+    found = per_cent(value)
+    return quantity(value, NUMBER) if found is None else found.scaleb(-2)
+
+
 def per_cent(value: object) -> Decimal | None:
     """Read a part in per cent as it is written; nothing where it is not.
 

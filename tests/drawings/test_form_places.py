@@ -14,7 +14,7 @@ from tests.drawings.students import task
 from tests.drawings.test_grading import laid
 from tests.parts import some
 
-EDITED = ["", "translate(3 -2)", "scale(0.7)", "translate(594 0) rotate(90)", "regrouped"]
+EDITED = ["", "translate(60 -20)", "scale(0.7)", "translate(594 0) rotate(90)", "regrouped"]
 
 
 @pytest.mark.parametrize("how", some(EDITED, 2))

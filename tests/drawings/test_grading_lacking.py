@@ -49,6 +49,8 @@ def test_a_table_whose_lines_are_lost_is_not_read_and_not_missing() -> None:
     groups = (unruled(one) if table_of(sheet.kind, one.name) == "output" else one for one in leaf.groups)
     graded = grade(svg(leaf._replace(groups=tuple(groups))), SheetTask(tables=own.tables), HAND)
     assert (graded.outcome, [one.kind for one in graded.unseen]) == (UNREAD, ["untabled"])
+    bare = re.sub(rb' data-text="[^"]*"', b"", svg(leaf))  # all letters are outlines
+    assert {one.kind for one in grade(bare, SheetTask(tables=own.tables), HAND).verdicts} == {"untabled"}
 
 
 def unruled(group: Group) -> Group:

@@ -227,6 +227,33 @@ def test_sliding_is_that_of_the_velocities(pair: InvolutePair) -> None:
         both = speeds(pair, complex(mark.point))
         own, other = both[number], both[1 - number]
         assert solve(pair).wheels[number].sliding == pytest.approx((own - other) / own, rel=1e-9)
+        arm, turning = (complex(one.point) for one in study.action.slid(number))  # by which a hand is told its error
+        assert turning / arm == pytest.approx(1j * pair.sense * other / own, rel=1e-9)
+
+
+def turned(pair: InvolutePair, k: int) -> float:
+    """Give the turn of wheel 1 from the touch in P at which a tip slides along the flank of the other wheel."""
+    sizes, own, other = solve(pair).wheels, pair.wheels[k], pair.wheels[1 - k]
+    centres = -1j * sizes[0].operating, 1j * pair.sense * sizes[1].operating
+    speeds = -1.0, pair.sense * pair.teeth[0] / pair.teeth[1]
+    slopes = (math.sqrt((radius / own.base) ** 2 - 1) for radius in (sizes[k].operating, sizes[k].tip))
+    pole, tip = (np.exp(1j * slope) * (1 - 1j * slope) for slope in slopes)
+    low, high = 0.0, (-1) ** k * 3 * math.tau / pair.teeth[0]
+    for _ in range(6):
+        turns = np.linspace(low, high, 601)
+        arm = -centres[k] * tip / pole * np.exp(1j * speeds[k] * turns)
+        seen = arm + centres[k] - centres[1 - k]
+        normal = seen - seen / (1 - 1j * np.sqrt(np.maximum(np.abs(seen / other.base) ** 2 - 1, 0.0)))
+        along = ((speeds[k] * arm - speeds[1 - k] * seen) * 1j * normal.conj()).real
+        first = int(np.argmax(along[1:] * along[:-1] < 0))
+        low, high = turns[first : first + 2]
+    return float(low)
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_the_contact_ratio_is_how_many_pitches_lie_between_the_touches_of_both_tips(pair: InvolutePair) -> None:
+    told = (turned(pair, 0) - turned(pair, 1)) * pair.teeth[0] / math.tau
+    assert abs(InvoluteStudy(pair).sizes.ratio - told) < 1e-12 > abs(solve(pair).ratio - told)
 
 
 @pytest.mark.parametrize("aim", AIMS)

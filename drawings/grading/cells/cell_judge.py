@@ -284,10 +284,10 @@ def table_verdicts(
     there = {drawn.asked.sought for drawn in found}
     for table in asked:
         if table.sought not in there and set(table.sheets) & shown.sheets:
-            # The word in its corner is still there: its lines are not read, and it is not missing.
-            words = sum(folded(text.plain) == table.corner for text in texts(sheet.leaf.groups))
+            # The word in its corner is still there, or all words are outlines: it is not read, and not missing.
+            words = [folded(text.plain) == table.corner for text in texts(sheet.leaf.groups)]
             read = sum(drawn.parts for drawn in found if drawn.asked.corner == table.corner)
-            stands, data = words > read, sheet.measured.metadata
+            stands, data = sum(words) > read or not words, sheet.measured.metadata
             lost = [] if stands else list(_missing(table, {}, shown.sheets, sheet))
             if lost or stands or "form" not in data or data.get("of") == 1:  # else it is on another page of the form
                 yield from lost or [Verdict(table.name, None, "", verdict.UNTABLED)]

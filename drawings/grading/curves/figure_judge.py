@@ -136,22 +136,29 @@ class _Answer:
     def _whole(self) -> tuple[Mistake | None, float | None]:
         """Give the mistake by which most of a figure is out, and the factor, if it is one."""
         left = self.marked & ~self.near & ~self.follows
-        if left.sum() < 1:
+        if not left.any():
             return None, None
-        for mistake in map(self._fitted, self.asked.mistakes):
-            distinct = self.marked & (self.asked.off(mistake.values, self.asked.true) > 2 * self.allowed)
-            if distinct.any() and (self._fits(mistake.values) | ~distinct).all() and (left & distinct).any():
-                return mistake, None
-        if left.sum() < SEVERAL:
-            return None, None
+        known = map(self._fitted, self.asked.mistakes)
+        named = next((mistake for mistake in known if self._tells(mistake, left)), None)
         fitting = [
-            (int(fits.sum()), -float(np.nansum(self.drawn.off(mistake.values))), mistake, factor)
-            for base in (self.asked.true, *self.going_on)
+            (int(fits.sum()), -self._out(mistake), mistake, factor)
+            for base in ((self.asked.true, *self.going_on) if left.sum() >= SEVERAL else ())
             for mistake, factor in self._generals(base)
             if ((fits := self._fits(mistake.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.marked.sum()
         ]
         best = max(fitting, key=lambda fit: fit[:2], default=None)
+        # What has a name of its own goes before, but where another is twice as near.
+        if named is not None and (best is None or self._out(named) <= 2 * self._out(best[2])):
+            return named, None
         return (None, None) if best is None else best[2:]
+
+    def _tells(self, mistake: Mistake, left: Truths) -> bool:
+        """Tell whether all that a mistake alters is as it has it, and something of that is wrong."""
+        distinct = self.marked & (self.asked.off(mistake.values, self.asked.true) > self.allowed)
+        return bool((self._fits(mistake.values) | ~distinct).all() and (left & distinct).any())
+
+    def _out(self, mistake: Mistake) -> float:
+        return float(np.nansum(self.drawn.off(mistake.values)[self.marked]))
 
     def _fitted(self, mistake: Mistake) -> Mistake:
         """Give a mistake by the size that the figure has it by; of lines step by step, as they are nearest to it."""
@@ -282,16 +289,12 @@ def figure_verdicts(
             if filled is not None and not (figure.plan in filled and (figure.curved or figure.is_graph)):
                 continue
             if sheet in marked or (found if filled is None else not filled[figure.plan]):
-                yield from _missing(figure)
+                missing = Verdict(figure.plan, None, "", verdict.MISSING, unit=figure.unit)
+                yield from (missing._replace(name=item.called, letters=("", item.name)) for item in figure.items)
             else:
                 yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
         if kept is not None:
             kept += [(figure, judge.values[figure.key]) for figure in figures if not figure.on_paper]
-
-
-def _missing(asked: FigureAsked) -> Iterator[Verdict]:
-    for item in asked.items:
-        yield Verdict(asked.plan, None, item.called, verdict.MISSING, unit=asked.unit, letters=("", item.name))
 
 
 def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Floats:

@@ -121,9 +121,9 @@ def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:
     scales: dict[str, float] = {}
     boards: dict[str, str] = {}
     for name, mu in leaf.metadata["scales"].items():
-        for board, figure in FIGURES.items():
+        for board, figure in {**FIGURES, LEVER: LEVER}.items():
             if name.startswith(figure):
-                scales |= {name.replace(SCHEME, "scheme "): mu, board: max(mu, scales.get(board, 0.0))}
+                scales |= {name.replace(f"{SCHEME}-", "scheme "): mu, board: max(mu, scales.get(board, 0.0))}
                 boards |= {name: board} if board == FORCES else {}
     return scales, boards
 

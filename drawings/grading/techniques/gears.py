@@ -19,6 +19,6 @@ def record_of_gears(study: Study, leaf: Leaf) -> Record:
             scales[linear] = scales[plan.linear.subject] / plan.tau
         for mark in plan.velocities.values():
             found[linear, None, "", mark.name] = Found(mark.name, Span(origin, mark))
-        for mark in plan.speeds.values():
+        for mark in plan.level_speeds.values():
             found[plan.angular.subject, None, "", mark.name] = Found(mark.name, Span(zero, mark))
     return Record(found, {name: {None: mu} for name, mu in scales.items()})

@@ -193,7 +193,7 @@ def _check_turnless(survey: LinkageSurvey) -> None:
         form = scene.part(name)
         if form is not None and form.needs_turn:
             survey.report(("drive", "stroke"), "turn_needed", name=name)
-    for name in ("balancing", "gear"):
+    for name in ("balancing", "gear", "train"):
         if scene.has(("drive", name)):
             survey.report(("drive", name), "turn_alone", name=name)
 

@@ -162,15 +162,16 @@ class DriveTable(Table):
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
-        """Give the speed that a crank lacks."""
-        if not {"speed", "stroke"} & value.keys():
+        """Give the speed that a crank lacks: one behind a gear train has that of its shaft."""
+        if not {"speed", "stroke"} & value.keys() and value.get("train") is not True:
             yield wrong("missing", at=("speed",))
 
     @classmethod
     def rules(cls) -> Form:
         """Say that a list of positions stands alone, and that a speed or a stroke is needed."""
         lone: Form = {"not": {"required": ["start", "positions"], "properties": {"positions": {"type": "array"}}}}
-        return lone | {"oneOf": [{"required": ["speed"]}, {"required": ["stroke"]}]}
+        geared: Form = {"required": ["train"], "properties": {"train": {"const": True}}}
+        return lone | {"oneOf": [{"anyOf": [{"required": ["speed"]}, geared]}, {"required": ["stroke"]}]}
 
 
 class OutputTable(Table):
