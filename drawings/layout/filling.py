@@ -10,7 +10,9 @@ from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
-from drawings.layout.arrangement import Arrangement, enlarged
+import numpy as np
+
+from drawings.layout.arrangement import Arrangement, clear, enlarged
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Notes, Picture, Rung, Spot, TextBlock
@@ -92,7 +94,8 @@ class Stood:
             if self.stock.pieces(k):
                 boxes[k] = self._whole(k, boxes, others)
                 continue
-            free = (box for box in self._wider(k, boxes[k]) if _free(box, others, room_of(self.page)))
+            wider = np.array([*self._wider(k, boxes[k])]).reshape(-1, 4)
+            free = map(Field._make, wider[clear(wider, others, room_of(self.page))].tolist())
             fair = (box for box in free if bareness(self.ink({**boxes, k: box}), self.page.field) <= most)
             boxes[k] = next(fair, boxes[k])
         return boxes
@@ -131,9 +134,10 @@ class Stood:
         for _, (wide, high) in sorted(way for way in ways if way[0] < now):
             lefts = {box.left, box.right - wide, *(x for edge in beside for x in (edge.right, edge.left - wide))}
             lows = {box.bottom, box.top - high, *(y for edge in beside for y in (edge.top, edge.bottom - high))}
-            stands = (Field(left, low, left + wide, low + high) for left, low in product(sorted(lefts), sorted(lows)))
-            if free := [stand for stand in stands if _free(stand, others, room)]:
-                return min(free, key=loss)
+            corners = np.array([*product(sorted(lefts), sorted(lows))])
+            stands = np.hstack([corners, corners + np.array([wide, high])])
+            if free := stands[clear(stands, others, room)].tolist():
+                return min(map(Field._make, free), key=loss)
         return box
 
     def _now(self, k: int, box: Field) -> int:
@@ -225,16 +229,6 @@ class Stood:
         )
 
 
-def _free(box: Field, others: Sequence[Field], room: Field) -> bool:
-    """Tell whether a box is in a room and as far from all others as things on a sheet are."""
-    if box.left < room.left - SAME or box.right > room.right + SAME:
-        return False
-    if box.bottom < room.bottom - SAME or box.top > room.top + SAME:
-        return False
-    left, bottom, right, top = box.inset(SAME - GAP)
-    return not any(box.left < right and left < box.right and box.bottom < top and bottom < box.top for box in others)
-
-
 def _written(notes: Notes, box: Field) -> Iterator[Field]:
     """Give the boxes of the paragraphs of notes, from the top of their own downwards."""
     top = box.top
@@ -244,9 +238,9 @@ def _written(notes: Notes, box: Field) -> Iterator[Field]:
 
 
 def size_of(extents: list[float]) -> float:
-    """Give the harmonic mean of the sizes of figures, mm, to which the small ones matter most."""
+    """Give the mean of the sizes of figures, mm, by their inverse squares: the small ones matter most."""
     sizes = [extent for extent in extents if 0 < extent < math.inf]
-    return len(sizes) / sum(1 / size for size in sizes) if sizes else 1.0
+    return math.sqrt(len(sizes) / sum(size**-2 for size in sizes)) if sizes else 1.0
 
 
 BARE, LAST = 0.13, 0.17  # shares of a sheet that may stay bare, of the last one of a set more
