@@ -23,6 +23,7 @@ from drawings.reading.alphabet import folded
 from drawings.reading.sheet import see
 from drawings.sheets.kind import table_of
 from tests.drawings.cell_students import key_of, tables_of, written
+from tests.drawings.form_students import form_leaf, position_on_form
 from tests.drawings.students import task
 from tests.drawings.test_curve_grading import on_form
 
@@ -49,8 +50,21 @@ def test_a_table_whose_lines_are_lost_is_not_read_and_not_missing() -> None:
     groups = (unruled(one) if table_of(sheet.kind, one.name) == "output" else one for one in leaf.groups)
     graded = grade(svg(leaf._replace(groups=tuple(groups))), SheetTask(tables=own.tables), HAND)
     assert (graded.outcome, [one.kind for one in graded.unseen]) == (UNREAD, ["untabled"])
-    bare = re.sub(rb' data-text="[^"]*"', b"", svg(leaf))  # all letters are outlines
-    assert {one.kind for one in grade(bare, SheetTask(tables=own.tables), HAND).verdicts} == {"untabled"}
+
+
+def test_of_a_form_all_of_whose_letters_are_outlines_no_table_is_missing() -> None:
+    own, leaf = task("shaper"), form_leaf("shaper")
+    bare = leaf._replace(groups=tuple(map(wordless, leaf.groups)))
+    plan = next(plan for plan in own.plans if plan.plan == "positions")
+    source = re.sub(rb"<text.*?</text>", b"", position_on_form(bare, plan))
+    graded = grade(source, SheetTask((plan,), tables=own.tables), HAND)
+    assert {one.kind for one in graded.verdicts if one.plan.startswith("table")} == {"untabled"}
+
+
+def wordless(group: Group) -> Group:
+    """Give a table without its words."""
+    inside = (wordless(one) if isinstance(one, Group) else one for one in group.strokes)
+    return group._replace(strokes=tuple(one for one in inside if not isinstance(one, Text)))
 
 
 def unruled(group: Group) -> Group:
