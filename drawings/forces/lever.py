@@ -244,17 +244,18 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
         Group((*rods, *stand)), *_drawn(arrows, subject, hand), *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
-    return LetteredFigure(f"{PLAN}-{shown.column}", lines, partial(_letters, shown, place, arrows, kept, hand))
+    return LetteredFigure(f"{PLAN}-{shown.column}", lines, partial(_letters, shown, place, arrows, kept, rods, hand))
 
 
 def _letters(
-    shown: Hanging, place: Place, arrows: Sequence[ForceArrow], arms: Sequence[Arm], hand: Hand, labels: Labels
-) -> Iterator[Stroke]:
-    """Letter the pole and its images, then the arms and the forces."""
+    shown: Hanging, place: Place, arrows: Sequence[ForceArrow], arms: Sequence[Arm], rods: Sequence[Line], hand: Hand,
+    labels: Labels,
+) -> Iterator[Stroke]:  # fmt: skip
+    """Letter the pole and its images, then the arms, no nearer to rods, and the forces."""
     images = [(0j, shown.pole), *((true, letters) for _, letters, true in shown.images)]
     spots = ((place.on(true), letters.split(" ")) for true, letters in images)
     yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
-    yield from letter_each(arms, labels, hand, arrows)
+    yield from letter_each(arms, labels, hand, (*arrows, *rods))
     yield from letter_each(arrows, labels, hand)
 
 

@@ -20,6 +20,7 @@ from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Circle, Group, Stroke, Text
+from drawings.paper.walk import tied
 from drawings.symbols.figure import LINE, Subject, heading, heading_width
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, between
@@ -105,8 +106,9 @@ class ForcePolygon(NamedTuple):
         return {side.name for detail in self.details for side in detail.forces}
 
     def faint(self, mu: float) -> tuple[str, ...]:
-        """Name the forces that are not to be seen at a scale, N/mm: a sheet lists them beside."""
-        return tuple(force.name for force in self.forces if abs(force.value) < SEEN * mu)
+        """Name the forces that are to be seen neither at a scale, N/mm, nor in a detail: a sheet lists them beside."""
+        shown = self.enlarged
+        return tuple(one.name for one in self.forces if abs(one.value) < SEEN * mu and one.name not in shown)
 
 
 def polygon(plan: ForcePlan, cut: CutGroup, column: int) -> ForcePolygon:
@@ -147,7 +149,7 @@ def measure(shown: ForcePolygon, drafting: Drafting) -> Picture:
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
     room = picture(shown.plan, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
     mu = max(room.wide, room.high) / least
-    faint = _faint(shown, mu)
+    faint = shown.faint(mu)
     if faint:
         wide = max(title, room.wide / mu + 2 * room.margins.side) if mu else title
         lines = _under(shown, faint, Scale(mu, SYMBOL, UNIT), wide, drafting)
@@ -166,7 +168,7 @@ def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> 
     chain = lay(shown.forces, WHOLE, place, spot.box, WIDE, hand, LEAST, shown.enlarged)
     sides = chain.sides(Subject(shown.plan, SYMBOL, shown.column), WHOLE, letter, place, hand)
     thin = [*directions(shown.rays, place, hand), *carriers(chain.seen, place, hand)]
-    faint = _faint(shown, place.scale.mu)
+    faint = shown.faint(place.scale.mu)
     circles = {detail.detail: _circle(detail, place, hand) for detail in shown.details}
     under, *further = _under(shown, faint, spot.scale, spot.box.width, drafting)
     title = heading(spot.box, _title(shown, drafting), under, hand, *further)
@@ -178,7 +180,8 @@ def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> 
 def _letter(chain: Chain, circles: Mapping[str, Circle], drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Letter each vector beside it, and the circles around what is shown in details."""
     size = drafting.hand.letter
-    yield from letters(chain.seen, lambda name: (letter_of(name, drafting), size), labels)
+    short = [side.ends for side in chain.short if tied(abs(side.ends[1] - side.ends[0])) >= SEEN]
+    yield from letters(chain.seen, lambda name: (letter_of(name, drafting), size), labels, short)
     for name, circle in circles.items():
         yield labels.beside(circle.centre, name, size, circle.radius + BESIDE)
 
@@ -188,11 +191,6 @@ def _circle(detail: ForcePolygon, place: Place, hand: Hand) -> Circle:
     spots = [end for force in detail.forces for end in ends(force, place)]
     middle = sum(spots) / len(spots)
     return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
-
-
-def _faint(shown: ForcePolygon, mu: float) -> tuple[str, ...]:
-    """Name the forces that are to be seen neither at a scale, N/mm, nor in a detail."""
-    return tuple(name for name in shown.faint(mu) if name not in shown.enlarged)
 
 
 def _under(shown: ForcePolygon, faint: tuple[str, ...], scale: Scale, wide: float, drafting: Drafting) -> list[str]:

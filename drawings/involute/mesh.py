@@ -248,9 +248,9 @@ class _DrawnMesh:
             spot, turned = self._turn(one).middle
             turned += 0.0 if one.shown or one.wheel.internal else math.pi
             yield labels.beside(spot, with_index(f"ω_{one.wheel.number}"), hand.letter, BESIDE, turned)
-        for end in dict.fromkeys(self._beyond.values()):
-            names = ", ".join(with_index(name) for name, other in self._beyond.items() if other == end)
-            yield labels.beside(end, self.drafting.word("involute to", names=names), hand.letter, BESIDE, math.pi)
+        for name, end in self._beyond.items():
+            to = self.drafting.word("involute to", name=with_index(name))
+            yield labels.beside(end, to, hand.letter, BESIDE, math.pi)
         if size := self._distance:
             (start, end), *_ = size.lines
             spot = start + (0.25 if self._beyond else 0.75) * (end - start)

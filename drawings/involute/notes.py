@@ -57,14 +57,4 @@ class InvoluteNotes(NamedTuple):
 
     def _said(self, key: str, *names: str) -> Phrase:
         known = noted(self.pair, self.sizes)
-        return self.drafting.phrase(key, **{_part(name): Slot(name, known[name], DIGITS) for name in names})
-
-
-def _part(name: str) -> str:
-    """Name the part of a sentence that holds a quantity: letters alone.
-
-    >>> _part("s_a1/m"), _part("Δy"), _part("h*")
-    ('sa1m', 'Dy', 'h')
-    """
-    plain = name.replace("α", "alpha").replace("ε", "eps").replace("ρ", "rho").replace("Δ", "D").replace("Σ", "S")
-    return "".join(sign for sign in plain if sign.isalnum())
+        return self.drafting.phrase(key, **{name: Slot(name, known[name], DIGITS) for name in names})

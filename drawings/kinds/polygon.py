@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.kinds import working
 from drawings.kinds.working import Workings
-from drawings.layout.labels import Labels
+from drawings.layout.labels import Labels, Lines
 from drawings.layout.parallel_offsets import APART, Box, Segment, offset, parallel_offsets
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.page.page import Drafting, Field, Scale
@@ -62,10 +62,10 @@ class LaidVector(NamedTuple):
     shift: complex = 0j
 
     def draw(self, subject: Subject, letter: str, place: Place, style: LineStyle, hand: Hand) -> Group:
-        """Draw it, measurable, with its arrowhead; one whose head is no wider than its line by the thinner pen."""
+        """Draw it, measurable, with its arrowhead; one whose head is no wider than its line by a thinner pen."""
         head = arrowhead(*self.ends, hand.symbol)
-        small = head is not None and abs(head.points[1] - head.points[2]) < 2 * style.width
-        line = Line(*self.ends, hand.relative if small else style)
+        wide = abs(head.points[1] - head.points[2]) if head is not None else 0.0
+        line = Line(*self.ends, next((pen for pen in (style, hand.relative) if 2 * pen.width <= wide), hand.other))
         strokes = (line,) if head is None else (line, head)
         data = subject.data("vector", self.vector.name, self.vector.value, place.scale)
         return Group(strokes, "", data, letter)
@@ -149,14 +149,16 @@ def carriers(arrows: Sequence[LaidVector], place: Place, hand: Hand) -> list[Str
     ]
 
 
-def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float]], labels: Labels) -> list[Stroke]:
-    """Letter each vector on its outer side, nearest to it, the shortest first; `mark` gives its letter and size."""
+def letters(
+    arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float]], labels: Labels, more: Lines = ()
+) -> list[Stroke]:
+    """Letter each vector on its outer side, nearest to it, not to `more`, the shortest first; `mark` gives how."""
     spots = [end for arrow in arrows for end in arrow.ends]
     middle = sum(spots, 0j) / max(len(spots), 1)
     strokes = []
     for vector, (start, end), shift in sorted(arrows, key=lambda arrow: tied(abs(arrow.ends[1] - arrow.ends[0]))):
         outward = shift or tied_spot((start + end) / 2 - middle) or 1j
-        others = [arrow.ends for arrow in arrows if arrow.vector is not vector]
+        others = [*(arrow.ends for arrow in arrows if arrow.vector is not vector), *more]
         strokes.append(labels.along(start, end, *mark(vector.name), BESIDE, cmath.phase(outward), others))
     return strokes
 

@@ -52,6 +52,8 @@ Sized: TypeAlias = tuple[complex, str, Statement]
 
 def dimensions(base: complex, first: float, sizes: Sequence[Sized], hand: Hand, side: int = -1) -> Iterator[Stroke]:
     """Dimension places from a base, each on its level from the `first` mm down or, with a `side` of 1, up."""
+    short = {spot.real > base.real for spot, text, _ in sizes if abs(spot.real - base.real) < room_for(text, hand)}
+    sizes = sorted(sizes, key=lambda size: (size[0].real > base.real) in short)  # their numbers are beyond the base
     for number, (spot, text, states) in enumerate(sizes):
         level = first + side * number * step(hand)
         yield _dimension(base.real, spot.real, level, text, hand, states)

@@ -302,12 +302,40 @@ class Arrangement:
         boxes: Floats = corners + np.array(box)
         areas: Floats = np.array([*self.inked(k, box)], dtype=float).reshape(-1, 4)  # none of notes without lines
         inked: Floats = corners[:, None] + areas
-        free = _within(boxes, self.room)
-        for other in (*others, self.page.block):
-            free &= ~_meet(boxes, other)
+        free = clear(boxes, (*others, self.page.block), self.room)
         for place in self._taken:
             free &= ~_meet(inked, place).any(-1)
         return _Stands(boxes[free], self._grid.cells(inked[free]), (FAR * np.hypot(*shifts[free].T)).round(PLACES))
+
+
+def enlarged(k: int, size: Size, boxes: Boxes, page: Page, room: Field) -> Boxes | None:
+    """Stand what has become larger under its top or near by; at most one other thing makes way for it."""
+    others = {n: box for n, box in boxes.items() if n != k}
+    stands = _near(boxes[k], size, others.values(), page, room)
+    barred = np.array([_meet(stands, box) for box in others.values()], bool).reshape(len(others), len(stands))
+    for m in np.flatnonzero(~barred.any(0))[:1]:
+        return {**others, k: Field(*stands[m].tolist())}
+    for n, bars in zip(others, barred & (barred.sum(0) == 1), strict=True):
+        for m in np.flatnonzero(bars)[:1]:
+            grown = {**others, k: Field(*stands[m].tolist())}
+            box = grown.pop(n)
+            ways = _near(box, (box.width, box.height), grown.values(), page, room)
+            for way in ways[clear(ways, grown.values(), room)][:1].tolist():
+                return {**grown, n: Field(*way)}
+    return None
+
+
+def _near(field: Field, size: Size, others: Iterable[Field], page: Page, room: Field) -> Floats:
+    """Give the boxes of a size under the top of a box, or near by and beside others, in the room, nearest first."""
+    (wide, high), edges = size, [*page.taken, *others]
+    lefts, lows = [field.centre.real - wide / 2, room.left, room.right - wide], [field.top - high, room.bottom]
+    lefts += [x for edge in edges for x in (edge.right + GAP, edge.left - GAP - wide)]
+    lows += [y for edge in edges for y in (edge.top + GAP, edge.bottom - GAP - high)]
+    corners = np.array([*product(lefts, [*lows, room.top - high])])
+    far = np.hypot(*(corners - corners[0]).T).round(PLACES)
+    boxes: Floats = np.hstack([corners, corners + np.array(size)])[far.argsort(kind="stable")]
+    near = np.sort(far) <= REACH * STEP * max(page.field.width, page.field.height)
+    return np.asarray(boxes[near & clear(boxes, page.taken, room)])
 
 
 def _meeting(stands: Sequence[_Stands]) -> Truths | bool:
@@ -318,10 +346,14 @@ def _meeting(stands: Sequence[_Stands]) -> Truths | bool:
     return _meet(stand.boxes[:, None], np.moveaxis(other.boxes, -1, 0))
 
 
-def _within(boxes: Floats, room: Field) -> Truths:
+def clear(boxes: Floats, others: Iterable[Field], room: Field) -> Truths:
+    """Tell which boxes are in a room and as far from all others as things on a sheet are."""
     left, bottom, right, top = np.moveaxis(boxes, -1, 0)
-    across = (left >= room.left - SAME) & (right <= room.right + SAME)
-    return np.asarray(across & (bottom >= room.bottom - SAME) & (top <= room.top + SAME))
+    free = (left >= room.left - SAME) & (right <= room.right + SAME)
+    free &= (bottom >= room.bottom - SAME) & (top <= room.top + SAME)
+    for other in others:
+        free &= ~_meet(boxes, other)
+    return np.asarray(free)
 
 
 def _meet(boxes: Floats, other: Field | Floats) -> Truths:

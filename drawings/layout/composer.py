@@ -13,7 +13,7 @@ from heapq import nlargest
 from itertools import chain
 from typing import NamedTuple
 
-from drawings.layout.arrangement import Growth, State, rungs_of
+from drawings.layout.arrangement import Growth, State, Steps, rungs_of
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.filling import Stood, size_of
 from drawings.layout.picture import Picture, Rung
@@ -25,8 +25,8 @@ from drawings.paper.strokes import SheetError
 from drawings.paper.walk import tied
 from plans.words.words import message
 
-LOOKS = 3  # levels at which compositions are looked at: the highest and those below it
-POINTS = 6  # sizes of a sheet that are looked at
+LOOKS = 5  # levels at which compositions are looked at: the highest and those below it
+POINTS = 8  # sizes of a sheet that are looked at
 LATE = 0.5  # what notes count that do not stand on the first sheet, against the logarithm of the figures' sizes
 EVEN = 2.0  # what a share of the room counts that the emptiest sheet has less than the sheets have on average, likewise
 SETTLED = 4  # sets, the best as they are cut, that are looked at when all on them is moved
@@ -83,6 +83,7 @@ class _Set:
 
     sheets: tuple[Stood, ...]
     most: float
+    state: State
 
     @cached_property
     def score(self) -> float:
@@ -114,7 +115,7 @@ class _Composer:
             if whole._fewest(whole.orders) == count:
                 found = whole._among(count)
                 best = max(best, found, key=lambda candidate: (-len(candidate.sheets), candidate.settled))
-        return tuple(sheet.composition() for sheet in best.sheets)
+        return tuple(sheet.composition() for sheet in _enlarged(best, self.asked.steps))
 
     def _among(self, count: int) -> _Set:
         """Find the best set: in the further orders where they need fewer sheets, or leave less of them bare."""
@@ -228,11 +229,24 @@ class _Composer:
         rungs, steps = rungs_of(self.asked.steps, grown), self.asked.steps
         last = len(trees) - 1
         sheets = tuple(self._stood(tree, rungs, self._ends(0 < k == last)) for k, tree in enumerate(trees))
-        size = size_of([step.sizes[k] for step, k in zip(steps, grown, strict=True)])
+        size = size_of([step.sizes[k] for step, k in zip(steps, grown, strict=True) for _ in step.rungs[k]])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
         torn, full = math.fsum(sheet.torn for sheet in sheets), [sheet.full for sheet in sheets]
         uneven = EVEN * (math.fsum(full) / len(full) - min(full))
-        return _Set(sheets, tied(math.log(size) - late - torn - uneven))
+        return _Set(sheets, tied(math.log(size) - late - torn - uneven), grown)
+
+
+def _enlarged(best: _Set, steps: Sequence[Steps]) -> Sequence[Stood]:
+    """Draw figures larger that have paper enough where they stand, the smallest first, those of one scale together."""
+    sheets: Sequence[Stood] = best.sheets
+    for step, k in sorted(zip(steps, best.state, strict=True), key=lambda entry: entry[0].sizes[entry[1]]):
+        for larger in step.rungs[k + 1 :]:
+            grown = [sheet.enlarged(larger) for sheet in sheets]
+            found = [sheet for sheet in grown if sheet is not None]
+            if len(found) < len(sheets):
+                break
+            sheets = found
+    return sheets
 
 
 def _settled(sets: Sequence[_Set]) -> _Set:

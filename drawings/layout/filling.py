@@ -10,7 +10,9 @@ from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
-from drawings.layout.arrangement import Arrangement
+import numpy as np
+
+from drawings.layout.arrangement import Arrangement, clear, enlarged
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Notes, Picture, Rung, Spot, TextBlock
@@ -33,13 +35,14 @@ LETTERED = 0.25  # share of the margins of a figure that its letters and symbols
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Stood:
-    """A sheet: what is shown, how it is cut, the scales of its pictures, whether it ends its set."""
+    """A sheet: what is shown, how it is cut, scales of its pictures, whether it ends its set, where all stands."""
 
     stock: Stock
     page: Page
     tree: Tree
     rungs: Mapping[str, Rung]
     last: bool
+    known: Mapping[int, Field] | None = None
 
     @cached_property
     def boxes(self) -> dict[int, Field]:
@@ -82,6 +85,8 @@ class Stood:
     @cached_property
     def stands(self) -> Mapping[int, Field]:
         """The boxes at last: where paper is free, lettering is wider and tables whole; the sheet is no barer for it."""
+        if self.known is not None:
+            return self.known
         boxes = dict(self.arranged)
         most = max(bareness(self.ink(boxes), self.page.field), self.most)
         for k in (k for k in boxes if not isinstance(self.stock.shown[k], Picture)):
@@ -89,10 +94,26 @@ class Stood:
             if self.stock.pieces(k):
                 boxes[k] = self._whole(k, boxes, others)
                 continue
-            free = (box for box in self._wider(k, boxes[k]) if _free(box, others, room_of(self.page)))
+            wider = np.array([*self._wider(k, boxes[k])]).reshape(-1, 4)
+            free = map(Field._make, wider[clear(wider, others, room_of(self.page))].tolist())
             fair = (box for box in free if bareness(self.ink({**boxes, k: box}), self.page.field) <= most)
             boxes[k] = next(fair, boxes[k])
         return boxes
+
+    def enlarged(self, rungs: Mapping[str, Rung]) -> "Stood | None":
+        """Give the sheet with some figures larger where they stand, no barer; nothing where one has no place."""
+        sheet, boxes = replace(self, rungs={**self.rungs, **rungs}), self.stands
+        for k, box in self.stands.items():
+            item = self.stock.shown[k]
+            if isinstance(item, Picture) and rungs.get(item.name, self.rungs[item.name]) != self.rungs[item.name]:
+                rung, (_, more) = rungs[item.name], sheet._more(item, (0.0, 0.0))
+                high = max(rung.high, min(box.height, rung.high + more))
+                found = enlarged(k, (rung.wide, high), boxes, self.page, room_of(self.page))
+                if found is None:
+                    return None
+                boxes = found
+        most = max(bareness(self.ink(self.stands), self.page.field), self.most)
+        return replace(sheet, known=boxes) if bareness(sheet.ink(boxes), self.page.field) <= most else None
 
     def _wider(self, k: int, box: Field) -> Iterator[Field]:
         """Give the wider boxes that lettering may have under the top of its own, the widest first."""
@@ -113,9 +134,10 @@ class Stood:
         for _, (wide, high) in sorted(way for way in ways if way[0] < now):
             lefts = {box.left, box.right - wide, *(x for edge in beside for x in (edge.right, edge.left - wide))}
             lows = {box.bottom, box.top - high, *(y for edge in beside for y in (edge.top, edge.bottom - high))}
-            stands = (Field(left, low, left + wide, low + high) for left, low in product(sorted(lefts), sorted(lows)))
-            if free := [stand for stand in stands if _free(stand, others, room)]:
-                return min(free, key=loss)
+            corners = np.array([*product(sorted(lefts), sorted(lows))])
+            stands = np.hstack([corners, corners + np.array([wide, high])])
+            if free := stands[clear(stands, others, room)].tolist():
+                return min(map(Field._make, free), key=loss)
         return box
 
     def _now(self, k: int, box: Field) -> int:
@@ -207,16 +229,6 @@ class Stood:
         )
 
 
-def _free(box: Field, others: Sequence[Field], room: Field) -> bool:
-    """Tell whether a box is in a room and as far from all others as things on a sheet are."""
-    if box.left < room.left - SAME or box.right > room.right + SAME:
-        return False
-    if box.bottom < room.bottom - SAME or box.top > room.top + SAME:
-        return False
-    left, bottom, right, top = box.inset(SAME - GAP)
-    return not any(box.left < right and left < box.right and box.bottom < top and bottom < box.top for box in others)
-
-
 def _written(notes: Notes, box: Field) -> Iterator[Field]:
     """Give the boxes of the paragraphs of notes, from the top of their own downwards."""
     top = box.top
@@ -226,9 +238,9 @@ def _written(notes: Notes, box: Field) -> Iterator[Field]:
 
 
 def size_of(extents: list[float]) -> float:
-    """Give the harmonic mean of the sizes of figures, mm, to which the small ones matter most."""
+    """Give the mean of the sizes of figures, mm, by their inverse squares: the small ones matter most."""
     sizes = [extent for extent in extents if 0 < extent < math.inf]
-    return len(sizes) / sum(1 / size for size in sizes) if sizes else 1.0
+    return math.sqrt(len(sizes) / sum(size**-2 for size in sizes)) if sizes else 1.0
 
 
 BARE, LAST = 0.13, 0.17  # shares of a sheet that may stay bare, of the last one of a set more

@@ -52,8 +52,7 @@ class Labels:
         """
         label = self.free(point, content, size, gap, prefer, others, further)
         if label is None:  # there is no free place on the whole sheet; a letter is needed all the same
-            box = bounds(Text(0j, content, size, "start", self._slanted))
-            label = self._written(self._near(point, box, gap, prefer), content, size)
+            label = self._written(self._near(point, self._parts(content, size), gap, prefer), content, size)
         return label
 
     def free(
@@ -61,16 +60,19 @@ class Labels:
         others: Lines = (), further: Spots = (),
     ) -> Stroke | None:  # fmt: skip
         """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
-        box, spots, bare = bounds(Text(0j, content, size, "start", self._slanted)), (point, *further), list[complex]()
+        box, *_ = parts = self._parts(content, size)
+        spots, bare = (point, *further), list[complex]()
         for spot in spots:
-            near = self._near(spot, box, gap, prefer, others)
+            near = self._near(spot, parts, gap, prefer, others)
             if not self.ink.under(padded(box, near)):
                 bare.append(near)
-                if not _strays(box, near, (spot, spot), others):
+                if not _strays(parts, near, spot, spot, others):
                     return self._written(near, content, size)
         off = 0.0 if further else 0.7 * gap  # from a line a leader leads at once
-        led = self._led(spots, box, gap, off, prefer, (*others, *self._leaders))
-        led = led or (None if bare else self._led(spots, box, gap, off, prefer))
+        lines, back = (*others, *self._leaders), 0.0 if off or not others else BACK
+        led = self._led(spots, box, gap, off, prefer, lines, back)
+        if led is None and not bare:
+            led = self._led(spots, box, gap, off, prefer, lines) or self._led(spots, box, gap, off, prefer)
         if led is not None:
             self._leaders.append(led[:2])
             return self._written(led[2], content, size, Line(*led[:2], self._leader))
@@ -85,9 +87,9 @@ class Labels:
 
     def close(self, point: complex, content: str, size: float, gap: float, prefer: float) -> Stroke | None:
         """Place a label beside a point, or nowhere if there is no free place there: no leader leads to it."""
-        box = bounds(Text(0j, content, size, "start", self._slanted))
-        near = self._near(point, box, gap, prefer)
-        return None if self.ink.under(padded(box, near)) else self.free(point, content, size, gap, prefer)
+        parts = self._parts(content, size)
+        near = self._near(point, parts, gap, prefer)
+        return None if self.ink.under(padded(parts[0], near)) else self.free(point, content, size, gap, prefer)
 
     def along(
         self, start: complex, end: complex, content: str, size: float, gap: float, prefer: float, others: Lines = ()
@@ -96,7 +98,7 @@ class Labels:
 
         It is to be no nearer to `others`, which have labels of their own.
         """
-        box = bounds(Text(0j, content, size, "start", self._slanted))
+        box, *_ = parts = self._parts(content, size)
         across = 1j * (end - start) / abs(end - start)
         if tied((across * cmath.rect(1.0, -prefer)).real) < 0:
             across = -across
@@ -105,14 +107,20 @@ class Labels:
         for share in SHARES:
             for side in (across, -across):
                 corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
-                if not (self.ink.under(padded(box, corner, WELL_CLEAR)) or _strays(box, corner, (start, end), others)):
+                if not (self.ink.under(padded(box, corner, WELL_CLEAR)) or _strays(parts, corner, start, end, others)):
                     return self._written(corner, content, size)
         further = [start + share * (end - start) for share in (SHARES[3:] if others else SHARES[:1])]
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across), others, further)
 
-    def _near(self, point: complex, box: Box, gap: float, prefer: float, others: Lines = ()) -> complex:
+    def _parts(self, content: str, size: float) -> tuple[Box, Box, Box]:
+        """Give the boxes of a label: around the whole, around its letter, and around what follows that, as an index."""
+        text = Text(0j, content, size, "start", self._slanted)
+        whole, letter = bounds(text), bounds(text._replace(content=text.runs[:1]))
+        return whole, letter, (letter[2], *whole[1:])
+
+    def _near(self, point: complex, parts: Sequence[Box], gap: float, prefer: float, others: Lines = ()) -> complex:
         """Find the freest place beside a point; one that covers nothing is taken before any other."""
-        best, cheapest = point, math.inf
+        best, cheapest, box = point, math.inf, parts[0]
         for reach in NEAR:
             if cheapest <= 0.8 * reach:
                 break  # no place further off can be better
@@ -122,16 +130,16 @@ class Labels:
                     break
                 corner = _touching(point, box, gap + reach, angle)
                 cost = self.ink.under(padded(box, corner)) + least
-                if cost < cheapest and (cost := cost + STRAY * _strays(box, corner, (point, point), others)) < cheapest:
+                if cost < cheapest and (cost := cost + STRAY * _strays(parts, corner, point, point, others)) < cheapest:
                     best, cheapest = corner, cost
         return best
 
     def _led(
-        self, spots: Spots, box: Box, gap: float, off: float, prefer: float, others: Lines = ()
+        self, spots: Spots, box: Box, gap: float, off: float, prefer: float, others: Lines = (), back: float = 0.0
     ) -> tuple[complex, complex, complex] | None:
-        """Find a free place further off, and the leader to it: from `off` a point to the label's nearer edge."""
+        """Find a free place further off, and the leader to it, `back` from those before, `off` a point to its edge."""
         best, cheapest = None, math.inf
-        clear = [(0.7 * gap, others), *([(BACK, self._leaders)] if others and not off else ())]
+        clear = (0.7 * gap, others), (back, self._leaders)
         beginning = cache(lambda start: any(_begins_at(start, *near) for near in clear))
         for reach, spot in product(LED, spots):
             if cheapest <= reach:
@@ -192,10 +200,10 @@ def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
     return centre - half - complex(left, bottom)
 
 
-def _strays(box: Box, corner: complex, line: Segment, others: Lines) -> bool:
-    """Tell whether a shifted box is nearer to another line than to its own."""
-    own = _off(box, corner, line) if others else 0.0
-    return any(_within(box, corner, other, own) for other in others)
+def _strays(parts: Sequence[Box], corner: complex, start: complex, end: complex, others: Lines) -> bool:
+    """Tell whether a shifted label is nearer to another line than to its own."""
+    own = min(_off(box, corner, (start, end)) for box in parts[1:]) if others else 0.0
+    return any(_within(box, corner, other, own) for box in parts[1:] for other in others)
 
 
 def _in_line(leader: Segment, other: Segment) -> bool:

@@ -141,17 +141,19 @@ class CoupleArc(NamedTuple):
 Mark: TypeAlias = ForceArrow | CoupleArc | Arm
 
 
-def letter_each(marks: Sequence[Mark], labels: Labels, hand: Hand, around: Sequence[Mark] = ()) -> Iterator[Stroke]:
-    """Letter forces, couples or arms, each nearer to its own than to any other of them or of those `around`."""
-    lines = [_lines(mark, hand) for mark in (*marks, *around)]
+def letter_each(marks: Sequence[Mark], labels: Labels, hand: Hand, by: Sequence[Mark | Line] = ()) -> Iterator[Stroke]:
+    """Letter forces, couples or arms, each nearer to its own than to any other of them or of what they stand `by`."""
+    lines = [_lines(mark, hand) for mark in (*marks, *by)]
     for k, mark in enumerate(marks):
         yield mark.letter_beside(labels, hand, [*chain(*lines[:k], *lines[k + 1 :])])
 
 
-def _lines(mark: Mark, hand: Hand) -> Lines:
+def _lines(mark: Mark | Line, hand: Hand) -> Lines:
     """Give the line of a mark, or the chords of an arc."""
     if isinstance(mark, CoupleArc):
         return mark.chords
+    if isinstance(mark, Line):
+        return ((mark.start, mark.end),)
     return (mark.reach(hand) if isinstance(mark, Arm) else (mark.start, mark.tip),)
 
 

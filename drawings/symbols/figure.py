@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.layout.labels import SHARES, Labels, Lines
+from drawings.layout.parallel_offsets import nearest
 from drawings.layout.picture import Margins, Picture, Place
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Scale
@@ -229,13 +230,17 @@ class Arm(NamedTuple):
     def letter_beside(self, labels: Labels, hand: Hand, others: Lines = ()) -> Stroke:
         """Letter it beside its middle, or as near to that as it can, or the further arrow of those that stand outside.
 
-        The letter is no nearer to `others`.
+        The letter is no nearer to `others`; where one runs so near above that it would be between both, it is below.
         """
         start, end = self.ends
         along = [start + share * (end - start) for share in SHARES[:STATIONS]]
         first, *further = along if roomy(self.length, hand) else [(end + self.reach(hand)[1]) / 2]
         across = 1j * (self.foot - self.about)
         above = -across if tied(across.imag) < 0 else across  # as on any dimension line
+        over, under = (first + way * hand.letter / (abs(way) or 1.0) for way in (above, -above))
+        bare, other = (min((abs(nearest(*o, at) - at) for o in others), default=math.inf) for at in (over, under))
+        if tied(bare - min(other, hand.letter)) < 0:
+            above = -above
         return labels.beside(first, self.letter, hand.letter, BESIDE, cmath.phase(above), others, further)
 
 

@@ -22,6 +22,7 @@ from geometry.curve import sampled
 ARROW_LENGTH = 5.0
 ARROW_HALF = ARROW_LENGTH * math.tan(math.radians(10))  # an arrowhead of 20 degrees
 ARROW_BLUNT = ARROW_LENGTH * math.tan(math.radians(15))  # of 30, the bluntest of ISO 129-1: where one is small
+ARROW_LEAST = 1.5  # of one that is seen as such: a shorter vector is all head
 HINGE = 2.0  # radius of a hinge of two links
 DOUBLE = (2.8, 1.5)  # radii of a hinge of three links or more
 POINT = 0.9  # radius of a point that is no hinge
@@ -42,7 +43,7 @@ def arrowhead(start: complex, tip: complex, factor: float = 1.0) -> Fill | None:
     length = abs(tip - start)
     if length < 0.1:
         return None
-    size = min(factor, length / (1.5 * ARROW_LENGTH))
+    size = min(factor, max(length / 1.5, min(length, ARROW_LEAST)) / ARROW_LENGTH)
     along = (tip - start) / length
     base, half = tip - along * size * ARROW_LENGTH, 1j * along * min(factor * ARROW_HALF, size * ARROW_BLUNT)
     return Fill((tip, base + half, base - half))

@@ -157,14 +157,10 @@ class LineOfAction:
         first = 1 - ratio * -self.pair.sense * self._to(1, start) / self._to(0, start)
         return first, 1 - self._to(0, end) / (ratio * -self.pair.sense * self._to(1, end))
 
-    @cached_property
-    def slid(self) -> tuple[Reading, Reading]:
-        """What 1 less the sliding at the foot of each flank is read from: u N2B square to the line, over N1B."""
-        first, second = (self._slid(end, self.pair.teeth[end] / self.pair.teeth[1 - end]) for end in (0, 1))
-        return first, second
-
-    def _slid(self, end: int, ratio: float) -> Reading:
+    def slid(self, end: int) -> Reading:
+        """What 1 less the sliding at the foot of a flank is read from: u N2B square to the line, over N1B."""
         spot, name, board = self.active[end], f"λ_B{end + 1}", self.board
+        ratio = self.pair.teeth[end] / self.pair.teeth[1 - end]
         arm = board.join(f"{name}:N", self.ends[end], spot, because("involute_curved"))
         other = board.join(f"{name}:N'", spot, self.ends[1 - end], because("involute_curved"))
         return Reading(arm, board.turn(name, other, 1j * ratio, because("involute_slides")))

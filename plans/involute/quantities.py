@@ -70,7 +70,7 @@ class _ComparedPair(NamedTuple):
             strings = self.study.action.feet[n - 1]
             share = self.slack * (1 / strings + 1 / abs(strings - self.theirs.distance * math.sin(self.theirs.angle)))
             off = abs(1 - theirs.sliding) * share
-            yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off, self.study.action.slid[n - 1])
+            yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off, self.study.action.slid(n - 1))
 
     def _ends(self, flanks: Flanks) -> dict[str, Span]:
         """Give the marks between which sizes are measured."""

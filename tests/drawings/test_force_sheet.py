@@ -13,6 +13,8 @@ from drawings.forces.letters import BALANCE, PAIR
 from drawings.forces.lever import hanging
 from drawings.forces.scheme import fan
 from drawings.kinds.polygon import LaidVector, ShownVector
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import merging
 from drawings.layout.picture import Place
 from drawings.linkage import sheet as linkage_sheet
@@ -146,6 +148,13 @@ def test_a_short_arm_is_dimensioned_aside_of_its_pivot_by_arrows_from_outside() 
     assert all(not 0 < head.points[1].real < 6 for head in heads)
     near = [Arm("h_2", 0j, 30 * turn, -1j * turn) for turn in (1, (399 + 40j) / 401)]  # feet 3 mm apart
     assert [arm.aside != 0 for arm in aside(near, [], None, hand_of("A1"))] == [False, True]  # heads do not meet
+
+
+def test_the_letter_of_an_arm_stands_on_the_side_away_from_a_near_one() -> None:
+    arm, hand, level = Arm("h_1", 50 + 50j, 82 + 34j, (1 + 2j) / 5**0.5), hand_of("A1"), (50 + 50j, 90 + 50j)
+    for others, above in ([], True), ([level], False):
+        (letter,) = texts([arm.letter_beside(Labels(Ink(99, 99), hand.drafted), hand, others)])
+        assert (letter.at.imag > 42) is above
 
 
 def test_a_force_that_would_run_in_a_rod_stands_beside_it() -> None:

@@ -12,6 +12,7 @@ from drawings.paper.walk import flat, groups
 LONG = 5.0  # mm of a straight head on A1
 SHARP, BLUNT = (math.tan(math.radians(angle / 2)) for angle in (20, 30))  # half the width by the length of one, at most
 SHARE = 1.5  # lengths of its head that a vector has at the least: a shorter one has a smaller, blunter head
+LEAST = 1.5  # mm of a head that is seen: a shorter vector is all head
 FINE = 0.02  # mm: less than a twentieth of the thinnest line
 MARKS = ("vector", "force")
 
@@ -66,9 +67,10 @@ def _wrong(line: Line, head: Fill | Polyline, hand: Hand) -> str:
     if abs(((back - tip) * run.conjugate()).imag) > FINE * abs(run):
         return "does not lie along it"
     long = abs(tip - back)
-    if long > min(LONG, abs(run) / SHARE) + FINE and ((tip - back) * (tip - away).conjugate()).real > 0:
+    most = max(abs(run) / SHARE, min(abs(run), LEAST))
+    if long > min(LONG, most) + FINE and ((tip - back) * (tip - away).conjugate()).real > 0:
         return "is too large"
-    small = abs(long - abs(run) / SHARE) <= FINE
+    small = abs(long - most) <= FINE
     wide = min(hand.symbol * LONG * SHARP, long * BLUNT) if small else long * SHARP
     return "" if abs(half - wide) <= 2 * FINE else "has another angle"
 

@@ -54,7 +54,9 @@ def _strayed(figure: Group, kind: str) -> Iterator[tuple[str, str]]:
         lines[name] = shapely.union_all([*shafts, lines.get(name)])
     own = {Text(0j, group.title).plain for group in drawn if group.data["kind"] == kind}
     for name, label in ((one, label) for one in own for label in labels.get(one, ()) if label.text.plain == one):
-        place = shapely.box(*label.place)
+        whole, letter = label.place, bounds(label.text._replace(content=label.text.runs[:1]))
+        parts = [letter, (letter[2], *whole[1:])] if label.leader is None else [whole]  # the letter, and its index
+        place = shapely.union_all([shapely.box(*part) for part in parts])
         leader = shapely.shortest_line(place, shapely.box(*bounds(label.text)))
         far = max(place.distance(lines[name]) - ROUNDED, LEADS * (label.leader is not None))
         others = [other for other in lines if other != name]

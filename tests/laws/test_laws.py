@@ -27,7 +27,7 @@ EVERYDAY = ("four-masses", "slider-crank")
 RANDOM = (63,)  # of every day, by their numbers; others with --whole
 OTHERS = [k for k in range(60) if k not in RANDOM] if parts.whole else []
 CROWDED = "lettering that has no room touches ink"
-KNOWN = {25}  # sheets that are right and badly drawn, to be mended
+KNOWN: set[str | int] = set()  # sheets that are right and badly drawn, to be mended
 WHITE = LineStyle(0.25, fill="#ffffff")
 
 

@@ -48,9 +48,9 @@ CRANK = ("shaft", "r ")  # whose own outline states how long it is on the view a
 PLANS: Mapping[str, Role] = {
     "velocities": Role((MAIN, MEDIUM, THIN)),
     "accelerations": Role((MAIN, MEDIUM, THIN)),
-    "forces": Role((MAIN, MEDIUM)),
-    "couples": Role((MAIN, MEDIUM)),
-    "unbalances": Role((MAIN, MEDIUM)),
+    "forces": Role((MAIN, MEDIUM, THIN)),
+    "couples": Role((MAIN, MEDIUM, THIN)),
+    "unbalances": Role((MAIN, MEDIUM, THIN)),
     "loop": Role((MEDIUM, FINE)),
 }
 

@@ -227,7 +227,7 @@ def test_sliding_is_that_of_the_velocities(pair: InvolutePair) -> None:
         both = speeds(pair, complex(mark.point))
         own, other = both[number], both[1 - number]
         assert solve(pair).wheels[number].sliding == pytest.approx((own - other) / own, rel=1e-9)
-        arm, turning = (complex(one.point) for one in study.action.slid[number])  # by which a hand is told its error
+        arm, turning = (complex(one.point) for one in study.action.slid(number))  # by which a hand is told its error
         assert turning / arm == pytest.approx(1j * pair.sense * other / own, rel=1e-9)
 
 

@@ -114,7 +114,7 @@ def rates_of(study: Study, kind: str, positions: Collection[int | None]) -> Rate
     }
 
 
-READ_OFF = ("kinematics", "dynamics", "involute")  # sheets on which what has no error by hand is read off graphs
+READ_OFF = ("kinematics", "dynamics", "involute")  # sheets whose values without an error by hand are read off figures
 POSITIONS = ("output", "positions")  # tables whose rows are positions
 COURSES = (*POSITIONS, "radii", "coordinates")  # tables that tell how a quantity goes on from row to row
 CAM = "cam"  # what the data of a sheet say that its table is of
@@ -249,8 +249,7 @@ class _Own:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
         if sheet.kind in READ_OFF:
             for mark in sorted(self.originals.read_back(sheet).measured.marks, key=lambda mark: mark.scale):
-                units = {mark.unit: 1.0} | ({"mm": 1e3} if mark.unit == "m" else {})
-                for unit, times in units.items():
+                for unit, times in {mark.unit: 1.0, **({"mm": 1e3} if mark.unit == "m" else {})}.items():
                     yield folded(Text(0j, term(self.originals.language, "unit", unit)).plain), times * mark.scale
 
 
