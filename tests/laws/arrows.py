@@ -71,8 +71,8 @@ def _wrong(line: Line, head: Fill | Polyline, hand: Hand) -> str:
     if long > min(LONG, most) + FINE and ((tip - back) * (tip - away).conjugate()).real > 0:
         return "is too large"
     small = abs(long - most) <= FINE
-    wide = min(hand.symbol * LONG * SHARP, long * BLUNT) if small else long * SHARP
-    return "" if abs(half - wide) <= 2 * FINE else "has another angle"
+    wide = [min(size * LONG * SHARP, long * BLUNT) for size in (hand.symbol, 1.0)] if small else [long * SHARP]
+    return "" if any(abs(half - one) <= 2 * FINE for one in wide) else "has another angle"
 
 
 def _parts(head: Fill | Polyline) -> tuple[complex, complex, float]:
