@@ -70,7 +70,7 @@ def test_sheets_of_the_gallery_keep_the_laws(path: Path) -> None:
 @pytest.mark.parametrize("number", [pytest.param(k, marks=marks(k, RANDOM)) for k in (*RANDOM, *OTHERS)])
 def test_sheets_of_random_scenes_keep_the_laws(number: int) -> None:
     made, leaves = drawn(1, number)
-    assert list(breaches(leaves, parse_scene(made.text).sheet.standard)) == []
+    assert not leaves or list(breaches(leaves, parse_scene(made.text).sheet.standard)) == []  # else it is refused
 
 
 def sheet(name: str, kind: str) -> Leaf:
