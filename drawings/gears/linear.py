@@ -81,9 +81,7 @@ class ShownLinear(NamedTuple):
         for link, rows in train.crossing.items() if self.schemed else ():
             spots = [spot for spot in self.scheme.spots if link in spot.links and spot.across is not None]
             axis = self.scheme.axis(link)
-            ends = {
-                spot.letter: complex(axis + float(spot.across or 0), self.images[spot.letter].real) for spot in spots
-            }
+            ends = {one.letter: complex(axis + float(one.across or 0), self.images[one.letter].real) for one in spots}
             if link not in train.carrier_of:
                 ends[""] = complex(axis)
             speeds, gap = [0.0, *(end.imag for end in ends.values())], BETWEEN * self.high

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from fractions import Fraction
 from itertools import chain
 from typing import NamedTuple
 
@@ -174,7 +173,7 @@ class GearsNotes(NamedTuple):
             first, other, carrier = (body[link] for link in (one.first.link, one.other.link, one.carrier or FRAME))
             if len({first, other, carrier}) > 1:
                 over, under = (_over_carrier(link, carrier) for link in (first, other))
-                yield f"{over} = {ratio_letters(one)}{_bracketed(under)}"
+                yield f"{over} = {ratio_letters(one)}{f'({under})' if '−' in under else under}"
 
     def _ratio(self, gear: BoxGear) -> Phrase:
         driving, driven, ratio = self.study.train.drives[0][0], self.study.train.output, self.speeds.ratio(gear)
@@ -188,7 +187,7 @@ class GearsNotes(NamedTuple):
         value = slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
         formula = stopped(self.study.train, gear) or f"ω_{{{driving}}}/ω_{{{driven}}}"
         terms = [lettered(self.study.ratio_name, gear), formula]
-        terms += [_fraction(ratio)] if ratio.denominator != 1 else []
+        terms += [str(ratio).replace("-", "−")] if ratio.denominator != 1 else []
         return joined("", (joined(" = ", (*terms, value)), ";  ", turns))
 
     def inertia(self) -> Iterator[str]:
@@ -262,11 +261,3 @@ def _over_carrier(link: str, carrier: str) -> str:
     """Write the speed of a body over that of a carrier, either of which may rest."""
     parts = [f"{sign}ω_{{{one}}}" for sign, one in (("", link), ("−", carrier)) if one != FRAME]
     return "0" if link == carrier else " ".join(parts).replace(" −", " − ")
-
-
-def _bracketed(text: str) -> str:
-    return f"({text})" if "−" in text else text
-
-
-def _fraction(value: Fraction) -> str:
-    return str(value).replace("-", "−")

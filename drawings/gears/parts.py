@@ -108,12 +108,11 @@ class _SchemePen:
                 yield Line(foot, top, hand.result)
 
     def _sun(self, wheel: ToothedWheel, foot: complex) -> Iterator[Stroke]:
-        reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol
         centre = self.on(self.routing.columns[wheel.name], float(self.train.heights[wheel.link]))
         both, along = self.scheme.both(wheel), 1 + 0j
         if row := next((row for row in self.train.bevels.values() if row.level == wheel), None):
             along = complex(_edge(row).real, abs(_edge(row).imag))
-            reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol / abs(along.real)
+        reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol / abs(along.real)
         yield Line(centre - 1j * reach if both and foot == centre else foot, centre + 1j * reach, self.hand.result)
         if both and foot != centre:  # another shaft passes through it
             under = 2 * centre - foot

@@ -51,6 +51,8 @@ def _float(value: Decimal | None) -> float | None:
 def survey_of(meaning: Meaning) -> DynamicsSurvey:
     """Examine a scene's dynamics."""
     scene = meaning.scene
+    if _undriven(scene):
+        return DynamicsSurvey([])
     form, drive = scene.of(DynamicsForm).dynamics, scene.of(LinkageForm).drive
     still = ("dynamics", "speed") if form.speed is not None else ("drive", "speed")
     speed = drive.omega if form.speed is None else form.speed
@@ -78,11 +80,14 @@ def _turned(part: T, train: CrankTrain) -> T:
     return part.changed(ratio=train.turns(part.on)) if part.on in train.links else part
 
 
+def _undriven(scene: Scene) -> bool:
+    """Tell whether the train before the crank gives that no speed: then it has faults of its own."""
+    return geared(scene) and crank_train(scene) is None
+
+
 def _train_faults(scene: Scene) -> Iterator[Fault]:
     """Give what of a machine does not fit the train before its crank: a speed, a link that something is on."""
     form, train = scene.of(DynamicsForm).dynamics, crank_train(scene)
-    if train is None and geared(scene):
-        return  # it has faults of its own
     if train is not None and form.speed is not None:
         yield from train.unlike(scene, ("dynamics", "speed"), form.speed.copy_sign(train.speed))
     links = train.links if train is not None else ()
@@ -113,6 +118,8 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     form = scene.of(DynamicsForm).dynamics
     if form.fluctuation is not None and form.fluctuation > LARGE:
         yield scene.fault(("dynamics", "fluctuation"), "large_fluctuation", found=f"{float(form.fluctuation):g}")
+    if _undriven(scene):
+        return
     motor, speed, drive = motor_of(form.motor), task_of(scene).speed, abs(float(scene.of(LinkageForm).drive.omega))
     if drive and speed and not 1 / OTHER <= speed / drive <= OTHER:
         yield scene.fault(("dynamics", "speed"), "other_speed", found=f"{speed:.5g}", drive=f"{drive:.5g}")

@@ -277,16 +277,10 @@ class _Drafter:
             length = self.board.join(f"{name}{spot.image}", *ends, because("gear_span"))
             velocities[name] = self.board.turn(f"v_{name}", length, 1 / self.tau, because("gear_velocity"))
         lines = {link: drawing.lines[self.body[link]] for link in self.train.links}
-        boards, found = (
-            (self.board, self.angular),
-            (drawing.velocities, lines, velocities, self._speeds(lines, drawing.velocities)),
-        )
-        racks = {
-            spot.rack: self.board.parallel(spot.rack, drawing.velocities[spot.letter], self.up, because("gear_rack"))
-            for spot in self.spots
-            if spot.rack
-        }
-        return KutzbachPlan(self.gear, *boards, *found, self.tau, tuple(self.assumed), racks)
+        images, slides, why = drawing.velocities, [spot for spot in self.spots if spot.rack], because("gear_rack")
+        found = images, lines, velocities, self._speeds(lines, images)
+        racks = {one.rack: self.board.parallel(one.rack, images[one.letter], self.up, why) for one in slides}
+        return KutzbachPlan(self.gear, self.board, self.angular, *found, self.tau, tuple(self.assumed), racks)
 
     def _relative(self, link: str, lines: Mapping[str, Mark], images: Mapping[str, Mark]) -> Mark:
         """Read the speed of a link that turns across: the velocity of its mesh point over the carrier there, by r."""

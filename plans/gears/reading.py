@@ -25,7 +25,7 @@ HALF_TURN = 180
 
 
 class GearsSurvey(NamedTuple):
-    """What the examination of a train found: the train where it is sound, or its faults."""
+    """What the examination of a train found: the train where it is sound, and faults."""
 
     train: Train | None
     faults: list[Fault]
@@ -37,18 +37,19 @@ def survey_of(meaning: Meaning) -> GearsSurvey:
     if any(path[:2] == ("gears", table) for path in meaning.doubts for table in ("wheels", "carriers", "module")):
         return GearsSurvey(None, [])  # what is not read well is there for all that
     reading = _TrainReading(meaning.scene, meaning.scene.of(GearsForm).gears, [])
-    steps = reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities
-    for step in (*steps, reading.crank):
+    for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
         step()
         if reading.faults:
             return GearsSurvey(None, reading.faults)
-    return GearsSurvey(reading.train, [], reading.searched)
+    reading.crank()
+    return GearsSurvey(reading.train, reading.faults, reading.searched)
 
 
 def crank_train(scene: Scene) -> CrankTrain | None:
-    """Give the train before the crank of a scene; nothing where there is none, or it has faults."""
+    """Give the train before the crank of a scene; nothing where there is none, or it gives that no one speed."""
     train = survey_of(Meaning(scene)).train if geared(scene) else None
-    return None if train is None else CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed)
+    found = CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed) if train is not None else None
+    return found if found is not None and found.fits else None
 
 
 def with_speed(scene: Scene) -> Scene:
@@ -56,7 +57,8 @@ def with_speed(scene: Scene) -> Scene:
     if not geared(scene):
         return scene
     train, linkage = crank_train(scene), scene.of(LinkageForm)
-    speed = train.speed if train is not None else linkage.drive.speed or Decimal(1)
+    given = train.speed if train is not None else Decimal(1)
+    speed = given if linkage.drive.speed is None else linkage.drive.speed
     return scene.changed(linkage.changed(drive=linkage.drive.changed(speed=speed)))
 
 
