@@ -350,6 +350,8 @@ class _TrainReading:
         """See that the train fits the crank that it is before."""
         if geared(self.scene):
             self.faults += CrankTrain(self.train, self.form.drives[0].speed).faults(self.scene)
+            if self.form.load is not None and self.scene.part("dynamics") is not None:
+                self.report(("load",), "load_of_machine")
 
     def _freed(self, gear: BoxGear, wanted: int) -> str:
         """Name the links that, held too, leave the mobility that is wanted."""

@@ -437,6 +437,7 @@ UNFIT = (
     (("train = true", 'train = true\ngear = { radius = "30 mm", at = 0 }'), "there are 25 mm"),
     (('fixed = ["3"]\n', 'brakes = { T = "3" }\nengaged = { I = ["T"], II = ["T"] }\n'), "no one ratio"),
     (("4 = 20, ", "6 = { rack = true }, 4 = 20, "), ('"4-5"]', '"4-5", "5-6"]'), ('"5"', '"6"'), "link 6 has no one"),
+    (('fixed = ["3"]\n', 'fixed = ["3"]\nload = 40\n'), "gears.load = 40: expected no load here"),
     (("train = true", "train = false"), "drive.speed: expected this angular speed"),
     (("train = true\n", 'speed = "120 rpm"\n'), "H is none; there are -"),
     ((UNIT, ""), "drive.train = true: expected [gears] in the file"),
