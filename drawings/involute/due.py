@@ -35,7 +35,7 @@ FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
 EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
 LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
-FINE = {"α", "α_w", "y", "Δy", "x_Σ", "k", "u"}  # told with more decimals than millimetres are
+FINE = {"α", "α_w", "y", "Δy", "x_Σ", "k", "u_12"}  # told with more decimals than millimetres are
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
 
@@ -91,7 +91,7 @@ def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
     found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
     found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
     found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
-    found |= {"x_Σ": pair.total, "u": -pair.sense * pair.teeth[1] / pair.teeth[0]}
+    found |= {"x_Σ": pair.total, "u_12": -pair.sense * pair.teeth[1] / pair.teeth[0]}
     found |= {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
     return {name: round(one, SHARES if name in FINE else MILLIMETRES) for name, one in found.items()}
 

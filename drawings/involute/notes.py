@@ -40,7 +40,7 @@ class InvoluteNotes(NamedTuple):
 
     def mesh(self) -> Iterator[str]:
         """Say how far the axes are apart, and how many pairs of teeth are in mesh."""
-        yield self._said("involute turns", "u")
+        yield self._said("involute turns", "u_12")
         yield self._said("involute apart", "a", "a_w", "y", "Δy")
         if self.pair.internal:
             yield self._said("involute relief", "k")

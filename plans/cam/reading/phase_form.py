@@ -119,7 +119,7 @@ class LawTable(Table):
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that a law by points has them."""
-        if value.get("name") in (TABLE, SHAPE) and "points" not in value:
+        if called(value.get("name"), (TABLE, SHAPE)) and "points" not in value:
             yield wrong("missing", at=("points",))
 
     @classmethod
