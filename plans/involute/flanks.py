@@ -46,6 +46,10 @@ class Flanks:
         string = board.turn(f"{name}:s", arm, -1j * side * slope, because("involute_string"))
         return Unrolled(leaves, board.lay_off(name, leaves, string, because("involute_end")))
 
+    def _both(self, name: str, slope: float) -> tuple[Mark, Mark]:
+        """Unroll a string on either side."""
+        return self.at(name, slope).end, self.at(f"{name}'", slope, -1).end
+
     def slope(self, radius: float) -> float:
         """Give how many base radii the string is long at a distance from the centre, m."""
         return math.sqrt(max((radius / self.wheel.base) ** 2 - 1, 0.0))
@@ -60,16 +64,11 @@ class Flanks:
         last, name = self.slope(self.tip), f"E_{self.wheel.number}"
         return tuple(self.at(f"{name},{k}", last * k / DIVISIONS) for k in range(1, DIVISIONS + 1))
 
-    def thick(self, name: str, radius: float) -> tuple[Mark, Mark, float]:
-        """Measure the arc between both flanks on a circle: its ends, and its length m."""
-        slope = self.slope(radius)
-        ends = [self.at(f"{name}{prime}", slope, side).end for side, prime in ((1, ""), (-1, "'"))]
-        first, last = (complex(end.point) - complex(self.centre.point) for end in ends)
-        return ends[0], ends[1], radius * cmath.phase(last / first)
-
     def tooth(self, name: str, radius: float) -> float:
         """Measure the thickness of a tooth on a circle: of an internal wheel what the space leaves of the pitch, m."""
-        arc = self.thick(name, radius)[2]
+        ends = self._both(name, self.slope(radius))
+        first, last = (complex(end.point) - complex(self.centre.point) for end in ends)
+        arc = radius * cmath.phase(last / first)
         return math.tau * radius / self.wheel.teeth - arc if self.wheel.internal else arc
 
     @property
@@ -80,8 +79,7 @@ class Flanks:
     @cached_property
     def chord(self) -> tuple[Mark, Mark]:
         """The ends of the constant chord: where normals through the tooth's middle on the pitch circle end."""
-        slope, number = self.half + self.wheel.rack.angle, self.wheel.number
-        return self.at(f"C_{number}", slope).end, self.at(f"C_{number}'", slope, -1).end
+        return self._both(f"C_{self.wheel.number}", self.half + self.wheel.rack.angle)
 
     @property
     def chord_height(self) -> float:
