@@ -51,6 +51,16 @@ def closing(pair: InvolutePair) -> float:
     return (halves - (math.pi if pair.sense > 0 else 0.0)) / (second.teeth + pair.sense * first.teeth)
 
 
+def string(wheel: GearWheel, radius: float) -> float:
+    """Give how many base radii the string is long whose end is so far from the centre, m."""
+    return math.sqrt(max((radius / wheel.base) ** 2 - 1, 0.0))
+
+
+def apart(first: Mark, last: Mark) -> float:
+    """Measure the distance of two marks, m."""
+    return abs(complex(last.point) - complex(first.point))
+
+
 class LineOfAction:
     """The line of action of a pair, on a board: P is the origin, the line of centres upright, wheel 1 below."""
 
