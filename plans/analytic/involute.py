@@ -57,12 +57,9 @@ class _Formulas:
 
     @property
     def sizes(self) -> PairSizes:
-        first, second = self.pair.wheels
-        rolls = [self.roll(wheel) for wheel in (first, second)]
-        tangent = math.tan(self.angle)
+        (first, second), tangent = self.pair.wheels, math.tan(self.angle)
         # Of an internal wheel the tip is nearer to its base circle, and the line of action goes on beyond
-        parts = first.teeth * (rolls[0] - tangent), second.inward * second.teeth * (rolls[1] - tangent)
-        ratio = sum(parts) / math.tau
+        ratio = sum(one.inward * one.teeth * (self.roll(one) - tangent) for one in (first, second)) / math.tau
         wheels = self._wheel(first), self._wheel(second)
         return PairSizes(ANALYSIS, self.angle, self.distance, ratio * self.rack.base_pitch, ratio, wheels)
 

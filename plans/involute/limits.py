@@ -104,9 +104,9 @@ def _interference(action: LineOfAction) -> Iterator[PairLimit]:
     for wheel, foot, root in zip(action.pair.wheels, action.feet, action.roots, strict=True):
         end = max(lowest(wheel, root), 0.0)
         if (foot - end) * wheel.inward < -ROUNDED * wheel.rack.module:
-            low, high = (f"{1e3 * abs(complex(wheel.base, max(long, 0.0))):.3f}" for long in (foot, end))
-            details = {"wheel": wheel.number, "other": 3 - wheel.number, "foot": low, "end": high}
-            yield PairLimit("interference", details)
+            ends = (f"{1e3 * abs(complex(wheel.base, max(long, 0.0))):.3f}" for long in (foot, end))
+            radii = dict(zip(("foot", "end"), ends, strict=True))
+            yield PairLimit("interference", {"wheel": wheel.number, "other": 3 - wheel.number, **radii})
     if action.pair.internal and (gap := _passing(action)) < -ROUNDED:
         first, second = action.pair.teeth
         yield PairLimit("tips_meet", {"gap": told(math.degrees(gap)), "teeth": second - first})

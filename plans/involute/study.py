@@ -56,9 +56,8 @@ class InvoluteStudy:
     @cached_property
     def sizes(self) -> PairSizes:
         """All sizes as they are measured."""
-        action, (first, second) = self.action, self.flanks
-        ratio = action.length / self.pair.rack.base_pitch
-        wheels = self._wheel(first), self._wheel(second)
+        action, ratio = self.action, self.action.length / self.pair.rack.base_pitch
+        wheels = self._wheel(self.flanks[0]), self._wheel(self.flanks[1])
         return PairSizes(CONSTRUCTION, action.angle, apart(*action.centres), action.length, ratio, wheels)
 
     def _wheel(self, flanks: Flanks) -> WheelSizes:

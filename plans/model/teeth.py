@@ -47,10 +47,10 @@ class PlacedWheel(NamedTuple):
         """Give its circles as far as they are shown; the base circle to where its involute is unrolled from."""
         sizes, n, reach = self.sizes, self.wheel.number, (SHOWN + PAST) * self.step
         radii = {"d_a": sizes.tip, "d_w": sizes.operating, "d": self.wheel.radius, "d_f": sizes.root}
-        radii |= {} if abs(sizes.operating / self.wheel.radius - 1) > 1e-9 else {"d_w": 0.0}
-        spans = {f"{name}{n}": (radius, -reach, reach) for name, radius in radii.items() if radius}
-        spans[f"d_b{n}"] = (self.wheel.base, -reach, max(reach, last))
-        return {name: self.arc(*span) for name, span in spans.items()}
+        if abs(sizes.operating / self.wheel.radius - 1) <= 1e-9:
+            del radii["d_w"]
+        found = {f"{name}{n}": self.arc(radius, -reach, reach) for name, radius in radii.items()}
+        return found | {f"d_b{n}": self.arc(self.wheel.base, -reach, max(reach, last))}
 
     def arc(self, radius: float, low: float, high: float) -> Complexes:
         """Give a part of a circle about the centre."""
