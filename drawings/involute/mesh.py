@@ -123,8 +123,8 @@ class _DrawnMesh:
     def lines(self) -> Iterator[Stroke]:
         """Draw circles, strings, teeth, the line of action, the points."""
         yield from self._circles()
-        for ends in self.mesh.strings.values():
-            yield Line(*map(self.place.on, ends), self.hand.drafted)
+        for start, end in self.mesh.strings.values():
+            yield Line(self.place.on(start), self.place.on(end), self.hand.drafted)
         for name, curve in self.mesh.teeth.items():
             yield drawn(NAME, name, curve, self.place, self.hand.result)
         yield from self._strips()
