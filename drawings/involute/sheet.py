@@ -56,7 +56,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         exhibit(sliding, sliding.shown(found), drafting),
     )
     told = tables(study, drafting)
-    title, notes = drafting.word("involute sheet title"), InvoluteNotes.of(found, drafting).all
+    title, notes = drafting.word("involute sheet title"), InvoluteNotes(found, drafting).all
     later = partial(slips, study.comparison(NAME))
     return lay_out(study.scene, [Draft(NAME, title, shows, told, notes, figures_facts, mesh.NAME, later=later)])
 
