@@ -12,6 +12,7 @@ from plans.cam.reading import fields as c
 from plans.cam.reading.fields import Measure
 from plans.model.cam import CUBICS, DWELL, LAWS, LINES, RETURN, RISE, SHAPE, TABLE
 from plans.scene import fields as f
+from plans.scene import forms
 from plans.scene.faults import Wrong, wrong
 from plans.scene.forms import Form, called
 from plans.scene.readers import either, many
@@ -125,7 +126,7 @@ class LawTable(Table):
     @classmethod
     def rules(cls) -> Form:
         """Say that a law by points has them."""
-        by_points = {"properties": {"name": {"enum": [TABLE, SHAPE]}}, "required": ["name"]}
+        by_points = {"properties": {"name": forms.choice((TABLE, SHAPE))}, "required": ["name"]}
         return {"if": by_points, "then": {"required": ["points"]}}
 
 
@@ -172,6 +173,6 @@ class PhaseTable(Table):
     @classmethod
     def rules(cls) -> Form:
         """Say that its angle or its travel is given, and the law of what moves."""
-        moves = {"properties": {"kind": {"enum": [RISE, RETURN]}}, "required": ["kind"]}
+        moves = {"properties": {"kind": forms.choice((RISE, RETURN))}, "required": ["kind"]}
         ways = [{"required": ["angle"]}, {"required": ["travel"]}]
         return {"oneOf": ways, "if": moves, "then": {"required": ["law"]}}
