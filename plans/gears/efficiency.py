@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from plans.model.gears import BoxGear, Train, centre_of
+from plans.model.gears import BoxGear, Train
 from plans.model.trains import Row, matrix, reduced
 
 
@@ -24,9 +24,7 @@ def lossy(train: Train, gear: BoxGear) -> Train:
     driven, *changes = _speeds(train, gear, slips)[train.output]
     powers = [(change * driven < 0) - (change * driven > 0) for change in changes]
     factors = {mesh: train.efficiency[mesh] ** power for mesh, power in zip(train.meshes, powers, strict=True)}
-    made = replace(train, gears=(gear,), factors=factors)
-    centres = {link: made.heights[rows[0].level.link] + centre_of(rows) for link, rows in made.crossing.items()}
-    return replace(made, heights={**made.heights, **centres})
+    return replace(train, gears=(gear,), factors=factors)
 
 
 def _speeds(train: Train, gear: BoxGear, slips: Sequence[Fraction]) -> Mapping[str, Row]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -15,7 +14,7 @@ from plans.gears.crank import CrankTrain
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable, geared
 from plans.gears.synthesis import TIP, Searched, clear_of, search
 from plans.linkage.reading.form import LinkageForm
-from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, centre_of, link_of
+from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Meaning, Scene
@@ -269,7 +268,7 @@ class _TrainReading:
         form, driving = self.form, self.racks.get(self.form.output, "")  # the wheel that moves the driven rack
         load = form.load if form.force is None else Fraction(form.force) * raw.wheel(driving).radius
         engaged: Mapping[str, tuple[str, ...]] = form.engaged or {"": (*form.brakes, *form.clutches)}
-        train = Train(
+        return Train(
             wheels={name: raw.wheel(name) for name in raw.teeth},
             meshes=raw.meshes,
             carriers=form.carriers,
@@ -277,7 +276,7 @@ class _TrainReading:
             gears=tuple(self._gear(name, some) for name, some in engaged.items()),
             drives=tuple((drive.link, float(drive.speed)) for drive in form.drives),
             output=link_of(driving) if driving else form.output,
-            heights=found,
+            axes=found,
             brakes=form.brakes,
             clutches=form.clutches,
             planets=self.searched.solutions[0].planets if self.searched else form.planets,
@@ -288,8 +287,6 @@ class _TrainReading:
             racks=self.racks,
             driven=form.output if driving else "",
         )
-        across = {link: found[rows[0].level.link] + centre_of(rows) for link, rows in train.crossing.items()}
-        return replace(train, heights={**found, **across})
 
     def _efficiency(self) -> Mapping[tuple[str, str], Fraction]:
         """Give the efficiency of each mesh, if any is given: its own one, or that of all; of what is not told 1."""

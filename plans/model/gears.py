@@ -154,7 +154,7 @@ class Train:
     gears: tuple[BoxGear, ...]
     drives: tuple[tuple[str, float], ...]  # links and their speeds rad/s
     output: str
-    heights: Mapping[str, Fraction]  # of the axis of each link
+    axes: Mapping[str, Fraction]  # heights of the axes of links, of those across of their apexes
     brakes: Mapping[str, str]
     clutches: Mapping[str, tuple[str, str]]
     planets: int | None = None  # of each carrier, if it is given
@@ -209,6 +209,12 @@ class Train:
         """The links whose axes lie across, with their meshes."""
         links = dict.fromkeys(one.cross.link for one in self.bevels.values())
         return {link: tuple(one for one in self.bevels.values() if one.cross.link == link) for link in links}
+
+    @cached_property
+    def heights(self) -> Mapping[str, Fraction]:
+        """The height of the axis of each link; of one across of its centre, which friction moves with its meshes."""
+        centres = {link: self.axes[rows[0].level.link] + centre_of(rows) for link, rows in self.crossing.items()}
+        return {**self.axes, **centres}
 
     def rolling(self, mesh: tuple[str, str]) -> tuple[Fraction, Fraction]:
         """Give the signed teeth of two wheels that mesh, of the second times what friction makes of their ratio."""
