@@ -9,10 +9,10 @@ from typing import NamedTuple, TypeVar
 from plans.dynamics.form import DynamicsForm, DynamicsTable, FlywheelTable, ShaftTable, motor_of
 from plans.gears.crank import CrankTrain
 from plans.gears.form import geared
-from plans.gears.reading import crank_train
+from plans.gears.reading import crank_train, unknown
 from plans.linkage.reading.form import LinkageForm
 from plans.model.dynamics import Rim, Shaft, Task
-from plans.scene.faults import Fault, Path, suggestion
+from plans.scene.faults import Fault, Path
 from plans.scene.scene import Meaning, Scene
 
 T = TypeVar("T", ShaftTable, FlywheelTable)
@@ -95,8 +95,7 @@ def _train_faults(scene: Scene) -> Iterator[Fault]:
     parts += [(("dynamics", "shafts", k, "on"), shaft.on) for k, shaft in enumerate(form.shafts)]
     for path, name in parts:
         if name and name not in links:
-            advice = suggestion(name, links)
-            yield scene.fault(path, "no_link_before_crank", name=name, known=", ".join(links) or "-", suggestion=advice)
+            yield scene.fault(path, "no_link_before_crank", **unknown(name, links))
 
 
 def _motor_faults(meaning: Meaning, speed: Decimal) -> Iterator[Fault]:

@@ -46,7 +46,7 @@ def survey_of(meaning: Meaning) -> GearsSurvey:
 
 def crank_train(scene: Scene) -> CrankTrain | None:
     """Give the train before the crank of a scene; nothing where there is none, or it gives that no one speed."""
-    train = survey_of(Meaning(scene)).train if geared(scene) else None
+    train = scene.meaning.of(GearsSurvey).train if geared(scene) else None
     found = CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed) if train is not None else None
     return found if found is not None and found.fits else None
 
@@ -59,6 +59,12 @@ def with_speed(scene: Scene) -> Scene:
     given = train.speed if train is not None else Decimal(1)
     speed = given if linkage.drive.speed is None else linkage.drive.speed
     return scene.changed(linkage.changed(drive=linkage.drive.changed(speed=speed)))
+
+
+def unknown(name: str, known: Collection[str]) -> dict[str, object]:
+    """Give the parts of a fault at a name that is not among those that are known."""
+    there = message("gears.there_are", names=", ".join(known)) if known else ""
+    return {"name": name, "known": there, "suggestion": suggestion(name, known)}
 
 
 def millimetres(length: Fraction) -> str:
@@ -114,8 +120,7 @@ class _TrainReading:
     def _know(self, path: Path, names: Collection[str], known: Collection[str], kind: str) -> None:
         for name in names:
             if name not in known:
-                advice = suggestion(name, known)
-                self.report(path, kind, name=name, known=", ".join(known) or "-", suggestion=advice)
+                self.report(path, kind, **unknown(name, known))
 
     @property
     def racks(self) -> Mapping[str, str]:
