@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection, Mapping
 from decimal import Decimal
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from plans.gears.assignment import lack, wanted_of
@@ -87,9 +88,8 @@ class _TrainReading:
     def names(self) -> None:
         """See that what is named is there: wheels, links, brakes, clutches."""
         form = self.form
-        racks = {name for name, wheel in self.wheels.items() if wheel.rack}
-        links = [*dict.fromkeys((*(link_of(name) for name in self.wheels if name not in racks), *form.carriers))]
-        central = [link for link in links if link not in {p for some in form.carriers.values() for p in some}]
+        links, planets = self.raw.links, self.raw.planets
+        central = [link for link in links if link not in planets]
         for k, mesh in enumerate(form.meshes):
             self._know(("meshes", k), mesh, self.wheels, "no_wheel")
         for carrier, some in form.carriers.items():
@@ -98,7 +98,7 @@ class _TrainReading:
                 if carrier != (first := next(one for one, of in form.carriers.items() if link in of)):
                     self.report(("carriers", carrier), "planet_twice", name=link, first=first)
         rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed)]
-        rows += [(("output",), (form.output,))] if form.output not in racks else []
+        rows += [(("output",), (form.output,))] if form.output not in self.slides else []
         rows += [(("joined", k), some) for k, some in enumerate(form.joined)]
         rows += [(("brakes", name), (link,)) for name, link in form.brakes.items()]
         rows += [(("clutches", name), pair) for name, pair in form.clutches.items()]
@@ -110,7 +110,7 @@ class _TrainReading:
         for name in form.inertia:
             self._know(("inertia", name), (name,), links, "no_link")
         for name in form.masses:
-            self._know(("masses", name), (name,), [link for link in links if link not in central], "no_planet")
+            self._know(("masses", name), (name,), [link for link in links if link in planets], "no_planet")
         for name, some in form.engaged.items():
             self._know(("engaged", name), some, (*form.brakes, *form.clutches), "no_brake")
 
@@ -122,24 +122,27 @@ class _TrainReading:
             if name not in known:
                 self.report(path, kind, **unknown(name, known))
 
+    @cached_property
+    def slides(self) -> frozenset[str]:
+        """The names of the racks."""
+        return frozenset(name for name, wheel in self.wheels.items() if wheel.rack)
+
     @property
     def racks(self) -> Mapping[str, str]:
         """The racks, each with the wheel that it meshes with."""
         meshes = [*self.form.meshes, *(mesh[::-1] for mesh in self.form.meshes)]
-        return {one: other for one, other in meshes if self.wheels[one].rack}
+        return {one: other for one, other in meshes if one in self.slides}
 
     def _slide(self) -> None:
         """See that each rack meshes with one wheel of a fixed axis, and is loaded by a force."""
-        planets = {link for some in self.form.carriers.values() for link in some}
-        for name in (name for name, wheel in self.wheels.items() if wheel.rack):
+        round_it = {one for one, wheel in self.wheels.items() if not wheel.internal and not wheel.rack}
+        for name in (name for name in self.wheels if name in self.slides):
             others = [one for mesh in self.form.meshes if name in mesh for one in mesh if one != name]
-            free = [
-                one for one in others if self.wheels[one].internal or self.wheels[one].rack or link_of(one) in planets
-            ]
+            free = [one for one in others if one not in round_it or link_of(one) in self.raw.planets]
             same = [one for one in self.wheels if one != name and link_of(one) == link_of(name)]
             if len(others) > 1 or free or same:
                 self.report(("wheels", name), "rack_mesh", rack=name, others=", ".join(dict.fromkeys(others + same)))
-        slides = self.wheels[self.form.output].rack if self.form.output in self.wheels else False
+        slides = self.form.output in self.slides
         for key, given in (("load", self.form.load), ("force", self.form.force)):
             if given is not None and slides == (key == "load"):
                 self.report((key,), "load_of_rack" if slides else "force_of_wheel", output=self.form.output)
@@ -152,26 +155,20 @@ class _TrainReading:
             if not sides.keys().isdisjoint(mesh) and (len(across) != 1 or not sides.keys() >= {*mesh}):
                 self.report(("meshes", k), "bevel_mesh", first=mesh[0], second=mesh[1])
             elif across:
-                rows.setdefault(link_of(across[0]), []).append(
-                    (next(one for one in mesh if one not in across), across[0])
-                )
-        planets = {link: name for name, some in form.carriers.items() for link in some}
+                (level,) = {*mesh} - {*across}
+                rows.setdefault(link_of(across[0]), []).append((level, across[0]))
+        planets = self.raw.planets
         coaxial = {link for group in (*self.raw.coaxial, form.fixed, form.brakes.values()) for link in group}
         for link, pairs in rows.items():
             own = {self.wheels[name].bevel for name in self.wheels if link_of(name) == link}
-            most, level = (2 if link in planets else 1), [self.wheels[one] for one, _ in pairs]
-            away = (
-                len(own) > 1
-                or link in coaxial
-                or (link in planets and "down" in own)
-                or any(link_of(one) in planets for one, _ in pairs)
-            )
-            if away or len(pairs) > most:
+            away = len(own) > 1 or link in coaxial or any(link_of(one) in planets for one, _ in pairs)
+            if away or (link in planets and "down" in own) or len(pairs) > (2 if link in planets else 1):
                 self.report(("wheels", pairs[0][1]), "bevel_axis", name=link)
             elif len(pairs) > 1:
                 (first, one), (second, other) = pairs
-                alike = level[0].bevel == level[1].bevel and self.raw.teeth[one] == self.raw.teeth[other]
-                if alike or (one == other and level[0].teeth != level[1].teeth):
+                beside = self.wheels[first].bevel == self.wheels[second].bevel
+                alike = beside and self.raw.teeth[one] == self.raw.teeth[other]
+                if alike or (one == other and self.raw.teeth[first] != self.raw.teeth[second]):
                     self.report(("wheels", one), "bevel_cone", name=link, first=first, second=second)
         for key, given in (("inertia", form.inertia), ("masses", form.masses)):
             for name in given.keys() & rows.keys() & planets.keys():
@@ -199,13 +196,13 @@ class _TrainReading:
         own = self.wheels[name].module
         return Fraction(own if own is not None else self.form.module)
 
-    @property
+    @cached_property
     def raw(self) -> RawTrain:
         """The train with the teeth that it is given."""
-        form, turning = self.form, {name: wheel for name, wheel in self.wheels.items() if not wheel.rack}
+        form, turning = self.form, {name: w for name, w in self.wheels.items() if name not in self.slides}
         return RawTrain(
             {name: -w.teeth if w.teeth and w.internal else w.teeth for name, w in turning.items()},
-            frozenset(name for name, wheel in self.wheels.items() if wheel.internal),
+            frozenset(name for name, wheel in turning.items() if wheel.internal),
             {name: self._module(name) for name in turning},
             tuple(mesh for mesh in form.meshes if turning.keys() >= {*mesh}),
             form.carriers,
@@ -253,9 +250,8 @@ class _TrainReading:
             found, wrong_axes = heights(whole)
             for mesh, far, _, wanted in wrong_axes:
                 sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
-                self.report(
-                    ("meshes", self.form.meshes.index(mesh)), "not_in_plane", first=mesh[0], second=mesh[1], **sizes
-                )
+                path = "meshes", self.form.meshes.index(mesh)
+                self.report(path, "not_in_plane", first=mesh[0], second=mesh[1], **sizes)
             self.train = self._train(whole, found)
 
     def _not_coaxial(
