@@ -73,9 +73,6 @@ class _KnownMotion:
     lines: dict[str, Mark]
     misfits: list[tuple[str, Mark, Mark]] = field(default_factory=list)
 
-    def copy(self) -> _KnownMotion:
-        return _KnownMotion({**self.velocities}, {**self.lines})
-
 
 class KutzbachPlan(NamedTuple):
     """The plan of one gear: images of points and lines of links on one board, ends of angular velocities on another.
@@ -219,7 +216,9 @@ class _Drafter:
     def solve(self, drawing: _KnownMotion, suffix: str = "", depth: int = 0) -> _KnownMotion:
         """Draw all lines; where none can be drawn on, assume the speed of a link, twice, and find the true one."""
         self.run(drawing, suffix)
-        left = [link for link in self._assumable() if self.body[link] not in drawing.lines]
+        left = [link for link in self.train.links if self.body[link] not in drawing.lines]
+        left = [link for link in left if link not in self.train.carrier_of]
+        left.sort(key=lambda link: link not in self.train.carriers)  # carriers first
         if all(body in drawing.lines for body in self.body.values()):
             return drawing
         if depth < DEEPEST:
@@ -230,17 +229,12 @@ class _Drafter:
                     return self.solve(drawing, suffix, depth)
         raise DraftError(message("gears.no_plan", links=", ".join(left)))
 
-    def _assumable(self) -> Iterator[str]:
-        """Give the links with fixed axes, carriers first."""
-        central = [link for link in self.train.links if link not in self.train.carrier_of]
-        return (link for link in sorted(central, key=lambda link: link not in self.train.carriers))
-
     def _false_position(self, drawing: _KnownMotion, link: str, suffix: str, depth: int) -> Mark | None:
         """Assume that a link rests, then that it moves as fast as what is fastest; nothing where no misfit tells."""
         spot, tried, ends = self.farthest(link), list[_KnownMotion](), list[Mark]()
         largest = max(abs(complex(mark.point).real) for mark in drawing.velocities.values())
         for k, length in enumerate((0.0, largest), 1):
-            mine, trial = f"{suffix}{'°' * k}", drawing.copy()
+            mine, trial = f"{suffix}{'°' * k}", _KnownMotion({**drawing.velocities}, {**drawing.lines})
             vector = self.board.given(f"v_{spot.letter}{mine}", complex(length, 0), because("gear_assumed", link=link))
             end = self.board.lay_off(f"{spot.image}{mine}", self.places[spot.letter], vector, because("gear_laid"))
             trial.velocities[spot.letter] = end
