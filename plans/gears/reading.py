@@ -343,6 +343,8 @@ class _TrainReading:
                 self.report(path, "locked_train" if not found else "too_held", **parts)
             elif not determined(train, gear):
                 self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
+        if all(train.output in gear.held for gear in train.gears):
+            self.report(("output",), "output_held", name=train.output)
 
     def crank(self) -> None:
         """See that the train fits the crank that it is before."""
