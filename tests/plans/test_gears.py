@@ -138,11 +138,12 @@ def test_a_worked_row_has_the_printed_velocity_and_planet() -> None:
     assert found == pytest.approx({"v_O2": 2.4, "ω_2": -66.66666667, "ω_H": 28.57142857}, rel=1e-9)
 
 
-def test_undercut_and_tips_that_meet_are_told_on_the_sheet() -> None:
-    scene = train("1=9 2=22 2'=22 3=-25", "1-2 2'-3", "3", "", "")
+def test_undercut_tips_that_meet_and_cones_are_told_on_the_sheet() -> None:
+    scene = train("1=9 2=22 2'=22 3=-25 5=<20 6=^30", "1-2 2'-3 5-6", "6", 'joined = [["3", "5"]]', "")
     study = Study(scene).of(GearsStudy)
     told = " ".join(map(str, GearsNotes(study, TrainSpeeds(study.train), drafting_of(scene)).fit()))
     assert "z < 17:  z_{1} = 9" in told and "z_{3} − z_{2'} = 3" in told
+    assert "δ_{5} = 33.69°,  δ_{6} = 56.31°" in told and "= 72.111 mm" in told  # 2 √(20² + 30²)
 
 
 def test_racks_go_as_far_in_a_turn_as_their_wheel_rolls() -> None:
@@ -229,6 +230,7 @@ EFFICIENT = (
     ((*OUTER, "H", FIXED), (1 - U / E) / (1 - U)),
     ((*CLOSE, "1", FIXED, "H=2", "H=1000"), Fraction(1, 10000) / (1 - Fraction(9999, 10000) * E)),
     (("1=<20 2=^30 3=>20", "1-2 2-3", "H", FIXED), (1 + E) / 2),  # bevel wheels
+    (("1=<20 2=^30 2'=^25 3=>40", "1-2 2'-3", "H", FIXED), (1 + E * Fraction(12, 5)) / Fraction(17, 5)),
     ((*CLOSE, "H", FIXED), (1 - Fraction(9999, 10000) / E) * 10000),  # it locks itself
 )
 
@@ -256,10 +258,7 @@ def test_the_mesh_of_a_driven_rack_takes_its_part_too() -> None:
 
 @over("ring", (200, -200))
 def test_two_drives_share_the_load_and_what_friction_takes(ring: int) -> None:
-    """By hand: 1 : 2.5 : -3.5 without friction; with it the ring gets 2.5 E of what the sun, turning faster, gives.
-
-    Turned back, the ring takes power out too.
-    """
+    """By hand: 1 : 2.5 : -3.5; with friction the ring gets 2.5 E of what the sun, which turns faster, gives."""
     more = "load = \"350 N*m\"\nefficiencies = { '2-1' = \"98 %\", '2-3' = 0.98 }"
     study, comparison = compared(train(*ROW, "H", more, drive=f"1=1000 3={ring}"))
     drawn, sun = {one.name: float(one.construction[0]) for one in comparison.findings}, 350 / float(1 + E * 5 / 2)
