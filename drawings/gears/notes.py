@@ -11,7 +11,7 @@ from drawings.gears import synthesis
 from drawings.gears.efficiency import EfficiencyNotes
 from drawings.gears.willis import by_teeth, lettered, quantity, ratio_letters, stopped
 from drawings.lettering.gear_letters import link_letters, teeth_letters
-from drawings.lettering.words import Phrase, Slot, joined
+from drawings.lettering.words import Phrase, Slot, joined, with_index
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy, of_gear
@@ -20,6 +20,7 @@ from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, Willis, assem
 
 MILLIMETRES = 1000.0
 DIGITS = 5
+OMEGA = "ω_{{{}}}"
 
 
 class GearsNotes(NamedTuple):
@@ -237,11 +238,19 @@ class GearsNotes(NamedTuple):
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""
         yield self._said("gears read")
-        for link in self.study.train.crossing:
-            key = "gears over" if link in self.study.train.carrier_of else "gears axis across"
-            yield self._said(key, link=link_letters(link))
+        yield from self._across()
         for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
             yield self._said("gears assumed", link=link_letters(link))
+
+    def _across(self) -> Iterator[Phrase]:
+        """Say of all axes across in one note where velocities stand that are about them, and how links turn there."""
+        across, planets = self.study.train.crossing, self.study.train.carrier_of
+        image = next((with_index(spot.image) for spot in self.study.spots if spot.across is not None), "")
+        over, fixed = ([link for link in across if (link in planets) == free] for free in (True, False))
+        kinds = ("gears upright", "{}", [*across]), ("gears over", OMEGA, over), ("gears axis across", OMEGA, fixed)
+        told = ((key, ", ".join(map(form.format, links))) for key, form, links in kinds if links)
+        said = [self._said(key, links=links, image=image) for key, links in told]
+        yield from (joined(";  ", said),) if said else ()
 
     def _equal(self, letter: str, slot: Slot) -> Phrase:
         return joined(" = ", (letter, self.drafting.slot(slot)))
