@@ -116,4 +116,4 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     found, board = explained_by(study.comparison(MESH).findings, position, name), study.of(InvoluteStudy).action.board
     if isinstance(found, NoMark) and name in board and name not in found.names:
         return Explanation(message("explain.name", mark=name), tuple(behind(board[name])), {MESH: "m"})
-    return found._replace(units={MESH: "m"}) if isinstance(found, Explanation) else found
+    return found._replace(units={MESH: "m", "ε_α": ""}) if isinstance(found, Explanation) else found

@@ -18,7 +18,7 @@ from plans.involute.shift import AIMS, EQUAL_SLIDING, NoShift, aimed, least_shif
 from plans.involute.study import POINTS, InvoluteStudy
 from plans.model.involute import GearWheel, InvolutePair, Rack
 from plans.model.motion import Complexes, Floats
-from plans.words.words import languages
+from plans.words.words import languages, word
 
 RACK = Rack(0.005, math.radians(20))
 UNIT = Rack(1.0, math.radians(20))
@@ -279,10 +279,9 @@ def test_axes_too_near_for_whole_teeth() -> None:
 
 
 def test_limits_are_told_in_words_of_every_language() -> None:
-    bad = [
-        InvolutePair(RACK, (10, 30), (0.0, 0.0)), InvolutePair(RACK, (10, 30), (1.2, 0.0)),
-        InvolutePair(RACK, (20, 24), (0.5, 0.5), internal=True), InvolutePair(RACK, (20, 40), (0.0, -2.0)),
-    ]  # fmt: skip
-    kinds = {limit.kind for pair in bad for limit in limits(pair)}
-    assert {"undercut_teeth", "pointed_tip", "tips_meet", "no_mesh"} <= kinds and len(languages()) == 2
+    bad = [InvolutePair(RACK, (10, 30), (shift, 0.0)) for shift in (0.0, 1.2)]
+    bad += [InvolutePair(RACK, (20, 24), (0.5, 0.5), internal=True), InvolutePair(RACK, (20, 40), (0.0, -2.0))]
+    told = {limit.kind: limit.details for pair in bad for limit in limits(pair) if limit.broken}
+    assert {"undercut_teeth", "pointed_tip", "tips_meet", "no_mesh"} <= told.keys() and len(languages()) == 2
+    assert not any("." in word("ru", f"fault.{kind}.expected", **parts) for kind, parts in told.items())
     assert not any(limit.broken for limit in limits(replace(bad[0], shifts=(0.4152, 0.0))))
