@@ -11,7 +11,7 @@ from plans.model.balance.linkage import DISC, FORCE, FULL, NONE, PARTIAL, REACTI
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import Wrong, nearest, wrong
-from plans.scene.forms import Form, called
+from plans.scene.forms import Form
 from plans.scene.readers import Check, many, one
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
@@ -110,7 +110,7 @@ class CounterweightTable(Table):
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that one size of a disc is given, and of a sector none: both follow from its static moment."""
         sizes = [name for name in SIZES if name in value]
-        if called(value.get("shape"), (SECTOR,)):
+        if value.get("shape") == SECTOR:
             yield from (wrong("sector_size", at=(name,)) for name in sizes)
             return
         if not sizes:
@@ -163,7 +163,7 @@ class BalanceTable(Table):
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that counterweights have an aim, and a share the aim that needs one."""
-        if "share" in value and called(value.get("aim", NONE), AIMS) in (NONE, FULL, PARTIAL):
+        if "share" in value and value.get("aim", NONE) in (NONE, FULL, PARTIAL):
             yield wrong("share_aim", at=("share",))
         elif value.get("counterweights") and "aim" not in value:
             yield wrong("missing", at=("aim",), why=message("why.counterweights"))

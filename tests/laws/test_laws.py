@@ -128,6 +128,7 @@ BREACHES: Mapping[str, tuple[object, str, Change]] = {
     "a block out of square": (symbols, "kinematics", in_part("positions", each(Polyline, bent))),
     "a hinge too small": (symbols, "kinematics", in_part("positions", more(Circle, "radius", -0.2))),
     "a line by a pen of no hand": (widths, "kinematics", in_part("shown-position", pen(0.3))),
+    "a long force drawn thin": (widths, "forces", in_part("forces-2-3-2", pen(0.35))),
     "a position shown thin": (widths, "kinematics", in_part("shown-position", pen(0.35))),
 }
 

@@ -13,7 +13,7 @@ from plans.model.cam import DWELL, FLAT, FORCE, GROOVE, POINTED, ROCKING, ROLLER
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import SceneError, Wrong, wrong
-from plans.scene.forms import Form, called
+from plans.scene.forms import Form
 from plans.scene.readers import many
 from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
@@ -98,11 +98,11 @@ class FollowerTable(Table):
 
 def _wanted(value: Mapping[str, Any]) -> Iterator[str]:
     """Give what a follower needs."""
-    if called(value.get("motion"), (TRANSLATING,)):
+    if value.get("motion") == TRANSLATING:
         yield "lift"
-    if called(value.get("motion"), (ROCKING,)):
+    if value.get("motion") == ROCKING:
         yield "swing"
-        if not called(value.get("end"), (FLAT,)):
+        if value.get("end") != FLAT:
             yield "length"
 
 

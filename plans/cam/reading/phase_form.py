@@ -14,7 +14,7 @@ from plans.model.cam import CUBICS, DWELL, LAWS, LINES, RETURN, RISE, SHAPE, TAB
 from plans.scene import fields as f
 from plans.scene import forms
 from plans.scene.faults import Wrong, wrong
-from plans.scene.forms import Form, called
+from plans.scene.forms import Form
 from plans.scene.readers import either, many
 from plans.scene.tables import Missing, Table, key, table
 
@@ -120,7 +120,7 @@ class LawTable(Table):
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that a law by points has them."""
-        if called(value.get("name"), (TABLE, SHAPE)) and "points" not in value:
+        if value.get("name") in (TABLE, SHAPE) and "points" not in value:
             yield wrong("missing", at=("points",))
 
     @classmethod
@@ -167,7 +167,7 @@ class PhaseTable(Table):
             yield wrong("missing", at=("angle",))
         if {"angle", "travel"} <= value.keys():
             yield wrong("one_of_two", first="angle", second="travel", found="both", at=("travel",))
-        if called(value.get("kind"), (RISE, RETURN)) and "law" not in value:
+        if value.get("kind") in (RISE, RETURN) and "law" not in value:
             yield wrong("missing", at=("law",))
 
     @classmethod
