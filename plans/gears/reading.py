@@ -47,7 +47,7 @@ def survey_of(meaning: Meaning) -> GearsSurvey:
 
 def crank_train(scene: Scene) -> CrankTrain | None:
     """Give the train before the crank of a scene; nothing where there is none, or it gives that no one speed."""
-    train = survey_of(Meaning(scene)).train if geared(scene) else None
+    train = scene.meaning.of(GearsSurvey).train if geared(scene) else None
     found = CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed) if train is not None else None
     return found if found is not None and found.fits else None
 
