@@ -32,8 +32,13 @@ class CrankTrain(NamedTuple):
     @property
     def fits(self) -> bool:
         """Whether the crank has one speed for one of the drive."""
-        train, one = self.train, len(self.train.gears) == 1 and self.train.single and not self.train.driven
-        return one and shares(train, train.gears[0])[train.output][0] != 0
+        train = self.train
+        return (
+            len(train.gears) == 1
+            and train.single
+            and not train.driven
+            and shares(train, train.gears[0])[train.output][0] != 0
+        )
 
     def turns(self, link: str) -> Decimal:
         """Give the turns of a link for one of the crank."""
