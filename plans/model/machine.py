@@ -103,8 +103,8 @@ class Force(NamedTuple):
     def one_sided(self) -> bool:
         """Whether a pressure against the motion takes one side of its piston on both strokes, though a rod is there."""
         turns = self.resists or (self.direction is None and self.line is None)
-        both = turns and self.during == ALWAYS and self.diagram is None and self.piston is not None
-        return both and self.piston.area != self.piston.other
+        both, piston = turns and self.during == ALWAYS and self.diagram is None, self.piston
+        return both and piston is not None and piston.area != piston.other
 
 
 class Moment(NamedTuple):
