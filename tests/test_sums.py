@@ -13,7 +13,7 @@ PRODUCT = ("geometry", "plans", "drawings")
 MOST: Mapping[str, tuple[int, tuple[str, ...]]] = {
     "product": (105_235, tuple(f"{top}/**/*.py" for top in PRODUCT)),
     "self-check": (5_902, ("drawings/checks/**/*.py", "drawings/*/due*.py")),
-    "tests": (44_925, ("tests/**/*.py", "tests/**/*.toml", "tests/**/*.json")),
+    "tests": (44_935, ("tests/**/*.py", "tests/**/*.toml", "tests/**/*.json")),
 }
 LONGEST = 400  # lines of a file of the product
 

@@ -116,8 +116,10 @@ def curvature(study: CentresStudy, name: str, bones: Pose, k: int, drafting: Dra
     built = {mark.name: spot for mark, spot in spots.items() if mark.name.partition("_")[0] in BUILT}
     shown = ShownCurves(bones, k, curvature_plan(name), title, {f"i_{link}": circle_of(pole, end)}, marked)
     shown = shown._replace(lines=_from_near(places), built=built)
-    tips = {tied_spot(tip): (tip, with_index(far)) for far, (_, tip) in shown.away}.values()  # some share their line
-    away = ((tip, drafting.word("centre far", letter=far)) for tip, far in tips)
+    ends: dict[complex, list[str]] = {}  # some share their line
+    for far, (_, tip) in shown.away:
+        ends.setdefault(tied_spot(tip), []).append(with_index(far))
+    away = ((tip, drafting.word("centre far", letter=", ".join(dict.fromkeys(fars)))) for tip, fars in ends.items())
     start, tip = dict(shown.away).get(circle.inflection.name, (pole, end))
     diameter = start + (tip - start) / 3, with_index(circle.diameter.name)  # clear of its middle, where a pin may be
     own = ((pole + reach, "t"), diameter) if circle.pole.name in shown.near else ()
