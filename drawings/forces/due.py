@@ -230,6 +230,8 @@ class _Sheet:
             apart, shift = self._stands(plan, bearing.couple), self.acting.name(whole.name.replace("R", "x", 1))
             yield Expected(Kind.VECTOR, plan, shift, along * arm, off, self.k, may_lack=lost or apart)
             yield self._sense(plan, bearing.couple, bearing.moment, True)
+            figure, size = f"{plan.replace('scheme ', 'equations-')}-{self.k}", MM * abs(arm)
+            yield Expected(Kind.PHRASE, figure, shift, size, MM * off, may_lack=lost or apart, digits=DIGITS)
 
     def _stands(self, plan: str, name: str) -> bool:
         return (Kind.DIRECTION, plan, self.acting.name(name), self.k) in self.keys

@@ -23,7 +23,7 @@ from plans.model.machine import GEAR
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import NOTHING
 
-LEVER, EQUATION = "lever", "equations-lever"
+LEVER, DETAIL, EQUATION = "lever", "detail-lever", "equations-lever"
 DIGITS, ARM_DIGITS = 5, 4
 TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
 QUARTER = -1j
@@ -35,10 +35,15 @@ def lever(acting: ExpectedForces, scales: Mapping[str, float], sheets: Sequence[
         figures = [{key[1] for key in keys} for keys in sheets]
         alone = any(f"{EQUATION}-{acting.k}" in shown and LEVER not in shown for shown in figures)
         names = {key[2] for keys in sheets for key in keys if key[0] is Kind.POINT and key[1] == LEVER}
-        stated = {key[2] for keys in sheets for key in keys if key[1] in (LEVER, f"{EQUATION}-{acting.k}")}
+        stated = {key[2] for keys in sheets for key in keys if key[1] in (LEVER, DETAIL, f"{EQUATION}-{acting.k}")}
         mu = scales[LEVER]
         sheet = _DrawnLever(acting, mu, 1.0 if alone else mu, frozenset(names), frozenset(stated))
-        yield from (*sheet.points(), *sheet.directions(), *sheet.arms(), *sheet.equation(), *sheet.letters())
+        yield from (*sheet.equation(), *sheet.letters())
+        enlarged = {(*key[:1], *key[2:]) for keys in sheets for key in keys if key[1] == DETAIL}
+        for row in (*sheet.points(), *sheet.directions(), *sheet.arms()):
+            there = (row.kind, row.name, row.position) in enlarged
+            yield row._replace(may_lack=row.may_lack or there)
+            yield from [row._replace(figure=DETAIL)] if there else ()
 
 
 class _Hung(NamedTuple):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from drawings.forces.acting import acting, cut_links
 from drawings.forces.arms import POLE, Leverage, LeverTerm, leverages, statements
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import UNIT
@@ -26,6 +27,7 @@ from drawings.layout.picture import Spot, TextBlock
 from drawings.lettering.words import Phrase, Slot, joined
 from drawings.page.page import Drafting, Field
 from drawings.paper.strokes import Group, Kind, Statement
+from drawings.symbols.figure import plain_name
 from geometry.board import Mark, at
 from plans.forces.cut import CLOSING, INERTIA, REACTION, WEIGHT, CutGroup, ForcePlan, MomentEquation
 from plans.forces.drive import BALANCING, DRIVING
@@ -50,7 +52,7 @@ class SheetEquations:
             [line for each in self.cut.equations if self.cut.holds(each) is late for line in self._moments(each)]
             for late in (False, True)
         )
-        lines = *self._given(), *self._slotted(), *turning, *self._forces(), *self._found(), *holding
+        lines = *self._given(), *self._slotted(), *turning, *self._forces(), *self._found(), *holding, *self._shifted()
         return EquationBlock(name, lines, self.drafting.hand.text, figure=f"{name}-{self.column}")
 
     def letter(self, name: str) -> str:
@@ -141,6 +143,13 @@ class SheetEquations:
         if self.cut.group is None and not self.cut.equations and self.plan.drive is not None:
             found.insert(0, self.plan.drive)  # of a slide the polygon gives the driving force too
         yield listed(*(self.statement(force.name, self._size(force), "N") for force in found))
+
+    def _shifted(self) -> Iterator[WrittenEquation]:
+        """Tell how far from their sliders' points guides press, where the scheme dimensions it."""
+        for shift in acting(self.plan, self.cut, cut_links(self.plan, self.cut, self.column), self.column).shifts:
+            name, moment, force = (self.letter(shift.name.replace("x", kind, 1)) for kind in "xMR")
+            size = self.drafting.slot(Slot(plain_name(name), 1000 * abs(shift.end - shift.start), DIGITS))
+            yield plain(f"{name} = |{moment}|/{force} =", joined(" ", (size, self.drafting.word("mm"))))
 
 
 def _statement(name: str, letter: str, value: float, unit: str, drafting: Drafting) -> Phrase:

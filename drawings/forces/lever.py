@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from drawings.forces.arms import ON_LINE, OUTSIDE, LeverTerm, aside, leverages, terms, within
@@ -37,6 +37,7 @@ from plans.model.motion import NOTHING
 from plans.study import Study
 
 PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
+DETAIL = "detail-lever"  # the name of the enlarged detail of what acts about its pole
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
 AFTER = 4.0  # mm between two forces that follow one another on one line of action: further than heads that meet
 # What speaks against a place of a force: that it is off its image, or led past another; that it touches another force.
@@ -94,11 +95,10 @@ def _touching(line: Segment, other: Segment) -> bool:
     return crossing(line, other) or any(SAME < far < APART for far in apart)
 
 
-def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int, hand: Hand) -> list[Arm]:
+def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, subject: Subject, hand: Hand) -> list[Arm]:
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
-    subject = Subject(PLAN, SYMBOL, column)
     pole, scale = place.on(0j), place.scale
-    every = (to_scale(t.arm, pole, place.on(t.at), t.direction, scale, subject) for t in terms if t.dimensioned)
+    every = (to_scale(t.arm, pole, place.on(t.at), t.direction, scale, subject) for t in terms)
     kept = sorted((arm for arm in every if arm.length >= LEAST_ARM), key=lambda arm: tied(arm.length))
     return aside(kept, [*taken.rods, *taken.forces], taken.box, hand)
 
@@ -121,6 +121,9 @@ MARGINS = Margins(3.0, 3.0, 3.0)  # paper beyond the forces, in sizes of the let
 LETTERS, EACH = 12.0, 1.6  # a lever is drawn at least so many letters large, and so many for each force that it bears
 
 ROOMY, LARGER = 4.0, 2.0  # times the least distance of its images at which a lever is roomy; weight of a crowded one
+# Shares of a lever: what acts so near to its pole may have a detail, and has one where images are so near one another.
+INNER, TIGHT = 1 / 3, 1 / 30
+AROUND, STUB, BESIDE = 2.5, 0.25, 1.0  # mm from a detail to its circle, on to its letter; how far rods are followed
 
 
 class Hanging(NamedTuple):
@@ -131,11 +134,29 @@ class Hanging(NamedTuple):
     images: tuple[tuple[str, str, complex], ...]  # name on the velocity plan, its letters, true place
     rods: tuple[tuple[Segment, bool], ...]  # true ends; whether it comes from the pole
     forces: tuple[ShownVector, ...]
+    near: float = 0.0  # what acts no further from the pole stands in a detail
+    letter: str = ""  # of that
+    part: bool = False  # whether it is that
+
+    @property
+    def plan(self) -> str:
+        """The name of the plan that its marks belong to."""
+        return DETAIL if self.part else PLAN
+
+    def has(self, place: complex) -> bool:
+        """Tell whether it shows what acts at an image: it, or its detail, does."""
+        return (abs(place) <= self.near) is self.part
+
+    @property
+    def pushes(self) -> list[ShownVector]:
+        """The forces that it shows."""
+        return [force for force in self.forces if self.has(force.at)]
 
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        return [0j, *(place for _, _, place in self.images)]
+        circle = (self.near * way for way in (1, 1j, -1, -1j) if not self.part)
+        return [*circle, *(place for _, _, place in self.images), *(end for rod, _ in self.rods for end in rod)]
 
 
 def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
@@ -155,6 +176,30 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
             joined.append(((0j, place), True))
     spots = tuple((name, letters, place) for name, (letters, place) in images.items())
     return Hanging(column, lever.pole.name, spots, tuple(joined), tuple(_hung_forces(lever, column)))
+
+
+def figures(shown: Hanging, letter: str) -> tuple[Hanging, ...]:
+    """Give the lever, and with it the detail of what acts about its pole, where that is too near one another on it."""
+    whole = max(map(abs, shown.points)) or 1.0
+    shares = {force.at: tied(abs(force.at) / whole) for force in shown.forces}
+    gaps = [(tied(b / a), a) for a, b in pairwise(sorted({*shares.values()})) if a <= INNER]
+    inner = [spot for spot, share in shares.items() if gaps and share <= max(gaps)[1]]
+    spots = {tied_spot(spot) for spot in (0j, *inner)}
+    apart = [abs(spot - other) for spot, other in combinations(spots, 2)]
+    if not letter or len(spots) <= BOTH or tied(min(apart) / whole) >= TIGHT:
+        return (shown,)
+    near = max(map(abs, inner)) * (1 + NOTHING)
+    images = tuple(image for image in shown.images if abs(image[2]) <= near)
+    rods = tuple((_cut(rod, near), thin) for rod, thin in shown.rods if min(map(abs, rod)) <= near)
+    shown = shown._replace(near=near, letter=letter)
+    return shown, shown._replace(images=images, rods=rods, part=True)
+
+
+def _cut(rod: Segment, near: float) -> Segment:
+    """Follow a rod that leaves a detail a little."""
+    start, end = sorted(rod, key=abs)
+    share = STUB * near / abs(end - start) if abs(end) > near else 1.0
+    return start, start + (end - start) * min(share, 1.0)
 
 
 def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:
@@ -203,48 +248,64 @@ def measure(shown: Hanging, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
     hand = drafting.hand
     # Forces reach one of their length from their images, or two where many share a line there.
-    lines = [(tied_spot(push.at), push.direction**2) for push in shown.forces]
+    lines = [(tied_spot(push.at), push.direction**2) for push in shown.pushes]
     shared = (sum(at == image and abs(way - line) < PARALLEL for image, way in lines) for at, line in lines)
     reach = LONGEST + (SHORTEST + AFTER if max(shared, default=0) > BOTH else 0.0)
     margins = around(MARGINS, hand, *(reach * hand.symbol,) * 3)
-    least = hand.letter * max(LETTERS, EACH * len(shown.forces))
+    least = hand.letter * max(LETTERS, EACH * len(lines))
     title = heading_width(_title(shown, drafting), hand)
-    return picture(PLAN, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)
+    return picture(shown.plan, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)
+
+
+def _armed(shown: Hanging, drafting: Drafting) -> list[LeverTerm]:
+    """Give the terms whose arms it shows."""
+    return [term for term in balance(shown, drafting) if term.dimensioned and shown.has(term.at)]
 
 
 def _feet(shown: Hanging, drafting: Drafting) -> Iterator[complex]:
     """Give the feet of the arms that are dimensioned, in true units."""
-    for term in balance(shown, drafting):
-        if term.dimensioned:
-            across = 1j * term.direction / abs(term.direction)
-            yield across * (term.at * across.conjugate()).real
+    for term in _armed(shown, drafting):
+        across = 1j * term.direction / abs(term.direction)
+        yield across * (term.at * across.conjugate()).real
 
 
 def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
     place, hand = room.place(*spot), drafting.hand
-    subject = Subject(PLAN, SYMBOL, shown.column)
+    subject = Subject(shown.plan, SYMBOL, shown.column)
     drawn = ((place.on(start), place.on(end), thin) for (start, end), thin in shown.rods)
     rods = [Line(a, b, hand.other if thin else hand.relative) for a, b, thin in drawn if abs(b - a) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
-    arrows = placed_forces(shown.forces, place, taken, drafting)
+    arrows = placed_forces(shown.pushes, place, taken, drafting)
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
-    terms = balance(shown, drafting)
-    kept = placed_arms(terms, place, taken, shown.column, hand)
+    kept = placed_arms(_armed(shown, drafting), place, taken, subject, hand)
     arms = [ends for arm in kept for ends in (arm.reach(hand), (arm.about, arm.ends[0]), (arm.at, arm.ends[1]))]
     downward = _downward([*taken.rods, *taken.forces, *arms], place.on(0j), hand)
     stand = fixed_hinge(place.on(0j), hand, HINGE * hand.symbol, downward)
-    under = ";  ".join((drafting.scale(spot.scale), *([drafting.word("lever arms")] if terms else [])))
+    told = [drafting.word("lever arms")] if not shown.part and balance(shown, drafting) else []
+    under = ";  ".join((drafting.scale(spot.scale), *told))
     mark = Circle(0j, POINT * hand.symbol, LineStyle(hand.thin, fill="#ffffff"))
     spots = ((name, true, mark._replace(centre=place.on(true))) for name, _, true in shown.images)
     dots = [point(subject, name, true, place, dot) for name, true, dot in spots]
     lines = (
         heading(spot.box, _title(shown, drafting), under, hand),
         *([Group(tuple(stroke for arm in kept for stroke in arm.draw(hand)))] if kept else []),
-        Group((*rods, *stand)), *_drawn(arrows, subject, hand), *dots,
-        point(subject, shown.pole, 0j, place, circle, "pole"),
+        Group((*rods, *stand)), *_drawn(arrows, shown, drafting), *dots,
+        point(subject, shown.pole, 0j, place, circle, "pole"), *_circled(shown, place, hand),
     )  # fmt: skip
-    return LetteredFigure(f"{PLAN}-{shown.column}", lines, partial(_letters, shown, place, arrows, kept, rods, hand))
+    name = f"{shown.plan}-{shown.column}"
+    return LetteredFigure(name, lines, partial(_letters, shown, place, arrows, kept, rods, hand))
+
+
+def _circled(shown: Hanging, place: Place, hand: Hand) -> Iterator[Group]:
+    """Draw the circle around what the detail shows."""
+    if shown.near and not shown.part:
+        circle = Circle(place.on(0j), _rim(shown, place, hand), hand.drafted)
+        yield Group((circle,), "", {"kind": "detail", "name": shown.letter})
+
+
+def _rim(shown: Hanging, place: Place, hand: Hand) -> float:
+    return place.length(shown.near) + AROUND * hand.symbol
 
 
 def _letters(
@@ -257,20 +318,24 @@ def _letters(
     yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
     yield from letter_each(arms, labels, hand, (*arrows, *rods))
     yield from letter_each(arrows, labels, hand)
+    if shown.near and not shown.part:
+        yield labels.beside(place.on(0j), shown.letter, hand.letter, _rim(shown, place, hand) + BESIDE)
 
 
-def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterator[Stroke]:
+def _drawn(arrows: Sequence[ForceArrow], shown: Hanging, drafting: Drafting) -> Iterator[Stroke]:
     """Draw the forces, each as what it states, and lines that lead to them; the second of a couple is turned round."""
+    hand = drafting.hand
     yield from (Line(arrow.lead, arrow.at, hand.drafted) for arrow in arrows if arrow.lead is not None)
-    names = set[str]()
+    first = {letter_of(force.name, drafting): force.direction for force in reversed(shown.forces)}
     for arrow in arrows:
-        name = plain_name(arrow.letter)
-        said = f"−{name}" if name in names else name
-        names.add(name)
-        yield stating(Statement(Kind.DIRECTION, PLAN, said, subject.position), arrow.draw(hand))
+        turned = (arrow.direction * first[arrow.letter].conjugate()).real < 0
+        name = f"−{plain_name(arrow.letter)}" if turned else plain_name(arrow.letter)
+        yield stating(Statement(Kind.DIRECTION, shown.plan, name, shown.column), arrow.draw(hand))
 
 
 def _title(shown: Hanging, drafting: Drafting) -> str:
+    if shown.part:
+        return drafting.word("detail", letter=shown.letter)
     return f"{drafting.word('lever')}, {drafting.word('position', position=shown.column)}"
 
 

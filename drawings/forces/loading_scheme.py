@@ -104,10 +104,10 @@ class SchemeLayout:
     def arms(self) -> list[Arm]:
         """The arms to scale, measurable, the longest last: none lies on a force or on a link."""
         lines = [ends for a in self.arrows for ends in ((a.start, a.tip), (a.lead or a.at, a.at))]
-        return aside(sorted(self._bare, key=lambda arm: tied(arm.length)), [*lines, *self._rods], self.box, self.hand)
+        return aside(sorted(self._bare, key=lambda arm: tied(arm.length)), [*lines, *self.rods], self.box, self.hand)
 
     @cached_property
-    def _rods(self) -> list[Segment]:
+    def rods(self) -> list[Segment]:
         """The lines of the links on paper."""
         return [bar for outline in self.joints.outlines for bar in self.joints.placed(outline) if bar[0] != bar[1]]
 
@@ -147,7 +147,7 @@ class SchemeLayout:
     def _inside(self, arrow: ForceArrow) -> bool:
         """Tell whether a force would run in a link's line, whichever end of it were at its point."""
         both = ((arrow.at, arrow.at + sign * arrow.length * arrow.direction) for sign in (1, -1))
-        return all(any(merging(line, rod) for rod in self._rods) for line in both)
+        return all(any(merging(line, rod) for rod in self.rods) for line in both)
 
     def _arrow(self, force: ShownVector, length: float) -> ForceArrow:
         """Give a force's arrow at its point; that of a guide presses on its slider."""
@@ -318,7 +318,8 @@ def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> Letter
 
 def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
-    yield from letter_each(layout.arms, labels, hand, (*layout.arrows, *layout.couples))
+    rods = (Line(*rod) for rod in layout.rods)
+    yield from letter_each(layout.arms, labels, hand, (*layout.arrows, *layout.couples, *rods))
     for shift in layout.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
     lines = [line for line in layout.links if isinstance(line, Line)] + [arrow.shaft for arrow in layout.arrows]

@@ -170,7 +170,9 @@ class _ForceSheet:
             return
         shown = lever.hanging(plans.plan, plans.lever, self.position)
         terms = lever.balance(shown, self.drafting)
-        yield exhibit(lever, shown, self.drafting, together=LEVER if terms else "", weight=lever.weight(shown))
+        letter = self.drafting.word("detail letters")[sum(len(one.details) for one in self._polygons.values()) :][:1]
+        for figure in lever.figures(shown, letter):
+            yield exhibit(lever, figure, self.drafting, together=LEVER if terms else "", weight=lever.weight(figure))
         if terms:
             turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
             moment = at(plans.lever.moment.point, self.position).real if turned else None

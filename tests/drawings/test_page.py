@@ -85,7 +85,8 @@ def held_to_its_graphs(block: Group) -> None:
     "title", ["Пресс", "Поперечно-строгальный станок", "Механизм долбёжного станка с качающейся кулисой"]
 )
 @pytest.mark.parametrize(
-    "subtitle", ["Циклограмма", "Кинематическое исследование механизма", "Силовой расчёт механизма"]
+    "subtitle",
+    ["Циклограмма", "Кинематическое исследование механизма", "Force analysis of the mechanism", "Синтез кулачка «ABC»"],
 )
 def test_a_title_and_its_subtitle_stand_whole_and_large_enough(page: Page, title: str, subtitle: str) -> None:
     block = page.title_block(ENTRIES["ru"] | {"title": title, "subtitle": subtitle}, "ru")
@@ -94,6 +95,11 @@ def test_a_title_and_its_subtitle_stand_whole_and_large_enough(page: Page, title
     assert title in said and subtitle in said
     sizes = {text.size for text in texts(block) if text.plain in subtitle and len(text.plain) > 4}
     assert len(sizes) == 1 and min(sizes) >= 3.5
+    upright = [
+        around((complex(*wall[:2]), complex(*wall[2:])), 1.0) for wall, _ in lines(block) if wall[2] - wall[0] < 1
+    ]
+    named = [inked(text) for text in texts(block) if text.plain in (title, subtitle)]
+    assert all(apart(box, wall) for box, wall in itertools.product(named, upright))
 
 
 # ---- formats, frames and folds

@@ -35,7 +35,7 @@ CAPTIONS = {
     "mass": TitleCell(150, 35, 17, 5, 2.5), "scale": TitleCell(167, 35, 18, 5, 2.5),
     "sheet": TitleCell(135, 15, 11, 5, 2.5, "start"), "sheets": TitleCell(155, 15, 14, 5, 2.5, "start"),
 }  # fmt: skip
-TITLE = TitleCell(65, 15, 70, 25, 5.0)  # graph 1
+TITLE = TitleCell(65, 15, 70, 25, 5.0, pad=1.5)  # graph 1
 # What else is filled in: graph 3 has the group, 11 the names, 13 the date of the one who has drawn. In letters of 2.5 a
 # date of eight signs is 12 mm long and a name of fourteen 25 mm, in graphs 10 and 23 mm wide: these may go down to 1.8,
 # which GOST 2.304 has for type B.

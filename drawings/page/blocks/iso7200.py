@@ -42,7 +42,8 @@ def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str
     for key, text in _values(entries, language):
         yield from _room(key).letter(corner, text) if text else ()
     yield Group(tuple(numbers(corner, entries.get("sheet", ""), entries.get("sheets", ""))), NUMBERS)
-    yield from write_title(_room("title"), corner, entries.get("title", ""), entries.get("subtitle", ""))
+    area = _room("title")._replace(width=CELLS["title"].width - PAD)  # clear of the ruling on its right as on its left
+    yield from write_title(area, corner, entries.get("title", ""), entries.get("subtitle", ""))
 
 
 def numbers(corner: complex, sheet: str, sheets: str) -> Iterator[Stroke]:
