@@ -31,11 +31,13 @@ READ = 0.5  # share of the figures of one key that can be read at any scale that
 class Steps(NamedTuple):
     """What figures of one scale may be enlarged to, from the smallest on: a rung of each figure, by its name.
 
-    `sizes` tells how large they are at each step: the larger sides of their lines over their weight, mm.
+    `sizes` tells how large they are at each step: the larger sides of their lines over their weight, mm. At a scale of
+    its own a figure is enlarged no further than to the size of those whose scale it cannot share.
     """
 
     rungs: tuple[Mapping[str, Rung], ...]
     sizes: tuple[float, ...]
+    others: tuple[str, ...] = ()
 
     def at(self, level: float) -> int:
         """Give the last step that is no larger than a level, mm, or else the first."""
@@ -94,7 +96,8 @@ def _steps(figures: Sequence[_Scaled]) -> Iterator[tuple[Steps, Steps]]:
     for figure in figures:
         if not all(map(figure.legible, read)):
             ladder = _ladder([figure], [rung.scale for rung in figure.read or figure.rungs[-1:]])
-            yield ladder, ladder
+            others = tuple(other.picture.name for other in figures if other is not figure)
+            yield (ladder._replace(others=others),) * 2
     yield _ladder(figures, read, legible=True), _ladder(figures, scales)
 
 
@@ -161,9 +164,10 @@ class Growth:
         """Draw the figures of one scale a step larger, if all still fits."""
         if now[v] + 1 == len(self.steps[v].rungs):
             return False
-        names_of = self.steps[v].rungs[now[v] + 1].keys()
-        every = rungs_of(self.steps, [*now[:v], now[v] + 1, *now[v + 1 :]])
-        rungs = {name: every[name] for name in names_of}
+        every, others = rungs_of(self.steps, [*now[:v], now[v] + 1, *now[v + 1 :]]), self.steps[v].others
+        rungs = {name: every[name] for name in self.steps[v].rungs[now[v] + 1]}
+        if others and max(rung.extent for rung in rungs.values()) > max(every[name].extent for name in others):
+            return False
         changed: dict[int, dict[int, Size]] = {}
         for k, tree in enumerate(self.trees):
             if names[k] & rungs.keys():

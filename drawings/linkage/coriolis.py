@@ -49,7 +49,7 @@ def _up(part: LaidPart) -> float:
 
 
 def letter_parts(parts: Iterable[LaidPart], lines: Lines, labels: Labels, hand: Hand, plan: str) -> Group:
-    """Letter vectors beside their middles, the longest first, each nearer to it than to the other lines of its plan."""
+    """Letter vectors beside their middles, the longest first, each nearer to it than to others of its plan."""
     texts = list[Stroke]()
     for v in sorted(parts, key=lambda part: -tied(part.length)):
         others = [line for line in lines if line != (v.start, v.end)]
