@@ -31,11 +31,13 @@ READ = 0.5  # share of the figures of one key that can be read at any scale that
 class Steps(NamedTuple):
     """What figures of one scale may be enlarged to, from the smallest on: a rung of each figure, by its name.
 
-    `sizes` tells how large they are at each step: the larger sides of their lines over their weight, mm.
+    `sizes` tells how large they are at each step: the larger sides of their lines over their weight, mm. At a scale of
+    its own a figure is enlarged no further than to the size of those whose scale it cannot share.
     """
 
     rungs: tuple[Mapping[str, Rung], ...]
     sizes: tuple[float, ...]
+    others: tuple[str, ...] = ()
 
     def at(self, level: float) -> int:
         """Give the last step that is no larger than a level, mm, or else the first."""
@@ -58,12 +60,9 @@ class _Scaled(NamedTuple):
         """Give its rung at a scale."""
         return Rung(scale, *self.picture.size(scale), self.picture.extent(scale))
 
-    def legible(self, scale: Scale) -> Rung:
-        """Give its rung at a scale; where it cannot be read there, at the next scale at which it can."""
-        rung = self.at(scale)
-        if can_be_read(self.picture, rung) or not self.rungs:
-            return rung
-        return next(iter(self.read), self.rungs[-1])
+    def legible(self, scale: Scale) -> bool:
+        """Tell whether it can be read at a scale, or at none."""
+        return not self.rungs or can_be_read(self.picture, self.at(scale))
 
 
 def can_be_read(picture: Picture, rung: Rung) -> bool:
@@ -71,29 +70,43 @@ def can_be_read(picture: Picture, rung: Rung) -> bool:
     return rung.extent == 0 or rung.extent >= picture.least * SMALLER
 
 
-def steps_of(panels: Sequence[Panel], room: tuple[float, float], standard: str, legible: bool) -> tuple[Steps, ...]:
-    """Give the steps of all figures that fit a room, the legible ones alone or all: those of one key together."""
+def steps_of(panels: Sequence[Panel], room: tuple[float, float], standard: str) -> Iterator[tuple[Steps, Steps]]:
+    """Give the steps of all figures that fit a room, the legible ones alone and all: those of one key together."""
     keyed: dict[tuple[str, int], list[_Scaled]] = {}
     for k, panel in enumerate(panels):
         if isinstance(panel.item, Picture):
             rungs = panel.item.rungs(*room, standard)[::-1]
             key = (panel.scale, 0 if panel.scale else k)
             keyed.setdefault(key, []).append(_Scaled(panel.item, panel.weight, rungs))
-    return tuple(_steps(figures, legible) for figures in keyed.values())
+    for figures in keyed.values():
+        yield from _steps(figures)
 
 
-def _steps(figures: Sequence[_Scaled], legible: bool) -> Steps:
-    """Enlarge figures together, as far as the one that needs most paper fits."""
+def _steps(figures: Sequence[_Scaled]) -> Iterator[tuple[Steps, Steps]]:
+    """Enlarge figures together, as far as the one that needs most paper fits, before them each at scales of its own.
+
+    These are overridden by the common scale where the figure can be read at it.
+    """
     sized = [item for item in figures if max(item.picture.wide, item.picture.high)] or figures  # a point has any scale
     largest = max(sized, key=lambda figure: figure.rungs[-1].scale.mu if figure.rungs else math.inf)
     scales = [rung.scale for rung in largest.rungs]
-    every = [
-        {item.picture.name: item.legible(scale) if legible else item.at(scale) for item in figures} for scale in scales
-    ]
     shares = [_mean([can_be_read(figure.picture, figure.at(scale)) for figure in figures]) for scale in scales]
-    least = min(READ, max(shares, default=READ)) or READ if legible else 0.0  # of one that is never legible no step
-    kept = [step for step, share in zip(every, shares, strict=True) if share >= least]
-    return Steps(tuple(kept), tuple(tied(_mean([*_sizes(figures, step)])) for step in kept))
+    least = min(READ, max(shares, default=READ)) or READ  # of one that is never legible no step
+    read = [scale for scale, share in zip(scales, shares, strict=True) if share >= least]
+    for figure in figures:
+        if not all(map(figure.legible, read)):
+            ladder = _ladder([figure], [rung.scale for rung in figure.read or figure.rungs[-1:]])
+            others = tuple(other.picture.name for other in figures if other is not figure)
+            yield (ladder._replace(others=others),) * 2
+    yield _ladder(figures, read, legible=True), _ladder(figures, scales)
+
+
+def _ladder(figures: Sequence[_Scaled], scales: Sequence[Scale], legible: bool = False) -> Steps:
+    """Give the steps of figures at some scales, of those alone that are `legible` at each."""
+    shown = [[figure for figure in figures if not legible or figure.legible(scale)] for scale in scales]
+    rungs = [{item.picture.name: item.at(scale) for item in step} for step, scale in zip(shown, scales, strict=True)]
+    sizes = (tied(_mean([*_sizes(*pair)])) for pair in zip(shown, rungs, strict=True))
+    return Steps(tuple(rungs), tuple(sizes))
 
 
 def _mean(values: Sequence[float]) -> float:
@@ -107,8 +120,8 @@ def _sizes(figures: Sequence[_Scaled], step: Mapping[str, Rung]) -> Iterator[flo
         yield extent / figure.weight if extent else math.inf
 
 
-def rungs_of(steps: Sequence[Steps], state: State) -> dict[str, Rung]:
-    """Give the scales of all pictures, by their names."""
+def rungs_of(steps: Sequence[Steps], state: Sequence[int]) -> dict[str, Rung]:
+    """Give the scales of all pictures, by their names: a scale of its own gives way to a common one."""
     return {name: rung for step, k in zip(steps, state, strict=True) for name, rung in step.rungs[k].items()}
 
 
@@ -151,7 +164,10 @@ class Growth:
         """Draw the figures of one scale a step larger, if all still fits."""
         if now[v] + 1 == len(self.steps[v].rungs):
             return False
-        rungs = self.steps[v].rungs[now[v] + 1]
+        every, others = rungs_of(self.steps, [*now[:v], now[v] + 1, *now[v + 1 :]]), self.steps[v].others
+        rungs = {name: every[name] for name in self.steps[v].rungs[now[v] + 1]}
+        if others and max(rung.extent for rung in rungs.values()) > max(every[name].extent for name in others):
+            return False
         changed: dict[int, dict[int, Size]] = {}
         for k, tree in enumerate(self.trees):
             if names[k] & rungs.keys():

@@ -25,6 +25,7 @@ SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its st
 STRAY = 4.0  # cost of a place that is nearer to what another label names, in mm of distance: more than any turn
 OTHER = 40.0  # cost of what another label names, or its leader, that a leader crosses, in mm of its length
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
+MEETING = 2.0  # mm from the end of a leader at its label to another leader: a number is not much larger
 ACROSS, MERGED = 3.0, 8.0  # mm of ink at a leader across a line; what each mm beyond costs: it runs along a line
 BACK, ASTRAIGHT = 4.0, math.radians(15)  # mm from one leader's start to another's; their bend there, to be two lines
 Spots: TypeAlias = Sequence[complex]
@@ -155,6 +156,7 @@ class Labels:
                     continue
                 end, letter = (_nearest(box, corner, start, by) for by in (CLEAR, 0.0))
                 cost = reach + 1.5 * TURNED * step + OTHER * sum(crossing((start, letter), other) for other in others)
+                cost += OTHER * any(_meeting((start, letter), leader) for leader in self._leaders)
                 if cost >= cheapest:
                     continue
                 crossed, run = self.ink.along(start, end)
@@ -212,6 +214,11 @@ def _in_line(leader: Segment, other: Segment) -> bool:
     if abs(start - first) < BACK and abs(cmath.phase((end - start) / ((first - last) or 1.0))) < ASTRAIGHT:
         return True
     return merging(leader, (2 * first - last, last))
+
+
+def _meeting(leader: Segment, other: Segment) -> bool:
+    """Tell whether two leaders come so near each other at a label that it is either's."""
+    return min(abs(leader[1] - nearest(*other, leader[1])), abs(other[1] - nearest(*leader, other[1]))) < MEETING
 
 
 def _begins_at(start: complex, gap: float, others: Lines) -> bool:

@@ -107,8 +107,7 @@ class _Fitting:
         self.shown = [*(panel.item for panel in contents.panels), *contents.tables, *notes]
 
     def request(self) -> Request:
-        read, every = (steps_of(self.contents.panels, self.room, self.page.standard, clear) for clear in (True, False))
-        pairs = [self._readable(*pair) for pair in zip(read, every, strict=True)]
+        pairs = [self._readable(*pair) for pair in steps_of(self.contents.panels, self.room, self.page.standard)]
         steps = tuple(step for step, _ in pairs)
         floors = self._raised(steps, tuple(floor for _, floor in pairs))
         rungs = rungs_of(steps, floors)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from drawings.layout.ink import Ink
-from drawings.layout.labels import Labels
+from drawings.layout.labels import Labels, Lines
 from drawings.lettering.lettering import bounds
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
@@ -48,10 +48,12 @@ def _up(part: LaidPart) -> float:
     return cmath.phase(part.end - part.start) + math.pi / 2
 
 
-def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
-    """Letter vectors beside their middles, the longest first."""
-    order = sorted(parts, key=lambda part: -tied(part.length))
-    texts = (stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v))) for v in order)
+def letter_parts(parts: Iterable[LaidPart], lines: Lines, labels: Labels, hand: Hand, plan: str) -> Group:
+    """Letter vectors beside their middles, the longest first, each nearer to it than to others of its plan."""
+    texts = list[Stroke]()
+    for v in sorted(parts, key=lambda part: -tied(part.length)):
+        others = [line for line in lines if line != (v.start, v.end)]
+        texts.append(stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v), others)))
     return Group(tuple(texts), f"{plan}-{PARTS}")
 
 

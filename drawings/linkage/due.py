@@ -24,8 +24,8 @@ from plans.linkage.plan import unnamed
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.linkage.sweep import interval
-from plans.linkage.travel import frame_slide, other_sliders
-from plans.model.mechanism import FRAME, Output
+from plans.linkage.travel import other_sliders
+from plans.model.mechanism import FRAME, Output, output_way
 from plans.model.motion import ORDERS, POSITIONS, Extremes
 from plans.model.triad import Triad
 from plans.quantity import Quantity
@@ -122,8 +122,8 @@ class _ExpectedMotion:
             yield from self._stroke(f"H_{slide.point}", extremes) if extremes is not None else ()
         if found is None:
             return
-        if (guide := frame_slide(self.study.mechanism, out.link)) is not None:
-            yield from chain(*(self._stroke(name, found) for name in ("H", f"H_{out.point or guide.point}")))
+        if (counted := output_way(self.study.mechanism, out)) is not None:
+            yield from chain(*(self._stroke(name, found) for name in ("H", f"H_{counted[0]}")))
         yield from self._arc("ψ", found.stroke)
         for index, arc in zip(("index.work", "index.idle"), found.angles, strict=True):
             yield from self._arc(f"φ_{{{word(self.study.language, index)}}}", arc)

@@ -16,10 +16,10 @@ from plans.linkage.reading.fields import LineTable, Place
 from plans.linkage.reading.form import MechanismTable
 from plans.linkage.study import LinkageStudy
 from plans.linkage.sweep import interval
-from plans.linkage.travel import EQUAL, frame_slide
+from plans.linkage.travel import EQUAL
 from plans.model.diagrams import STILL
 from plans.model.dyad import Assur, formula, mechanism_class
-from plans.model.mechanism import FRAME, Mechanism, Output, Ram, ways
+from plans.model.mechanism import FRAME, Mechanism, Output, Ram, output_way, ways
 from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates
 from plans.model.triad import Triad
 from plans.study import Study
@@ -234,7 +234,7 @@ def _group(group: Assur) -> str:
 def _stroke(study: LinkageStudy) -> str:
     """Say how far the output goes and with what time ratio, or that it has no extreme positions."""
     output, found = study.output, study.travel
-    if output.point and frame_slide(study.mechanism, output.link) is None:
+    if output.point and output_way(study.mechanism, output) is None:
         return f"point {output.point} of link {output.link}"
     if found is None:
         return f"link {output.link}, within the angles given"

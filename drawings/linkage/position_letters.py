@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -13,6 +13,7 @@ import numpy as np
 from drawings.kinds.scheme import frame_number, link_numbers
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
+from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Place
 from drawings.lettering.lettering import bounds, spaced, text_reach, text_width
 from drawings.lettering.words import Phrase, fixed, slotted, telling, with_index
@@ -26,12 +27,12 @@ from drawings.paper.strokes import Box, Group, Kind, Line, Statement, Stroke, Te
 from drawings.paper.walk import PLACES, stating, texts, tied
 from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, TurnArrow, arrowhead, tick
 from drawings.symbols.trimming import trim
-from plans.linkage.travel import frame_slide
-from plans.model.mechanism import FRAME
+from plans.model.mechanism import FRAME, output_way
 from plans.model.motion import POSITIONS
 
 # mm from the stroke's line to its dimension: at least what leaves room for numbers and ground, then by steps.
 DISTANCES = (15.0, 18.0, 21.0, 24.0, 28.0, 32.0, 37.0, 42.0, 48.0, 55.0, 63.0)
+NEARER = (9.0, 12.0)  # where a point's path has no ground
 AWAY = 4.0  # mm that an extension line begins from its point
 PAST = 2.0  # mm that an extension line goes past its arrow
 ABOVE = 1.0  # mm from the dimension line to its number
@@ -62,15 +63,17 @@ def settled(dimensions: list[Stroke], ink: Ink) -> None:
 
 
 def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, named: bool = False) -> list[Stroke]:
-    """Dimension the stroke H of a sliding output, in millimetres of the machine, on the clearer side of its guide."""
+    """Dimension the stroke H of an output, in millimetres of the machine, along its guide or the direction told."""
     travel, out = bones.study.travel, bones.study.output
-    slide = frame_slide(bones.mechanism, out.link)
-    if travel is None or slide is None or bones.extremes is None:
+    counted = output_way(bones.mechanism, out)
+    if travel is None or counted is None or bones.extremes is None:
         return []
-    point = out.point or slide.point
+    point, along = counted[0], out.along and _ordered([-out.along, out.along])[1]
     ends = _ordered([place.on(complex(value)) for value in bones.extremes.points[point]])
+    if along and ((ends[1] - ends[0]) * along.conjugate()).real < 0:
+        ends = ends[::-1]
     text = _text(point if named else "", travel.extremes.stroke, language)
-    return _letters(f"H_{point}" if named else "H", clearest(ends, text, bones, place, hand, ink), place)
+    return _letters(f"H_{point}" if named else "H", clearest(ends, text, bones, place, hand, ink, along), place)
 
 
 def _letters(name: str, dimension: list[Stroke], place: Place) -> list[Stroke]:
@@ -96,19 +99,23 @@ def length(size: float, language: str) -> str:
 
 
 def clearest(
-    ends: tuple[complex, complex], text: str, bones: Skeletons, place: Place, hand: Hand, ink: Ink
-) -> list[Stroke]:
-    """Dimension the way between two places on paper, on the side and as far off as is clearest."""
+    ends: tuple[complex, complex], text: str, bones: Skeletons, place: Place, hand: Hand, ink: Ink,
+    along: complex | None = None,
+) -> list[Stroke]:  # fmt: skip
+    """Dimension two places on paper, or their way along a direction, on the side and as far off as is clearest."""
     first, last = ends
     points = [place.on(value) for value in bones.points]
     xs, ys = [point.real for point in points], [point.imag for point in points]
     room = min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
-    best, cheapest, up = list[Stroke](), math.inf, 1j * (last - first) / abs(last - first)
-    for distance in DISTANCES:
+    best, cheapest, up = list[Stroke](), math.inf, 1j * (along or (last - first) / abs(last - first))
+    higher = ((last - first) * up.conjugate()).real  # the dimension is as far off the further one of both
+    for distance in (*NEARER, *DISTANCES) if along else DISTANCES:
         if distance >= cheapest:
             break  # no place further off can be better
         for side, share in product((1, -1), DIMENSION_SHARES):
-            strokes = _dimension(first, last, side * distance * up, share, text, hand)
+            offs = (distance + max(side * higher, 0.0), distance + max(-side * higher, 0.0))
+            feet = tuple((end, end + side * off * up) for end, off in zip(ends, offs, strict=True))
+            strokes = _dimension(feet, side * up, share, text, hand)
             letters, dimension, *extensions = strokes[:4]
             struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
             cost = tied(distance + (STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)))
@@ -117,10 +124,10 @@ def clearest(
     return best
 
 
-def _dimension(first: complex, last: complex, off: complex, share: float, text: str, hand: Hand) -> list[Stroke]:
-    """Draw a dimension at some distance: arrows between the extension lines, or outside where room is short."""
-    start, end = first + off, last + off
-    along, out = (end - start) / abs(end - start), off / abs(off)
+def _dimension(feet: Sequence[Segment], out: complex, share: float, text: str, hand: Hand) -> list[Stroke]:
+    """Draw a dimension at the feet of its extension lines: arrows between these, or outside where room is short."""
+    start, end = (foot for _, foot in feet)
+    along = (end - start) / abs(end - start)
     width = text_width(Text(0j, text, hand.letter, "middle", True))
     roomy = tied(abs(end - start) - 2 * ARROW_LENGTH * hand.symbol) >= 2
     fits = tied(abs(end - start) - width) >= 2
@@ -133,7 +140,6 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
     above = ABOVE - text_reach(Text(0j, text, hand.letter, "middle", True))[0]  # a comma hangs below its line
     letters = Text(middle + 1j * along * above, text, hand.letter, "middle", True, math.degrees(cmath.phase(along)))
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
-    feet = ((first, start), (last, end))
     extensions = (Line(pin + AWAY * out, foot + PAST * out, hand.drafted) for pin, foot in feet)
     return [letters, Line(*line, hand.drafted), *extensions, *heads]
 
@@ -208,7 +214,7 @@ def _length(path: Traced, place: Place) -> float:
 
 
 LETTER = "ψ"
-SHARES = (0.45, 0.35, 0.55, 0.25, 0.65, 0.75)  # of the rocker's arm, where its arc may cross it, the best first
+SHARES = (0.45, 0.35, 0.55, 0.25, 0.65, 0.75)  # of the rocker's arm or slot, where its arc may cross it, the best first
 LEAST = 4.0  # lengths of an arrow's head that an arc is long at least: below, its two heads hide it
 
 
@@ -225,19 +231,35 @@ class SwingArc(NamedTuple):
 
 def swings(pairs: Pairs, language: str) -> tuple[SwingArc, ...]:
     """Give the arc of an output that rocks about a hinge of the frame; none of any other, or where it has no room."""
-    bones, study, tip = pairs.bones, pairs.bones.study, output_point(pairs.bones)
+    bones, study = pairs.bones, pairs.bones.study
     points = bones.mechanism.links[study.output.link].points
     pivot = next((name for name in points if name in bones.mechanism.links[FRAME].points), None)
-    if study.travel is None or study.travel.extremes.sliding or pivot is None or tip is None or tip == pivot:
+    if study.travel is None or study.travel.extremes.sliding or pivot is None:
         return ()
     low, high = study.travel.extremes.reach
-    arm, centre = points[tip] - points[pivot], pairs.place.on(bones.mechanism.links[FRAME].points[pivot])
-    start, length = low + cmath.phase(arm), pairs.place.length(abs(arm))
+    centre = pairs.place.on(bones.mechanism.links[FRAME].points[pivot])
     text = sized(LETTER, abs(high - low), language)
-    arcs = (SwingArc(text, TurnArrow(centre, share * length, start, high - low)) for share in SHARES)
+    arms = ((pairs.place.length(abs(arm)), low + cmath.phase(arm)) for arm in _arms(bones, points[pivot]))
+    arcs = (SwingArc(text, TurnArrow(centre, radius, start, high - low)) for radius, start in arms if radius)
     least = LEAST * HEAD[0] * pairs.hand.symbol
     roomy = [swing for swing in arcs if swing.arc.radius * abs(swing.arc.sweep) >= least]
     return tuple(roomy[:1])
+
+
+def _arms(bones: Skeletons, pivot: complex) -> Iterator[complex]:
+    """Give the ways m from an output's pivot to where an arc may cross it: its arm, or its slot if it has no pin."""
+    link, tip = bones.study.output.link, output_point(bones)
+    if tip is not None:
+        yield from (share * (bones.mechanism.links[link].points[tip] - pivot) for share in SHARES)
+    slots = [slide for slide in bones.travels if slide.owner == link] if tip is None else []
+    for slide, share in product(slots[:1], SHARES):
+        through, way = slide.on_owner
+        off = 1j * way * ((through - pivot) * way.conjugate()).imag
+        end = max(bones.travels[slide], key=lambda along: abs(through + along * way - pivot))
+        far = through + end * way - pivot
+        reach = (share * abs(far)) ** 2 - abs(off) ** 2
+        if reach > 0:
+            yield off + math.copysign(math.sqrt(reach), (far * way.conjugate()).real) * way
 
 
 LINKS, NUMBERS = "links", "path-numbers"  # the groups of numbers of links, and of positions on trajectories

@@ -184,9 +184,11 @@ BEYOND = 0.25  # share of the mechanism's size that a path between numbered posi
 
 def way(study: LinkageStudy, drawn: Sequence[Poses]) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
-    # The coordinates of the drive between which the way is shown: a turn, or its stroke
-    first = float(study.turn.phi[0])
-    last = first + 2 * np.pi if study.mechanism.drive.turns else float(study.turn.phi[-1])
+    # The coordinates of the drive between which the way is shown: a turn, what listed angles span, or its stroke
+    first, last = float(study.turn.phi[0]), float(study.turn.phi[-1])
+    if study.mechanism.drive.turns:
+        low, high = study.span
+        first, last = (low, high) if 0.0 < high - low < 2 * np.pi else (first, first + 2 * np.pi)
     nodes = np.linspace(first, last, NODES + 1)
     dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
     known = [values for known_poses in drawn for values in known_poses.points.values()]

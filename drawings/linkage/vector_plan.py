@@ -223,7 +223,8 @@ def _letter(shown: VectorDiagram, place: Place, box: Field, drafting: Drafting, 
     """Letter the images and parts; off all letters draw beside the plan how its Coriolis parts are directed."""
     hand = drafting.hand
     yield Group(tuple(letter_images(_images(shown, place), hand.letter, labels)))
-    parts = letter_parts(_parts(shown, place, drafting), labels, hand, shown.name)
+    lines = [(place.on(arrow.ends[0]), place.on(arrow.ends[1])) for arrow in shown.arrows]
+    parts = letter_parts(_parts(shown, place, drafting), lines, labels, hand, shown.name)
     yield from (parts,) if parts.strokes else ()
     for rule in shown.turned:
         told = rule._replace(letter=drafting.letter(with_index(_coriolis(shown, rule.letter))))

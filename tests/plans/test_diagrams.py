@@ -80,7 +80,7 @@ def test_a_point_without_a_guide_is_the_output_along_a_direction(along: float) -
         (f"{YOKE}speed = 10\npositions = 361", "there are more than 360 positions"),
         (f"{YOKE}speed = 0\npositions = 12", "the crank is at rest"),
         (f"{PARALLEL}positions = [20, 40, 60, 80]\n[output]\nlink = 2", "link 2 does not move"),
-        (f"{PARALLEL}positions = 12\nstart = 50\n[output]\nlink = 3", "link 3 rotates uniformly with the crank"),
+        (f"{PARALLEL}positions = 12\nstart = 50\n[output]\nlink = 3", "link 3 rotates as the crank does"),
     ],
 )
 def test_what_is_left_out_is_told(text: str, said: str | None) -> None:
