@@ -30,6 +30,7 @@ from plans.words.words import word
 # Of the largest order of one mechanism: where that is drawn 100 mm long, what is less is shorter than 0.1 mm, and no
 # line is so thin. A figure of it at a scale of its own would look like those that matter.
 SLIGHT = 1e-3
+MADE = 1e-3  # m: a mass nearer to its shaft is not set by any workshop
 
 
 def largest(balance: BankBalance) -> float:
@@ -247,6 +248,9 @@ class BankNotes(NamedTuple):
         for signed, moment, _ in compensator.masses:
             parts = {"force": lowered_bank(letters(FORCE, signed)), "square": square, "moment": number(moment)}
             yield word("compensator mass", letters=lowered_bank(letters(STATIC, signed)), **parts)
+        least = min(moment for _, moment, _ in compensator.masses)
+        if asked.mass is not None and 0 < least < MADE * asked.mass:
+            yield word("compensator slight", radius=number(1000 * least / asked.mass), mass=number(least / MADE))
         yield from self._unequal(compensator)
         if asked.offset and compensator.residual:
             yield word("compensator couple", residual=number(compensator.residual))

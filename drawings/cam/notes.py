@@ -158,7 +158,9 @@ class CamNotes(NamedTuple):
             parts = {"phase": self.drafting.word(f"cam on {kind}"), "phi": self.place(f"α {kind}", found.turned)}
             numbers = {"angle": self._slot(f"α {kind}", math.degrees(found.value)), **parts}
             if permitted is None:
-                yield self.drafting.phrase("cam pressure", **numbers)
+                asked = self.cam.limits.of(kind)  # of a return under force closure, and kept to by nothing
+                more = {} if asked is None else {"asked": self.drafting.number(math.degrees(asked), self.digits)}
+                yield self.drafting.phrase("cam pressure free" if more else "cam pressure", **numbers, **more)
             else:
                 low, high = (self.drafting.number(math.degrees(limit), self.digits) for limit in permitted)
                 yield self.drafting.phrase("cam pressure limit", low=low, high=high, **numbers)

@@ -190,7 +190,9 @@ def tachogram(run: MachineRun) -> Iterator[Expected]:
         slow = not last > 1e-2 * most
         yield Expected(Kind.VECTOR, TACHOGRAM, f"t_{k}", 1j * last, KNOWN * most, may_lack=slow)
         yield Expected(Kind.PHRASE, TACHOGRAM, f"t_{k}", float(t[stage.last]), digits=DIGITS)
-    if run.steady is not None:
+    if run.steady is not None and run.drift:
+        yield Expected(Kind.PHRASE, TACHOGRAM, "Δω", run.steady.closing, KNOWN * most, digits=DIGITS)
+    elif run.steady is not None:
         low, high = run.steady.extremes
         mean, delta = (low + high) / 2, 2 * (high - low) / (high + low)
         yield Expected(Kind.CURVE, TACHOGRAM, "ω_{st}", level(mean), KNOWN * mean, ends=ends)

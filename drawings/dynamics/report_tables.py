@@ -14,7 +14,7 @@ from drawings.report.formula import DIGITS
 from drawings.report.report import column, header, row, tabled, tiny, united
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task, edge_names
 from plans.model.motion import Floats
-from plans.model.run import MachineRun, Stage
+from plans.model.run import RUN_UP, STEADY, MachineRun, Stage
 from plans.words.words import word
 
 OTHERS = (4.0, 2.0, 1.0, 0.5, 0.25)  # times the fluctuation that is asked for
@@ -88,12 +88,16 @@ def stages(runs: Mapping[str, MachineRun], drafting: Drafting) -> Iterator[str]:
     yield from header([word(drafting.language, f"table.{head}") for head in STAGES])
     for said, run in runs.items():
         for stage in run.stages:
-            yield row([f"{named(stage, drafting)}, {word(drafting.language, said)}", *_cells(run, stage, drafting)])
+            yield row(
+                [f"{named(run, stage, drafting)}, {word(drafting.language, said)}", *_cells(run, stage, drafting)]
+            )
 
 
-def named(stage: Stage, drafting: Drafting) -> str:
-    """Give the name of a stage."""
-    return word(drafting.language, f"run.{stage.name.replace('-', '_')}")
+def named(run: MachineRun, stage: Stage, drafting: Drafting) -> str:
+    """Give the name of a stage by what the machine does in it: it runs up without load, or is not steady yet."""
+    unloaded = stage.name == RUN_UP and not stage.works.useful
+    unsteady = stage.name == STEADY and run.drift
+    return word(drafting.language, f"run.{'unloaded' if unloaded else 'unsteady' if unsteady else stage.name}")
 
 
 def _cells(run: MachineRun, stage: Stage, drafting: Drafting) -> Iterator[str]:
@@ -114,10 +118,11 @@ def run_lines(runs: Mapping[str, MachineRun], drafting: Drafting) -> Iterator[st
             yield f"{by}: {run.failure.message.worded(drafting.language)}"
         if run.steady is not None:
             turn, write = run.steady, partial(drafting.number, digits=DIGITS)
+            numbers = {"mean": write(turn.mean), "delta": write(turn.delta), "period": write(turn.period)}
             share = turn.works.efficiency if turn.repeats else None  # else the flywheel gives or takes a part
             useful = ABSENT if share is None else write(share)
-            numbers = {"mean": write(turn.mean), "delta": write(turn.delta), "period": write(turn.period)}
-            yield say("report.steady_turn", by=by, **numbers, efficiency=useful)
+            which = "unsteady_turn" if run.drift and not turn.repeats else "steady_turn"
+            yield say(f"report.{which}", by=by, **numbers, efficiency=useful, closing=write(turn.closing))
         yield _method(run, by, drafting)
 
 

@@ -21,6 +21,7 @@ from plans.model.run import MachineRun
 NAME = "tachogram"
 FORM = GraphForm(2.2, 1.8, Margins(4.0, 2.0, 2.4), 20.0)
 CLOSE = 0.1  # mm: rows that lie nearer are one point of the curve
+DRIFT = "Δω"  # by how much the speed changes over the last turn
 STEADY = "ω_{st}"  # the mean speed of the steady motion that is reached: not the one that is asked for
 
 
@@ -60,6 +61,8 @@ def run_lines(run: MachineRun, drafting: Drafting) -> tuple[str, ...]:
     instants = joined(" ", (joined(";  ", times), drafting.word("s")))
     if run.steady is None:
         return (instants,)
+    if run.drift:
+        return instants, drafting.phrase("unsteady speed", drift=Slot(DRIFT, run.drift))
     numbers = {"mean": Slot(STEADY, run.steady.mean), "delta": Slot("δ", run.steady.delta)}
     return instants, drafting.phrase("steady speed", **numbers)
 
@@ -82,7 +85,7 @@ def _end(run: MachineRun, k: int, row: int, graph: Graph) -> Iterator[Stroke]:
 
 def _mean(run: MachineRun, graph: Graph) -> Iterator[Stroke]:
     """Draw the mean of the steady motion across the whole of it."""
-    if run.steady is not None:
+    if run.steady is not None and not run.drift:
         start, end = (graph.axes.on(float(t), run.steady.mean) for t in (0.0, run.t[-1]))
         yield graph.stated(STEADY, [Line(start, end, graph.hand.axis)])
 
@@ -90,9 +93,9 @@ def _mean(run: MachineRun, graph: Graph) -> Iterator[Stroke]:
 def _letters(run: MachineRun, axes: Axes, most: float, drafting: Drafting) -> Iterator[Letter]:
     """Letter the stages at their middles, the instants at which they end, the mean speed."""
     size = drafting.hand.letter
-    if run.steady is not None:
+    if run.steady is not None and not run.drift:
         yield Letter(axes.on(float(run.t[-1]), run.steady.mean), drafting.letter(STEADY), size, 0.0)
     for k, stage in enumerate(run.stages):
         yield Letter(axes.on(float(run.t[stage.last])), f"t_{k + 1}", size, UNDER, TICK + BESIDE)
         middle = float(np.mean(run.t[[stage.first, stage.last]]))
-        yield Letter(axes.on(middle, most / 4), named(stage, drafting), drafting.hand.text, OVER)
+        yield Letter(axes.on(middle, most / 4), named(run, stage, drafting), drafting.hand.text, OVER)

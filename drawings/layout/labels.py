@@ -22,6 +22,7 @@ LED = (*range(4, 16, 2), *range(16, 40, 3), *range(40, 160, 6))  # mm from a poi
 LEAD_DIRECTIONS = 64  # none of them but every 16th along a crank divided by 12, 24 or 36
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
 SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
+WORD = 0.5  # sizes of a letter between two words
 STRAY = 4.0  # cost of a place that is nearer to what another label names, in mm of distance: more than any turn
 OTHER = 40.0  # cost of what another label names, or its leader, that a leader crosses, in mm of its length
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
@@ -62,12 +63,12 @@ class Labels:
     ) -> Stroke | None:  # fmt: skip
         """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
         box, *_ = parts = self._parts(content, size)
-        spots, bare = (point, *further), list[complex]()
+        spots, bare, space = (point, *further), list[complex](), _space(content, size)
         for spot in spots:
-            near = self._near(spot, parts, gap, prefer, others)
+            near = self._near(spot, parts, gap, prefer, others, space)
             if not self.ink.under(padded(box, near)):
                 bare.append(near)
-                if not _strays(parts, near, spot, spot, others):
+                if not (_strays(parts, near, spot, spot, others) or self._joins(box, near, space)):
                     return self._written(near, content, size)
         off = 0.0 if further else 0.7 * gap  # from a line a leader leads at once
         lines, back = (*others, *self._leaders), 0.0 if off or not others else BACK
@@ -89,7 +90,7 @@ class Labels:
     def close(self, point: complex, content: str, size: float, gap: float, prefer: float) -> Stroke | None:
         """Place a label beside a point, or nowhere if there is no free place there: no leader leads to it."""
         parts = self._parts(content, size)
-        near = self._near(point, parts, gap, prefer)
+        near = self._near(point, parts, gap, prefer, (), _space(content, size))
         return None if self.ink.under(padded(parts[0], near)) else self.free(point, content, size, gap, prefer)
 
     def along(
@@ -119,8 +120,13 @@ class Labels:
         whole, letter = bounds(text), bounds(text._replace(content=text.runs[:1]))
         return whole, letter, (letter[2], *whole[1:])
 
-    def _near(self, point: complex, parts: Sequence[Box], gap: float, prefer: float, others: Lines = ()) -> complex:
-        """Find the freest place beside a point; one that covers nothing is taken before any other."""
+    def _near(
+        self, point: complex, parts: Sequence[Box], gap: float, prefer: float, others: Lines = (), space: float = 0.0
+    ) -> complex:
+        """Find the freest place beside a point; one that covers nothing is taken before any other.
+
+        Letters within `space` mm on its line would be read as one with it.
+        """
         best, cheapest, box = point, math.inf, parts[0]
         for reach in NEAR:
             if cheapest <= 0.8 * reach:
@@ -131,9 +137,17 @@ class Labels:
                     break
                 corner = _touching(point, box, gap + reach, angle)
                 cost = self.ink.under(padded(box, corner)) + least
-                if cost < cheapest and (cost := cost + STRAY * _strays(parts, corner, point, point, others)) < cheapest:
+                if cost >= cheapest:
+                    continue
+                cost += STRAY * (_strays(parts, corner, point, point, others) or self._joins(box, corner, space))
+                if cost < cheapest:
                     best, cheapest = corner, cost
         return best
+
+    def _joins(self, box: Box, corner: complex, space: float) -> bool:
+        """Tell whether a shifted label is so near to letters on its line that both are read as one."""
+        left, bottom, right, top = padded(box, corner, 0.0)
+        return bool(space) and self.ink.under((left - space, bottom, right + space, top)) >= LETTERED
 
     def _led(
         self, spots: Spots, box: Box, gap: float, off: float, prefer: float, others: Lines = (), back: float = 0.0
@@ -167,6 +181,11 @@ class Labels:
                     if cost < cheapest and not any(_in_line((start, end), leader) for leader in self._leaders):
                         best, cheapest = (start, end, corner), cost
         return best
+
+
+def _space(content: str, size: float) -> float:
+    """Give how far a number keeps from letters on its line, mm: by a word's space; other labels by no more than all."""
+    return WORD * size if content[:1].isdigit() else 0.0
 
 
 def free_side(spot: complex, lines: Iterable[Stroke], near: float) -> float:

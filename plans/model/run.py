@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
+import numpy as np
+
 from plans.model.dynamics import TURN, Cycle, Fluctuating, Flywheel, Reduced, Speeds
 from plans.model.motion import Floats, Gap
 from plans.model.motor import Motor
@@ -21,7 +23,8 @@ RUN_UP, STEADY, RUN_DOWN = "run_up", "steady", "run_down"
 # Why a run ends before its time.
 TOO_WEAK, STALLED, UNSETTLED, TOO_MANY_ROWS = "too_weak", "stalled", "unsettled", "too_many_rows"
 SETTLED = 0.99  # of the speed that it tends to and never reaches: there a run-up has come to its end
-LEFT = 0.01  # of the range of speeds in a turn: less is not seen on a tachogram
+LEFT = 0.01  # of the range of speeds in a turn: a turn that leaves less repeats itself
+TUBE = 0.05  # of that range: a change that is no more has died away, as controls are judged (5 %-ная трубка)
 TURNS_MOST = 500  # of one stage: a run-up that takes more has not settled
 
 
@@ -186,6 +189,17 @@ class MachineRun:
     def unanswered(self) -> tuple[Gap, ...]:
         """The gaps, as a comparison asks for them."""
         return self.gaps
+
+    @property
+    def drift(self) -> float:
+        """By how much, rad/s, the speed changes over the last turn under load; 0 where that is not seen."""
+        stage = self.stage(STEADY)
+        if stage is None:
+            return 0.0
+        turned, omega = (row[stage.first : stage.last + 1] for row in (self.turned, self.omega))
+        begun = float(turned[-1]) - TURN
+        change = float(omega[-1] - np.interp(begun, turned, omega))
+        return change if abs(change) > TUBE * float(np.ptp(omega[turned >= before(begun)])) else 0.0
 
     def stage(self, name: str) -> Stage | None:
         """Give a stage by its name; None where the run has none."""

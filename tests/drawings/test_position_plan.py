@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -12,12 +13,13 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from drawings.checks.hold import distance, labels_of
+from drawings.kinds.axes import Letter, placed
 from drawings.kinds.scheme import link_numbers
 from drawings.kinds.vector_plan import letter_images
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
-from drawings.lettering.lettering import TOGETHER
+from drawings.lettering.lettering import TOGETHER, bounds
 from drawings.linkage.numbering import lone, numbers
 from drawings.linkage.position_plan import layers
 from drawings.linkage.sheet import leaves, position
@@ -25,7 +27,7 @@ from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.linkage.trajectories import phases
 from drawings.page.page import Field, Scale
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, texts
 from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
@@ -177,6 +179,19 @@ def test_a_leader_runs_along_no_line_and_through_no_mark_or_head(marks: list[Str
     rules = [Line(complex(x, y), complex(x + (0.2 if marks else 1.0), y)) for x in range(99) for y in range(99)]
     sheet.draw([*marks, *(line for line in rules if not any(field.holds(line.start + 0.5) for field in (near, far)))])
     assert any(far.holds(text.at) for text in texts([Labels(sheet, A1.drafted).beside(50 + 50j, "O", 5, 3, 0.0)]))
+
+
+def test_a_number_is_not_read_as_one_with_letters_and_a_curve_is_lettered_where_there_is_room() -> None:
+    sheet, size = Ink(100, 100), Text(20 + 50j, "R_0 = 37,12", 3.5, "start", True)
+    sheet.draw([size])
+    right = bounds(size)[2]
+    (number,) = texts([Labels(sheet, A1.drafted).beside(complex(right + 2.5, 54), "1", 3.5, 1.0, -math.pi / 2)])
+    left, bottom, *_ = bounds(number)
+    assert left > right + 1.7 or bottom > bounds(size)[3]
+    sheet.draw([Line(complex(x, 0), complex(x, 40)) for x in range(60)])
+    spots = Letter(20 + 20j, "A_{red}", 5.0, 0.0, further=(40 + 20j, 70 + 20j))
+    ((label,),) = labels_of(tuple(placed("works", [spots], Labels(sheet, A1.drafted)))).values()
+    assert not label.leader and distance([label], [70 + 20j]) < 2
 
 
 def test_a_tiny_crank_circle_is_numbered_on_a_detail() -> None:

@@ -69,6 +69,17 @@ def test_the_table_is_of_the_first_order(motor: Motor) -> None:
     assert math.log2(errors[-2] / errors[-1]) == pytest.approx(1.0, abs=0.1)
 
 
+def test_a_drifting_speed_is_what_the_inertia_gives() -> None:
+    """A heavy machine is not steady after one turn under load; what the drive lacks over it, its inertia gives."""
+    heavy, motor = slider_crank(400.0, force=2000.0), Motor(Linear(600.0, 20.0))
+    found = run(heavy, motor, RunTask(12.0, turns=1))
+    turn = found.steady
+    assert turn is not None and turn.works.gained < 0
+    mean = turn.start + found.drift / 2
+    assert heavy.inertia(0.0) * mean * found.drift == pytest.approx(turn.works.gained, rel=1e-9)
+    assert run(slider_crank(4.0, force=2000.0), motor, RunTask(12.0, turns=8, brake=200.0)).drift == 0.0
+
+
 def test_the_tables_failures_are_plain() -> None:
     loaded = slider_crank(4.0, force=2000.0)
     weak = run(loaded, Motor(Linear(50.0, 20.0)), RunTask(12.0, loaded=True))
