@@ -121,15 +121,14 @@ def page_of(scene: Scene, kind: str = "") -> Page:
         raise SheetError(placed(f"{scene.file}:{line}:{column}", error.args[0])) from None
 
 
-# Of scale factors: what courses take beside GOST, and the series of ISO 5455.
-MANTISSAS: Final = {"GOST": (1.0, 2.0, 2.5, 4.0, 5.0), "ISO": (1.0, 2.0, 5.0)}
+# Of scale factors as courses take them; and of lengths the series of ISO 5455, which speaks of nothing else.
+MANTISSAS, LENGTHS = (1.0, 2.0, 2.5, 4.0, 5.0), (1.0, 2.0, 5.0)
 # GOST 2.302-68: reductions 1:b, those from 2000 for master plans, and enlargements a:1.
 REDUCTIONS: Final = (
     1, 2, 2.5, 4, 5, 10, 15, 20, 25, 40, 50, 75, 100, 200, 400, 500, 800, 1000,
     2000, 5000, 10000, 20000, 25000, 50000,
 )  # fmt: skip
 ENLARGEMENTS: Final = (2, 2.5, 4, 5, 10, 20, 40, 50, 100)
-TURNED = "rad"  # the unit of a turn laid off along an axis: ISO 5455 speaks of lengths, and its steps are too wide here
 # Beyond the tables, as mu. By GOST a picture is enlarged (100 n):1, n whole: 400:1, but no 250:1, so that mu has no 4.
 # It says nothing of reductions beyond 1:50 000; these go on as the last ones do.
 BEYOND: Final = (1.0, 2.0, 2.5, 5.0)
@@ -174,9 +173,9 @@ def fitting(extent: float, room: float, letter: str, unit: str, standard: str = 
     if extent <= 0 or not math.isfinite(extent):
         return Scale(1.0 if letter != "l" else 0.001, letter, unit)
     least = extent / room * (1 - 1e-12)  # a picture that fits exactly is not lost to a rounding
-    if letter == "l" and standard == "GOST":
-        return Scale(_of_lengths(least), letter, unit)
-    return Scale(_next(least, MANTISSAS["GOST" if unit == TURNED else standard]), letter, unit)
+    if letter == "l":
+        return Scale(_of_lengths(least) if standard == "GOST" else _next(least, LENGTHS), letter, unit)
+    return Scale(_next(least, MANTISSAS), letter, unit)
 
 
 def _of_lengths(least: float) -> float:

@@ -25,7 +25,7 @@ class PositionWorth(NamedTuple):
 
     loaded: bool  # does any useful load do work?
     done: Floats  # the power of the useful loads as a share of its greatest; of a machine without any |M_bal|
-    open: dict[str, Floats]  # by the names of plans, "velocities" or "forces-4-5"
+    open: dict[str, Floats]  # by the names of plans, "velocities" or "forces-4-5", as they are seen at one scale
     balancing: Floats  # |M_bal| as a share of its greatest
     lines: tuple[str, ...] = ()  # those that are lines wherever loads act: no position is better for them
 
@@ -59,19 +59,20 @@ def worth(statics: Statics, forces: Kinetostatics) -> PositionWorth:
     loaded = bool(np.nanmax(power, initial=0.0) > 10.0**-PLACES * largest)  # less is rounding
     sizes = power if loaded else moments
     done = np.round(sizes / (np.nanmax(sizes, initial=0.0) or 1.0), PLACES)
-    rows = {name: np.where(np.isnan(done), np.nan, row) for name, row in _plans(statics)}
+    found = [(name, np.where(np.isnan(done), np.nan, row), share) for name, row, share in _plans(statics)]
     shares = np.round(moments / (np.nanmax(moments, initial=0.0) or 1.0), PLACES)
-    lines = tuple(k for k, row in rows.items() if not np.any(row[done > 0.0] >= FLAT))
-    return PositionWorth(loaded, done, rows, shares, lines)
+    lines = tuple(name for name, row, _ in found if not np.any(row[done > 0.0] >= FLAT))
+    return PositionWorth(loaded, done, {name: row * share for name, row, share in found}, shares, lines)
 
 
-def _plans(statics: Statics) -> Iterator[tuple[str, Floats]]:
-    """Give how open the plans of velocities, accelerations and of the forces of each group are."""
+def _plans(statics: Statics) -> Iterator[tuple[str, Floats, Floats]]:
+    """Give how open the plans of motion and of the forces of each group are; of these the share of their largest."""
     motion = statics.study.motion(2).points.values()
     rest = np.zeros(len(statics.study.turn), dtype=complex)
-    yield VELOCITIES.plan, openness([rest, *(point.v for point in motion)])
-    yield ACCELERATIONS.plan, openness([rest, *(point.a for point in motion)])
+    yield VELOCITIES.plan, openness([rest, *(point.v for point in motion)]), np.ones(len(rest))
+    yield ACCELERATIONS.plan, openness([rest, *(point.a for point in motion)]), np.ones(len(rest))
     for cut in statics.drafts().plans.plan.cuts:
         if cut.group is not None and cut.sides:
-            corners = (np.asarray(side.end.point) for side in cut.sides)
-            yield f"forces-{cut.label}", openness([np.broadcast_to(corner, rest.shape) for corner in corners])
+            corners = [np.broadcast_to(np.asarray(side.end.point), rest.shape) for side in cut.sides]
+            size = np.ptp(np.real(corners), axis=0) + np.ptp(np.imag(corners), axis=0)
+            yield f"forces-{cut.label}", openness(corners), size / (np.nanmax(size, initial=0.0) or 1.0)

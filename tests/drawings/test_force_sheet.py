@@ -28,13 +28,14 @@ from drawings.symbols.couples import not_to_scale
 from drawings.symbols.figure import Arm, Subject
 from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
-from plans.forces.worth import PositionWorth
+from plans.forces.worth import PositionWorth, worth
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.held import measured
+from tests.gallery import GALLERY
 from tests.parts import first
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
@@ -194,6 +195,15 @@ def test_beside_an_extreme_a_position_is_not_worth_its_greater_work() -> None:
     rated = PositionWorth(True, np.array([0.0, 1.0, 0.694]), rows, np.ones(3))
     assert np.argmax(rated.sizes) == 2
     assert np.argmax(rated._replace(balancing=np.array([0.5, 1.0, 0.005])).sizes) != 2  # less than the slips of a hand
+
+
+def test_the_plan_of_a_cylinder_that_is_not_loaded_is_worth_little_at_the_scale_of_the_set() -> None:
+    """700 N press on the right piston as it rises; in position 10 it goes back, and but 26 N of weights are laid."""
+    own = Statics(
+        LinkageStudy(parse_scene(GALLERY.joinpath("v-compressor.toml").read_text("utf-8").replace("980", "9")))
+    )
+    seen = worth(own, own.forces).open["forces-4-5"]
+    assert seen[10] < 0.1 < seen[8]
 
 
 @pytest.mark.rest

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -18,9 +17,8 @@ from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
+from tests.gallery import GALLERY
 from tests.plans.scenes import scene
-
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 
 FOUR_BAR = scene(
     'title = "Crank-rocker"', frame="O = [0, 0]; C = [0.35, 0]", links="OA AB CB",

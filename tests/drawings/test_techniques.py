@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import NamedTuple
 
 import pytest
@@ -22,8 +21,7 @@ from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, Technique, sheet_of, techniques
 from plans.words.words import ENGLISH, languages, words
-
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
+from tests.gallery import GALLERY
 
 
 def study_of(technique: str) -> Study:

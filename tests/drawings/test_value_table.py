@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -22,9 +20,9 @@ from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene, read_scene
 from tests.catalogue.scenes import TEXTS
+from tests.gallery import GALLERY
 
 DEAD_CENTRE = TEXTS["f04_zero_vector"]
-GALLERY = Path(__file__).parent.parent.parent / "drawings" / "gallery"
 
 
 def test_a_zero_vector_is_written_with_the_decimals_of_its_row() -> None:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.gallery import GALLERY
 
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 SHOWN = re.compile(r"^(?:plans|position|forces|hodographs|reactions) = .*\n", re.MULTILINE)
 OVERRUN = "overrun = 0.1\nbreaks = [0.5, 0.75]\n"
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 import math
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -23,13 +22,13 @@ from plans.cam.course import FollowerCourse
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
+from tests.gallery import GALLERY
 from tests.parts import some
 from tests.plans import linkages
 from tests.plans.dynamics_scenes import PLANING, PUSHED, study
 from tests.plans.studies import study_of
 from tests.plans.textbook_cams import cam, offset_sizes
 
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 GOAL = 8.0  # eps: 4 of a point's own row, and as much again for the rates read off vectors
 MP = mpmath.mp.clone()
 MP.dps = 40

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,12 +20,12 @@ from plans.quantity import SLIP, Shown
 from plans.scene.scene import read_scene
 from tests import draughtsman
 from tests.draughtsman import Draughtsman, copies
+from tests.gallery import GALLERY
 from tests.parts import some
 from tests.plans import linkages
 from tests.plans.pushed_machines import Picture, slider
 from tests.plans.studies import study_of
 
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 ON_PAPER = {"positions": 200.0, "velocities": 100.0, "accelerations": 100.0}  # mm of the largest vector of a plan
 DRAWINGS = 200
 TENTH = 0.1

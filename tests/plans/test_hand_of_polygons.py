@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,9 +18,9 @@ from plans.scene.scene import read_scene
 from plans.study import Study
 from tests import draughtsman
 from tests.draughtsman import Draughtsman, copies
+from tests.gallery import GALLERY
 from tests.plans.rotors import STATIC, masses
 
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 DRAWINGS = 2000
 
 

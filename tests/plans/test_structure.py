@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from itertools import permutations
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -28,6 +27,7 @@ from plans.model.motion import Floats
 from plans.scene.scene import parse_scene, read_scene
 from plans.structure.study import StructureStudy, sketched
 from plans.study import Study
+from tests.gallery import GALLERY
 from tests.parts import some
 from tests.plans import linkages
 from tests.plans.linkages import ALONG_X, four_bar
@@ -193,7 +193,6 @@ def test_its_class_its_pairs_and_its_vectors_are_told() -> None:
     assert any("2-3-4" in found.name for found in sums)
 
 
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 SCENES = ("shaper", "oscillating-cylinder", "squeezer", "walking-leg", "planer", "v-engine", "tangent")
 
 
