@@ -94,8 +94,8 @@ class CamNumbers:
         return known[name]
 
     def radius(self, name: str, extreme: Extreme) -> tuple[float, float]:
-        """A radius of curvature, mm; its reciprocal is compared."""
-        return MM * extreme.value, MM * extreme.value**2 * self.slack(name)
+        """A radius of curvature, mm; but under a flat face its reciprocal is compared."""
+        return MM * extreme.value, MM * self.slack(name) * (1.0 if self.cam.flat else extreme.value**2)
 
     def jump(self, shock: Shock) -> tuple[float, float]:
         """What jumps at a shock: with the cam's speed of velocity or acceleration, else of S' or S''."""

@@ -251,10 +251,10 @@ def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[S
 
 
 def _visible(view: ProfileView, extreme: Extreme, place: Place, hand: Hand) -> bool:
-    """Tell whether the circle of the least radius is drawn: not one of a dwell, of a hollow, or larger than the cam."""
+    """Tell whether a circle of the least radius is drawn: none of a dwell, a hollow, a cusp, or larger than the cam."""
     turns = extreme.turned, extreme.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
     still = any(phase.kind == DWELL and phase.start <= turn <= phase.end for phase in view.cam.phases for turn in turns)
-    return not still and 0 < place.length(extreme.value) < place.length(view.reach) + LARGE * hand.letter
+    return not still and LEAST <= place.length(extreme.value) < place.length(view.reach) + LARGE * hand.letter
 
 
 def centre_letters(view: ProfileView, place: Place, hand: Hand) -> Iterator[Letter]:

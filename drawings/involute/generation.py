@@ -87,11 +87,11 @@ def _lines(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator[
 
 
 def _action(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator[Stroke]:
-    """Draw the line of action of the rack, from where it touches the base circle."""
+    """Draw the line of action of the rack, from where it touches the base circle, or within the figure."""
     rack, r = made.wheel.rack, made.wheel.radius
     along = cmath.exp(1j * rack.angle)
-    start, end = -r * math.sin(rack.angle) * along, rack.module * along * 2.5
-    start = max(start, -4 * rack.module * along, key=lambda spot: spot.real)
+    end = 2.5 * rack.module * along
+    start = max(-r * math.sin(rack.angle) * along, -end, key=lambda spot: spot.real)
     yield Line(place.on(start), place.on(end), drafting.hand.drafted)
     yield stating(Statement(Kind.ANGLE, NAME, "α"), *_angle(made, place, drafting).angle(drafting.hand))
 

@@ -68,7 +68,7 @@ class _TransferSheet:
         shows: list[Exhibit | Caption] = []
         for one in schemes:
             read = working(one, told, self.drafting)
-            shows.append(exhibit(scheme, one, self.drafting, weight=1.5, together=one.name))
+            shows.append(exhibit(scheme, one, self.drafting, weight=1.5, together=one.name, scale=TRANSFER))
             shows.append(Caption(read.panel._replace(together=one.name), read.write, of=read.of))
         shows += [exhibit(curve_graph, curve, self.drafting, LARGEST) for curve in self._graphs()]
         title, facts = self.drafting.word("transfer sheet title"), partial(figures_facts, turned=list(self.positions))

@@ -149,6 +149,10 @@ class ComparedCam:
         """How far rounding can move 1/ρ at the place of an extreme, 1/m."""
         return max(float(np.max(slack.curvature)) for slack in self.near(extreme))
 
+    def rounded(self, extreme: Extreme | None) -> float:
+        """How far rounding can move ρ under a flat face at the place of an extreme, m."""
+        return max(float(np.max(slack.radius)) for slack in self.near(extreme))
+
     def findings(self, plans: frozenset[str]) -> Iterator[Quantity]:
         """Compare what is asked for."""
         if LAWS in plans:
@@ -250,8 +254,12 @@ class ComparedCam:
             angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
             pair = abs(extreme.value), abs(theirs.pressure[kind].value)
             yield self._quantity(PROFILE, f"α_{kind}", "rad", *pair, angle)
-        for name, found, true in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
-            yield self._quantity(PROFILE, name, "1/m", _bent(found), _bent(true), self.bent(found))
+        for name, *both in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
+            if ours.cam.flat:  # a cusp has no 1/ρ
+                told, long = [one.value if one else 0.0 for one in both], _most(ours.contour.radius)
+                yield self._of(Quantity.of((PROFILE, name, "m"), tuple(told), self.rounded(both[0]), long))
+            else:
+                yield self._quantity(PROFILE, name, "1/m", _bent(both[0]), _bent(both[1]), self.bent(both[0]))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):
             yield self._quantity(PROFILE, f"face_{side}", "m", ours.face[k], theirs.face[k], self.slack.lever)
 

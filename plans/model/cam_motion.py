@@ -186,11 +186,18 @@ class Contour:
     outer: Points | None = None  # the other side of a groove
 
 
+CUSP = 1e-12  # of R0: far above what the sum R0 + S + S'' loses, far below a radius that a workshop knows
+
+
 class Extreme(NamedTuple):
     """A greatest or least value, and the turn of the cam where it is, rad."""
 
     value: float
     turned: float
+
+    def cusp(self, base: float) -> Extreme:
+        """Give a radius of curvature, 0 where it is but the rounding of what a radius R0 cancels: a cusp (остриё)."""
+        return self if abs(self.value) > CUSP * base else self._replace(value=0.0)
 
 
 class CamFlaw(NamedTuple):

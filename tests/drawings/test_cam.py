@@ -308,3 +308,12 @@ def test_what_cannot_be_made_is_told_with_its_place(run: Run, tmp_path: Path) ->
     code, _, err = run("solve", scene)
     assert code == 3
     assert f"{scene}:4:1: cam[0].follower: cam “K1”: its follower does not move" in err
+
+
+@pytest.mark.parametrize("motion", ["translating", 'rocking"\nswing = 14 #'])
+def test_under_a_flat_face_without_a_least_curvature_a_cusp_is_drawn(motion: str, run: Run, tmp_path: Path) -> None:
+    """It has no 1/ρ, and no circle."""
+    scene = tmp_path / "cam.toml"
+    text = one("flat", "[cam.sizes]\ncentre = 0.11\n" if "swing" in motion else "").replace("translating", motion)
+    scene.write_text(text.replace("lift = ", "# ") if "swing" in motion else text, "utf-8")
+    assert run("draw", scene, "-o", tmp_path)[0] == 0

@@ -1,4 +1,4 @@
-"""The law of lettering: none is covered, crosses other ink or leaves the paper; a Russian sheet has decimal commas."""
+"""The law of lettering: none is covered or crosses ink, nothing goes over the frame; Russian has decimal commas."""
 
 from __future__ import annotations
 
@@ -6,13 +6,16 @@ import re
 from collections.abc import Iterator
 
 from drawings.checks.verify import obscured
+from drawings.lettering.lettering import bounds
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Leaf, Text
-from drawings.paper.walk import texts
+from drawings.paper.walk import flat, texts
 from drawings.reading.sheet import SeenSheet
 from tests.drawings.collisions import collisions
+from tests.drawings.emptiness import STILL
 from tests.drawings.held import seen
 
+PEN = 0.5  # mm: the widest line
 POINT = re.compile(r"(?<![\d.\w])\d+\.\d+(?![\d.]*\.\d)")  # a number with a decimal point
 BLOCK = ("title-block", "extra-graphs", "sheet-numbers")  # whose designations have points
 NAMES = re.compile(r"(ГОСТ|ISO|ИСО)[ \N{NO-BREAK SPACE}][\d.–-]+|\(\d+\.\d+[а-я]?\)|(рис|табл|G)\S* ?\d+\.\d+")
@@ -25,6 +28,10 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
     if isinstance(found, SeenSheet):
         yield from map(str, obscured(found))
     yield from collisions(leaf)
+    for group in leaf.groups:
+        for left, low, right, high in map(bounds, flat((group,) if group.name not in STILL else ())):
+            if min(left - 20, min(low, leaf.width - right, leaf.height - high) - 5) < -PEN:
+                yield f"{group.name} goes over the frame at {left:g}, {low:g}"
     if is_russian(leaf):
         yield from (f"{text.plain!r} has a decimal point" for text in _written(leaf) if has_point(text.plain))
 

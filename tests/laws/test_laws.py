@@ -121,6 +121,7 @@ BREACHES: Mapping[str, tuple[object, str, Change]] = {
     "a force off its image": (arrows, "forces", in_part("lever-2", more(Circle, "centre", 1))),
     "a tick of the bar aside": (bar, "forces", in_part("control-bar", more(Line, "start", 1))),
     "a bar too long": (bar, "forces", in_part("control-bar", each(Line, longer))),
+    "a line over the frame": (lettering, "kinematics", plus("notes", Line(10 + 99j, 30 + 99j))),
     "a text over a line": (lettering, "forces", plus("scheme-2-3-2", *OVER)),
     "a text covered": (lettering, "forces", plus("notes", Fill((0j, 800 + 0j, 800 + 300j, 300j), WHITE))),
     "a side of a polygon too long": (polygons, "forces", stretched("R_03", "forces-2-3", 1.5)),

@@ -62,6 +62,16 @@ def test_a_sketch_gives_the_other_points_of_a_link_by_its_shape():
     assert (found["K"] - found["B"]) / (rod := found["D"] - found["B"]) == pytest.approx((0.1 + 0.05j) / abs(rod))
 
 
+def test_a_roller_is_held_by_its_pin_and_its_contact():
+    """W = 3·3 - 2·3 - 1 = 2, one of them local; W_s = 6·3 - 5·3 - 2 = 1: one constraint is redundant."""
+    lines = "[mechanism]\nframe = { O = [0, 0] }\nlinks = { 1 = 'OA', 2 = 'B', 3 = 'BD' }\n"
+    lines += "lengths = { OA = 0.03, BD = 0.12 }\nsketch = { A = [0.02, 0.02], B = [0, 0.09], D = [0, 0.2] }\n"
+    lines += GUIDE.replace("5", "3") + "[drive]\nlink = 1\nspeed = 6\n"
+    lines = lines.replace("angle = 0", "angle = 90") + "[[structure.contacts]]\nlinks = [1, 2]\nbetween = 'AB'\n"
+    freedom = StructureStudy(Study(parse_scene(lines))).freedom
+    assert (freedom.mobility, freedom.local, freedom.redundant) == (2, (2,), 1)
+
+
 RRR = KINDS["RRR"]
 # Each dyad, links 2 and 3: where its outer leads hang on the crank 1 and on the frame, or on the moving link 4.
 

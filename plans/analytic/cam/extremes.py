@@ -217,7 +217,7 @@ class CurveExtremes:
             return None
         if self.cam.flat:
             least = self.turn.most(lambda curve: -curve.radius, self.bends)
-            return Extreme(-least.value, least.turned) if least else None
+            return Extreme(-least.value, least.turned).cusp(self.sizes.base) if least else None
         most = self.turn.most(lambda curve: curve.curvature, self.bends)
         return Extreme(1 / most.value, most.turned) if most and most.value > 0 else None
 

@@ -104,7 +104,7 @@ class ProfileExtremes:
             return None
         if self.stretches.course.cam.flat:
             found = self.stretches.most(lambda tip: -FaceTouch(tip).radius, self.bends)
-            return found and Extreme(-found.value, found.turned)
+            return found and Extreme(-found.value, found.turned).cusp(self.stretches.sizes.base)
         found = self.stretches.most(curvature, self.bends)
         return Extreme(1 / found.value, found.turned) if found and found.value > 0 else None
 

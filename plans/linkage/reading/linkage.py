@@ -77,8 +77,10 @@ def check_joining(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> None:
     if survey.faults or survey.doubts:
         return  # what is told already may be the reason
     sliding = {link for slide in slides for link in (slide.slider, slide.owner)}
+    held = {FRAME, survey.form.drive.link, *sliding}
+    touching = {name for form in survey.scene.forms for name in form.borrowed()}  # as a roller by its contact
     for link, points in survey.points_of.items():
-        if link not in (FRAME, survey.form.drive.link) and len(points) == 1 and link not in sliding:
+        if link not in held and len(points) == 1 and points[0] not in touching:
             survey.report(_link(link), "loose", link=link, name=points[0])
     for first, second, how in _doubled(survey, slides):
         survey.report(_link(second), "one_body", first=first, second=second, how=how)
