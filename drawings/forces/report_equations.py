@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from drawings.forces.acting import acting, cut_links
 from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import PLAN as LEVER
@@ -64,6 +65,9 @@ class CutEquations:
         yield from self._reactions(cut)
         for equation in cut.equations:
             yield from self._moments(equation, arms, cut) if cut.holds(equation) else ()
+        for shift in acting(self.plan, cut, cut_links(self.plan, cut, self.column), self.column).shifts:
+            name, moment, force = (self.letter(shift.name.replace("x", kind, 1)) for kind in "xMR")
+            yield f"- {inline(name, f'|{moment}| / {force}', self.formula.quantity(abs(shift.end - shift.start), 'm'))}"
 
     def given(self, cut: CutGroup) -> Iterator[str]:
         """Write the weights, inertia forces and couples of a cut's links, and its loads."""
