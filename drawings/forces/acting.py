@@ -112,7 +112,6 @@ def cut_links(plan: ForcePlan, cut: CutGroup, column: int) -> CutLinks:
 
 
 def _held(slide: Slide, all_poses: Poses, column: int) -> Slide:
-    """Hold a slide's line where the link that was taken away has it."""
     through = complex(all_poses.of(slide.owner, slide.on_owner.through)[column])
     return slide._replace(owner=FRAME, on_owner=Way(through, complex(all_poses.line(slide)[column])))
 
@@ -224,7 +223,6 @@ def _guide(
 
 
 def _driving(plan: ForcePlan, column: int) -> Iterator[ShownVector]:
-    """Give the force that drives the crank, if one does."""
     if plan.drive is not None and plan.driven is not None:
         spot = plan.driven.name if plan.driven.name in plan.positions.letters else ""
         place = at(plan.driven.point, column)

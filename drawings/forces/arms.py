@@ -215,7 +215,6 @@ def _together(forces: Sequence[ShownVector]) -> dict[str, list[ShownVector]]:
 
 
 def _couple(name: str, drafting: Drafting) -> str:
-    """Write a couple's force by its moment and the length of its link's line: M^Φ_4/l_BD."""
     moment, _, line = name.partition("/")
     return f"{letter_of(moment, drafting)}/l_{{{line}}}"
 

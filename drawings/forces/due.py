@@ -237,14 +237,12 @@ class _Sheet:
         return (Kind.DIRECTION, plan, self.acting.name(name), self.k) in self.keys
 
     def _arm(self, plan: str, arm: ExpectedArm, mu: float) -> Expected:
-        """Give an arm as it is drawn, from the point of moments to the foot on the line of action."""
         value, off = arm.foot - arm.pivot, self._off(arm)
         lost = self.acting.doubtful or arm.length <= LEAST * mu + off
         allowed = math.inf if self.acting.doubtful else off
         return Expected(Kind.VECTOR, plan, plain_name(arm.letter), value, allowed, self.k, lost, letter=arm.letter)
 
     def _off(self, arm: ExpectedArm) -> float:
-        """Give how far off an arm may be, m: by its places and by the direction of its force."""
         return self.acting.off + abs(arm.force.at - arm.pivot) * self.acting.slack / abs(arm.force.value)
 
     def equations(self) -> Iterator[Expected]:
@@ -287,7 +285,6 @@ class _Sheet:
             yield Expected(Kind.LETTER, figure, key, text, allowed, may_lack=lost or alone)
 
     def _must(self, bill: ForceBill) -> set[str]:
-        """Name what the equations of a cut must tell: what is given, and the reactions from outside."""
         given = {force.name for force in bill.known if force.name[0] != "R"}
         given |= {couple.name for couple in bill.couples if couple.name[1:2] == "^"}
         return given | {bearing.whole.name for bearing in bill.bearings}

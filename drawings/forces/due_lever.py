@@ -103,7 +103,6 @@ class _DrawnLever:
         return found | {name: beside for name in self.names if name not in found}
 
     def _image(self, link: int, place: complex) -> complex:
-        """Give the image of a place on a link, m/s."""
         return QUARTER * self.position.speed(link, place)
 
     def points(self) -> Iterator[Expected]:
@@ -141,7 +140,6 @@ class _DrawnLever:
         return ActingForce(DRIVING, drive.link, end, 1j * moment / (end - position.place(drive.pivot)).conjugate())
 
     def _couples(self, link: int) -> Iterator[_Hung]:
-        """Give the couples of a link as two forces at any two points: the sheet chooses which."""
         position = self.position
         spin = float(position.motion.links[link].omega[position.k])
         for name, moment in position.couples(link):
@@ -212,7 +210,6 @@ class _DrawnLever:
         return none or any(NOTHING / ABOUT < share < NOTHING * ABOUT for share in off)
 
     def _off(self, hung: _Hung) -> float:
-        """Give how far off an arm may be, m/s."""
         return self.acting.fast + abs(hung.at) * self.acting.slack / abs(hung.value)
 
     def arms(self) -> Iterator[Expected]:
@@ -255,7 +252,6 @@ class _DrawnLever:
         return float(np.nanmax([abs(image) for image in self.images.values()]))
 
     def _shown(self, place: complex) -> str:
-        """Give the letter of the image at a place; none where there are several, or none."""
         near = ABOUT * NOTHING * self._fastest
         if abs(place) <= near:
             return "p"

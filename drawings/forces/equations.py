@@ -67,12 +67,10 @@ class SheetEquations:
         return abs(self._value(mark))
 
     def _value(self, mark: Mark) -> complex:
-        """Give a force or a moment; one that is but rounding is none."""
         value = at(mark.point, self.column)
         return value if abs(value) > self.nothing[mark.is_moment] else 0j
 
     def _given(self) -> Iterator[WrittenEquation]:
-        """Tell the known forces and moments, and the arms."""
         loads = (load for load in self.cut.loads if load.kind != REACTION and self._size(load.force) > 0)
         given = [self.statement(load.name, self._size(load.force), "N") for load in loads]
         turning = (couple for couple in self.cut.couples if couple.kind != REACTION and self._size(couple.moment) > 0)
@@ -114,7 +112,6 @@ class SheetEquations:
         yield from () if given else (plain(self.statement(unknown, value, unit)),)
 
     def _said(self, equation: MomentEquation, name: str) -> Statement:
-        """Say whose a term is: by its force or moment, the point, and what the equation gives."""
         figure = f"equations-{self.cut.label}-{self.column}"
         return Statement(Kind.LETTER, figure, f"{name} about {equation.about.name} for {equation.found.name}")
 
@@ -122,7 +119,6 @@ class SheetEquations:
         return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"
 
     def _forces(self) -> Iterator[WrittenEquation]:
-        """Write that the forces of the cut balance: known ones underlined twice, of known direction once."""
         closers = [side for side in self.cut.sides if side.kind == CLOSING]
         known = DIRECTION if len(closers) > 1 else UNKNOWN
         terms = [
@@ -138,7 +134,6 @@ class SheetEquations:
         return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
 
     def _found(self) -> Iterator[WrittenEquation]:
-        """Tell the reactions that the polygon gives; the moments of sliding pairs follow with their equations."""
         found = [support.force for support in self.cut.reactions]
         if self.cut.group is None and not self.cut.equations and self.plan.drive is not None:
             found.insert(0, self.plan.drive)  # of a slide the polygon gives the driving force too
@@ -153,12 +148,10 @@ class SheetEquations:
 
 
 def _statement(name: str, letter: str, value: float, unit: str, drafting: Drafting) -> Phrase:
-    """Write what a quantity is, by its letter."""
     return joined("", (f"{letter} = ", drafting.slot(Slot(name, value, DIGITS)), f" {drafting.word(unit)}"))
 
 
 def _lengths(arms: Mapping[str, str], unit: str, drafting: Drafting) -> WrittenEquation:
-    """Tell arms by their letters, with one unit behind all."""
     *parts, last = (joined(" = ", pair) for pair in arms.items())
     return listed(*parts, joined(" ", (last, drafting.word(unit))))
 
@@ -195,13 +188,11 @@ class LeverEquation(NamedTuple):
         return EquationBlock(NAME, lines, self.drafting.hand.text, figure=figure)
 
     def _numbers(self, arms: dict[str, str]) -> WrittenEquation:
-        """Write the equation with its numbers: newtons by arms."""
         sizes = [self.drafting.slot(Slot(term.letter, term.size, DIGITS)) for term in self.told]
         products = (joined("·", (size, arms[term.arm])) for term, size in zip(self.told, sizes, strict=True))
         return moments(POLE, [(term.written[0], product) for term, product in zip(self.told, products, strict=True)])
 
     def _found(self) -> Iterator[WrittenEquation]:
-        """Tell the force that balances the lever, and its moment about the shaft, where a moment drives."""
         drafting, driving = self.drafting, [term for term in self.told if term.force == DRIVING]
         parts = [_statement(term.letter, term.letter, term.size, "N", drafting) for term in driving]
         if self.moment is not None:
@@ -235,7 +226,6 @@ def _lines(plan: ForcePlan, links: Sequence[int], position: int, drafting: Draft
 def _line(
     name: str, factors: tuple[str, str], mass: float, found: tuple[float, str], drafting: Drafting
 ) -> tuple[str, ...]:
-    """Write a force or a couple as the product of a mass, or a moment of inertia, and an acceleration."""
     size, unit = found
     first, second, whole = (drafting.number(number, WORKING_DIGITS) for number in (mass, size / mass, size))
     left = f"{letter_of(name, drafting)} = {'·'.join(factors)}"

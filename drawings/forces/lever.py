@@ -196,7 +196,6 @@ def figures(shown: Hanging, letter: str) -> tuple[Hanging, ...]:
 
 
 def _cut(rod: Segment, near: float) -> Segment:
-    """Follow a rod that leaves a detail a little."""
     start, end = sorted(rod, key=abs)
     share = STUB * near / abs(end - start) if abs(end) > near else 1.0
     return start, start + (end - start) * min(share, 1.0)
@@ -211,7 +210,6 @@ def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -
 
 
 def _letters_of(plan: ForcePlan, image: Mark) -> str:
-    """Give all letters of an image, its own first."""
     letters = [plan.velocities.letter(name) for name, mark in plan.velocities.letters.items() if mark is image]
     return " ".join(dict.fromkeys((image.name, *letters)))
 
@@ -258,12 +256,10 @@ def measure(shown: Hanging, drafting: Drafting) -> Picture:
 
 
 def _armed(shown: Hanging, drafting: Drafting) -> list[LeverTerm]:
-    """Give the terms whose arms it shows."""
     return [term for term in balance(shown, drafting) if term.dimensioned and shown.has(term.at)]
 
 
 def _feet(shown: Hanging, drafting: Drafting) -> Iterator[complex]:
-    """Give the feet of the arms that are dimensioned, in true units."""
     for term in _armed(shown, drafting):
         across = 1j * term.direction / abs(term.direction)
         yield across * (term.at * across.conjugate()).real
@@ -291,35 +287,29 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
         heading(spot.box, _title(shown, drafting), under, hand),
         *([Group(tuple(stroke for arm in kept for stroke in arm.draw(hand)))] if kept else []),
         Group((*rods, *stand)), *_drawn(arrows, shown, drafting), *dots,
-        point(subject, shown.pole, 0j, place, circle, "pole"), *_circled(shown, place, hand),
+        point(subject, shown.pole, 0j, place, circle, "pole"),
+        *(Group((rim,), "", {"kind": "detail", "name": shown.letter}) for rim in _rims(shown, place, hand)),
     )  # fmt: skip
     name = f"{shown.plan}-{shown.column}"
     return LetteredFigure(name, lines, partial(_letters, shown, place, arrows, kept, rods, hand))
 
 
-def _circled(shown: Hanging, place: Place, hand: Hand) -> Iterator[Group]:
-    """Draw the circle around what the detail shows."""
+def _rims(shown: Hanging, place: Place, hand: Hand) -> Iterator[Circle]:
     if shown.near and not shown.part:
-        circle = Circle(place.on(0j), _rim(shown, place, hand), hand.drafted)
-        yield Group((circle,), "", {"kind": "detail", "name": shown.letter})
-
-
-def _rim(shown: Hanging, place: Place, hand: Hand) -> float:
-    return place.length(shown.near) + AROUND * hand.symbol
+        yield Circle(place.on(0j), place.length(shown.near) + AROUND * hand.symbol, hand.drafted)
 
 
 def _letters(
     shown: Hanging, place: Place, arrows: Sequence[ForceArrow], arms: Sequence[Arm], rods: Sequence[Line], hand: Hand,
     labels: Labels,
 ) -> Iterator[Stroke]:  # fmt: skip
-    """Letter the pole and its images, then the arms, no nearer to rods, and the forces."""
     images = [(0j, shown.pole), *((true, letters) for _, letters, true in shown.images)]
     spots = ((place.on(true), letters.split(" ")) for true, letters in images)
     yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
     yield from letter_each(arms, labels, hand, (*arrows, *rods))
     yield from letter_each(arrows, labels, hand)
-    if shown.near and not shown.part:
-        yield labels.beside(place.on(0j), shown.letter, hand.letter, _rim(shown, place, hand) + BESIDE)
+    for rim in _rims(shown, place, hand):
+        yield labels.beside(rim.centre, shown.letter, hand.letter, rim.radius + BESIDE)
 
 
 def _drawn(arrows: Sequence[ForceArrow], shown: Hanging, drafting: Drafting) -> Iterator[Stroke]:

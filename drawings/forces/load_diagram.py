@@ -72,7 +72,6 @@ class LoadCourse(NamedTuple):
 
 
 def _bends(branch: Branch) -> Iterator[complex]:
-    """Give both ends of a branch, and the corners at which it does not go straight on."""
     for k, corner in enumerate(branch):
         if k in (0, len(branch) - 1):
             yield corner
@@ -96,7 +95,6 @@ def courses(
 def _placed(
     bare: LoadCourse, load: Force | Moment, strokes: Mapping[Track, OutputStroke], motion: Motion
 ) -> LoadCourse:
-    """Give where a load is on its course in each position of a motion."""
     stroke = strokes[load.stroke]
     back = ~working_of(load, stroke, motion)
     sense = np.where(back & _opposing(load), -1.0, 1.0)
@@ -116,13 +114,11 @@ def course_of(load: Force | Moment, stroke: OutputStroke) -> LoadCourse:
 
 
 def _stated(load: Force | Moment, size: float) -> float:
-    """Give a load as its diagram tells it: one by a pressure on a piston as that pressure, MPa."""
     card = load.card if isinstance(load, Force) else None
     return size if card is None else card.pressure(size)
 
 
 def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[complex]:
-    """Give the corners of a branch from the beginning of the working stroke on, with the jumps at the overruns."""
     begin, end = load.overrun[0], 1 - load.overrun[1]
     sense = -1.0 if idle and _opposing(load) else 1.0
     if begin > 0:
@@ -210,7 +206,6 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
 def _letters(
     name: str, sizes: Sequence[Dimension], letters: Sequence[Letter], hand: Hand, labels: Labels
 ) -> Iterator[Stroke]:
-    """Letter the dimensions along their lines, then axes, corners and positions."""
     for size in sizes:
         yield telling(name, labels.along(*size.lines[0], size.letter, hand.number, ABOVE, OVER))
     for letter in letters:
@@ -258,7 +253,6 @@ def _positions(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[Iterator[Let
 
 
 def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw both branches, and what joins them at the ends of the stroke where the load changes there at once."""
     for way, branch in (("out", course.out), ("back", course.back)):
         for line in (drawn := tuple(_branch(branch, axes, hand)))[:1]:
             yield stating(Statement(Kind.CURVE, name_of(course), way), line)
@@ -269,7 +263,6 @@ def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 
 
 def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw a branch with an arrowhead in the middle of its longest part: the sense of the motion."""
     places = [axes.on(corner.real, corner.imag) for corner in branch]
     parts = [(start, other) for start, other in pairwise(places) if abs(other - start) > LEAST]
     if not parts:
@@ -282,7 +275,6 @@ def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 
 
 def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimension]:
-    """Dimension the whole stroke, and over it the overruns in shares of it."""
     _, unit, whole = _way(course)
     low = 1j * (axes.on(0.0, course.span[0]).imag - axes.zero.imag)
     near, far = (low - 1j * level * drafting.hand.symbol for level in LEVELS)
@@ -297,7 +289,6 @@ def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimen
 
 
 def _sized(course: LoadCourse, size: Dimension, span: tuple[str, float], scale: Scale, hand: Hand) -> Group:
-    """Draw a dimension; its line can be measured."""
     name, length = span
     data = Subject(name_of(course), scale.letter, None).data("vector", name, complex(length), scale)
     return Group(size.draw(hand), "", data, size.letter)

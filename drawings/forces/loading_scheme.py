@@ -69,7 +69,6 @@ class SchemeLayout:
         return [*under, *joints.bars(), *(block for _, block in joints.blocks), *joints.corners(), *joints.stands()]
 
     def _axes(self) -> Iterator[Stroke]:
-        """Draw the axis of each guide about its slider, as far as the guide presses."""
         ends = [self.place.on(shift.end) for shift in self.shown.acting.shifts]
         for at, along in self.shown.links.guides:
             spot = self.place.on(at)
@@ -113,7 +112,6 @@ class SchemeLayout:
 
     @cached_property
     def _bare(self) -> list[Arm]:
-        """The arms on their perpendiculars."""
         subject = Subject(self._plan, "h", self.shown.column)
         on, scale = self.place.on, self.place.scale
         faint = self.shown.faint(scale.mu)
@@ -163,11 +161,9 @@ class SchemeLayout:
 
     @property
     def _blocks(self) -> list[complex]:
-        """The middles of the blocks."""
         return [sum(block.points) / len(block.points) for _, block in self.joints.blocks]
 
     def _rim(self, spot: str) -> float:
-        """Give how far the symbol of a point reaches."""
         if spot in self.shown.centres and spot not in self.joints.hinges:
             return MASS * self.hand.symbol
         return self.joints.radius(spot) if spot in self.shown.named else 0.0
@@ -178,7 +174,6 @@ class SchemeLayout:
 
     @property
     def _around(self) -> list[tuple[Stroke, float]]:
-        """What arrows keep clear of, with what crossing it costs."""
         thick = [(stroke, BAR) for stroke in self.links]
         marks = [(mark, BAR) for mark in self.marks]
         thin = [(Line(arm.about, arm.foot), THIN) for arm in self._bare]
@@ -197,7 +192,6 @@ class SchemeLayout:
         return tuple(coupled(self.shown, self.place, self.hand, self._felt()))
 
     def _felt(self) -> Ink:
-        """Ink what is there, the forces among it."""
         ink = Ink()
         for stroke, weight in self._around:
             ink.draw([stroke], weight)
@@ -230,7 +224,6 @@ class SchemeLayout:
         return any(max(reach) <= size for reach, size in zip(corners, sizes, strict=True))
 
     def _arm(self, arm: Arm) -> tuple[Stroke, ...]:
-        """Draw an arm: its perpendicular, or the line to one that is aside, says from which place it begins."""
         said = Statement(Kind.POINT, self._plan, plain_name(arm.letter), self.shown.column, self.place.scale.mu)
         strokes = list(arm.draw(self.hand))
         first = 1 if arm.aside else -1  # the line from the point to an arm aside of it, or the arm
@@ -238,7 +231,6 @@ class SchemeLayout:
         return tuple(strokes)
 
     def _stated(self, kind: Kind, mark: Dimension | ForceArrow | CoupleArc) -> Stroke:
-        """Draw what a force, a moment or a distance of the scheme is."""
         said = Statement(kind, self._plan, plain_name(mark.letter), self.shown.column, self.place.scale.mu)
         drawn = mark.draw(self.hand)
         return stating(said, *((drawn,) if isinstance(drawn, Group) else drawn))
@@ -317,7 +309,6 @@ def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> Letter
 
 
 def _letters(layout: SchemeLayout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
-    """Letter arms, points, forces and moments, and number the links."""
     rods = (Line(*rod) for rod in layout.rods)
     yield from letter_each(layout.arms, labels, hand, (*layout.arrows, *layout.couples, *rods))
     for shift in layout.shifts:

@@ -38,7 +38,6 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
 
 
 def _choice(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
-    """Say why another position is drawn than that in which the loads do most, and that none has open plans."""
     asked = statics.study.form.sheet
     if statics.form.sheet.forces or asked.position is not None or position in asked.plans:
         return
@@ -56,7 +55,6 @@ def _plan(name: str, language: str) -> str:
 
 
 def _loads(statics: Statics, language: str) -> Iterator[str]:
-    """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
     yield from loads_given(statics.machine.loads, statics, language)
     how = statics.machine.transmission
     if how.kind == GEAR:
@@ -99,7 +97,6 @@ def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
 
 
 def _place(force: Force, language: str) -> Iterator[str]:
-    """Tell the line of a force, and between which points of two links it acts."""
     if force.direction is not None:
         angle = number(float(np.degrees(np.angle(force.direction))), language)
         yield word(language, "load at", point=force.point, angle=angle)
@@ -154,7 +151,6 @@ def given(statics: Statics, language: str) -> Iterator[str]:
 
 
 def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
-    """Tell powers, efficiency and wear, the most worn pairs first; and where the machine jams."""
     found = statics.friction
     if found is None or not np.isfinite(found.lost[position]):
         return

@@ -52,13 +52,11 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
 
 
 def _runs(sides: Sequence[ShownVector], least: float) -> Iterator[list[int]]:
-    """Give the runs of sides one after another that are smaller than a force, N."""
     runs = groupby(range(len(sides)), lambda k: abs(sides[k].value) < least)
     yield from ([*run] for small, run in runs if small)
 
 
 def _stubs(sides: Sequence[ShownVector], run: Sequence[int]) -> Iterator[Segment]:
-    """Follow the sides before and after a run a little."""
     first, last = sides[run[0]], sides[run[-1]]
     points = [end for k in run for end in (sides[k].at, sides[k].end)]
     reach = STUB * max(abs(point - other) for point in points for other in points)
@@ -132,7 +130,6 @@ def _vector(name: str, kind: str, start: Mark, end: Mark, column: int) -> ShownV
 
 
 def _rays(corner: Mark, column: int) -> list[Segment]:
-    """Give the lines that meet in a corner, each from where it was drawn."""
     if corner.step.op != "meet":
         return []
     met = [line.value for line in corner.step.inputs if isinstance(line.value, Direction)]
@@ -178,7 +175,6 @@ def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> 
 
 
 def _letter(chain: Chain, circles: Mapping[str, Circle], drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
-    """Letter each vector beside it, and the circles around what is shown in details."""
     size = drafting.hand.letter
     short = [side.ends for side in chain.short if tied(abs(side.ends[1] - side.ends[0])) >= SEEN]
     yield from letters(chain.seen, lambda name: (letter_of(name, drafting), size), labels, short)
@@ -187,7 +183,6 @@ def _letter(chain: Chain, circles: Mapping[str, Circle], drafting: Drafting, lab
 
 
 def _circle(detail: ForcePolygon, place: Place, hand: Hand) -> Circle:
-    """Draw the circle around what a detail shows."""
     spots = [end for force in detail.forces for end in ends(force, place)]
     middle = sum(spots) / len(spots)
     return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
@@ -203,7 +198,6 @@ def _under(shown: ForcePolygon, faint: tuple[str, ...], scale: Scale, wide: floa
 
 
 def _broken(text: str, wide: float, hand: Hand) -> list[str]:
-    """Break a line at its spaces where it is wider than its place."""
     lines = [""]
     for part in text.split(" "):
         longer = f"{lines[-1]} {part}" if lines[-1] else part

@@ -109,7 +109,6 @@ def headline(study: Study) -> str:
 
 
 def _concluded(study: Study) -> Iterator[str]:
-    """Say what the drive must give at the most, which pair bears most, and what friction leaves."""
     statics, found = study.of(Statics), study.of(ForceComparison).construction
     language, formula = statics.study.language, Formula(drafting_of_forces(statics))
     yield from (f"- {line}" for line in _greatest(statics, found, language))
@@ -128,7 +127,6 @@ def _concluded(study: Study) -> Iterator[str]:
 
 
 def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
-    """Tell the greatest of what balances the drive; what is but rounding is none."""
     drive = statics.study.mechanism.drive
     balancing = balancing_quantity(drive)
     given = statics.given(found, statics.study.motion(2))
@@ -205,7 +203,6 @@ def _bodies(statics: Statics, language: str) -> Iterator[str]:
 
 
 def _piston(force: ForceTable, more: Sequence[str], language: str) -> Iterator[str]:
-    """Tell the piston of a load: its bore and rod, the areas of both sides, what else presses on it, and `more`."""
     if not force.pressed or force.bore is None:
         return
     say, write = partial(word, language), partial(number, language=language, digits=DIGITS)
@@ -220,7 +217,6 @@ def _piston(force: ForceTable, more: Sequence[str], language: str) -> Iterator[s
 
 
 def _size(line: str, size: float, diagram: Diagram | None, language: str) -> str:
-    """Tell the size of a load, or how far its diagram goes."""
     unit = lettering.word(language, "N")
     if diagram is None:
         return word(language, "report.load_size", line=line, size=number(size, language), unit=unit)
@@ -229,7 +225,6 @@ def _size(line: str, size: float, diagram: Diagram | None, language: str) -> str
 
 
 def _counted_strokes(statics: Statics, language: str) -> Iterator[str]:
-    """Tell the strokes over which loads change, each with the loads that count it."""
     loads = [load for load in statics.machine.loads if asks(load)]
     for track, stroke in statics.strokes.items():
         names = ", ".join(load.name for load in loads if load.stroke == track)
@@ -239,7 +234,6 @@ def _counted_strokes(statics: Statics, language: str) -> Iterator[str]:
 
 
 def _warnings(statics: Statics, language: str) -> Iterator[str]:
-    """Say which loads reverse within their stroke, and which diagrams over lengths are stretched to it."""
     for load in statics.machine.loads:
         if told := stretching(load, statics, language):
             yield word(language, "verdict.stretched", name=plain(force_letter(load.name, language)), **told)
@@ -261,7 +255,6 @@ def stretching(load: Force | Moment, statics: Statics, language: str) -> dict[st
 
 
 def _reactions(found: Kinetostatics, balancing: BalancingQuantity, statics: Statics) -> Iterator[str]:
-    """Tell what balances the drive and every reaction in every position, and of sliding pairs their moments."""
     language, formula = statics.study.language, Formula(drafting_of_forces(statics))
     symbol = statics.form.sheet.reactions
     any_reaction, drive = (f"${formula.letter(name)}$" for name in (f"{symbol}_{{ab}}", balancing.name))
@@ -284,7 +277,6 @@ def _reactions(found: Kinetostatics, balancing: BalancingQuantity, statics: Stat
 
 
 def _flanks(found: Kinetostatics, statics: Statics) -> Iterator[str]:
-    """Tell in which positions the other flank of a gear's teeth bears, because the moment is against the rotation."""
     if statics.machine.transmission.kind != GEAR:
         return
     turning = np.sign(statics.study.mechanism.drive.omega) * found.balancing.moment
@@ -299,7 +291,6 @@ def _sized(column: Any, nothing: Any) -> Any:
 
 
 def _polar(values: Any, language: str) -> list[str]:
-    """Write numbers; vectors by x; y, and by their size and their angle from +x."""
     lines = column(values, language)
     if not np.iscomplexobj(values):
         return lines

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from drawings.forces.acting import acting, cut_links
 from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import letter_of
 from drawings.forces.lever import PLAN as LEVER
@@ -64,6 +65,9 @@ class CutEquations:
         yield from self._reactions(cut)
         for equation in cut.equations:
             yield from self._moments(equation, arms, cut) if cut.holds(equation) else ()
+        for shift in acting(self.plan, cut, cut_links(self.plan, cut, self.column), self.column).shifts:
+            name, moment, force = (self.letter(shift.name.replace("x", kind, 1)) for kind in "xMR")
+            yield f"- {inline(name, f'|{moment}| / {force}', self.formula.quantity(abs(shift.end - shift.start), 'm'))}"
 
     def given(self, cut: CutGroup) -> Iterator[str]:
         """Write the weights, inertia forces and couples of a cut's links, and its loads."""
@@ -100,7 +104,6 @@ class CutEquations:
             yield rf"{number(factor)} \cdot {self.formula.factor(other)}"
 
     def _moments(self, equation: MomentEquation, arms: tuple[Leverage, ...], cut: CutGroup) -> Iterator[str]:
-        """Write an equation of moments, and the force or the moment that it gives."""
         formula, unknown = self.formula, equation.found.name
         armed = [arm for arm in arms if arm.equation is equation]
         about = armed[0].about if armed else equation.about.name
@@ -137,7 +140,6 @@ class CutEquations:
         return self.formula.quantity(self._sized(abs(self.value(equation.found))), "N")
 
     def _forces(self, cut: CutGroup) -> Iterator[str]:
-        """Write that the forces of a cut balance, with what is known of each."""
         closers = [side for side in cut.sides if side.kind == CLOSING]
         known = DIRECTION if len(closers) > 1 else 0
         terms = [
@@ -149,7 +151,6 @@ class CutEquations:
             yield f"$${' + '.join(terms)} = 0$$"
 
     def _reactions(self, cut: CutGroup) -> Iterator[str]:
-        """Write the reactions: their lengths on the force plan by its scale."""
         formula = self.formula
         for support in cut.reactions:
             size = self._sized(abs(self.value(support.force)))
@@ -162,7 +163,6 @@ class CutEquations:
         return force if force > self.nothing[0] else 0.0
 
     def _value(self, couple: Couple) -> float:
-        """Give the moment of a couple; what is given is none only where it usually would be."""
         value = self.value(couple.moment).real
         return self._turned(value) if couple.kind == REACTION or abs(value) <= self.usual[1] else value
 
@@ -198,20 +198,17 @@ def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[s
 
 
 def _powers(lever: Lever, written: CutEquations) -> dict[str, float]:
-    """Give the powers of all forces and couples, W; one of a moment on the shaft that is none is none either."""
     powers = {name: written.value(mark).real for name, mark in lever.moments}
     least = written.nothing[1] * abs(written.rate)
     return {name: power if abs(power) > least else 0.0 for name, power in powers.items()}
 
 
 def _sum(powers: Mapping[str, float]) -> float:
-    """Add powers up; what is but rounding of the largest is none."""
     whole = sum(powers.values())
     return whole if abs(whole) > NOTHING * max(map(abs, powers.values())) else 0.0
 
 
 def _row(name: str, moment: float, force: Mark | None, written: CutEquations) -> str:
-    """Write a force with its arm, mm; a couple has its moment alone."""
     formula = written.formula
     size = 0.0 if force is None else abs(written.value(force))
     cells = ["", ""]
@@ -270,7 +267,6 @@ def equations_of(study: Study, mark: Mark, position: int) -> Iterator[str]:
 
 
 def _cut(cut: CutGroup, written: CutEquations) -> Iterator[str]:
-    """Write a cut: what is given of it, then its equations, each on a line of its own."""
     language = written.formula.drafting.language
     yield word(language, "report.cut" if cut.group is not None else "report.primary_cut", links=cut.label)
     yield from (f"- {line}" for line in written.given(cut))

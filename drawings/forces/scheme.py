@@ -274,7 +274,6 @@ def fan(
 
 
 def _best(arrow: ForceArrow, reach: float, inside: bool, room: _Room, hand: Hand) -> ForceArrow:
-    """Give the cheapest place of an arrow; the customary ones come first."""
     best, cheapest = None, math.inf
     for least, ending, off, side in sorted(_places(arrow.ending, inside)):
         if least >= cheapest:
@@ -319,7 +318,6 @@ def _cost(arrow: ForceArrow, room: _Room, hand: Hand) -> float:
 
 
 def _passed(arrow: ForceArrow, trial: ForceArrow, room: _Room) -> bool:
-    """Tell whether an arrow that stands off its point would seem to act at another one."""
     if trial.lead is None:
         return False
     run = trial.at - arrow.at
@@ -328,6 +326,5 @@ def _passed(arrow: ForceArrow, trial: ForceArrow, room: _Room) -> bool:
 
 
 def _beyond(spot: complex, box: Field) -> float:
-    """Give how far a place is outside a box, mm."""
     across = max(box.left - spot.real, spot.real - box.right, 0.0)
     return across + max(box.bottom - spot.imag, spot.imag - box.top, 0.0)

@@ -137,7 +137,6 @@ class _ForceSheet:
         return self.statics.around(STEPS)
 
     def _column(self, cut: CutGroup) -> Iterator[Exhibit | Caption]:
-        """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
         yield from (self._scheme(cut), self._equations(cut))
         shown = self._polygons[cut.label]
         for figure in (*([shown] if shown.forces else []), *shown.details):
@@ -145,7 +144,6 @@ class _ForceSheet:
 
     @cached_property
     def _polygons(self) -> dict[str, polygon.ForcePolygon]:
-        """The polygon of each cut with its enlarged details, which are lettered through all of them."""
         found, before = dict[str, polygon.ForcePolygon](), 0
         for cut in self.plan.cuts:
             shown = polygon.polygon(self.plan, cut, self.position)
@@ -164,7 +162,6 @@ class _ForceSheet:
         return Caption(Panel(passage.block(), together=cut.label), partial(passage.write, hand=self.drafting.hand))
 
     def _lever(self) -> Iterator[Exhibit | Caption]:
-        """The lever, with its equation of moments where anything has one."""
         plans = self.statics.drafts().plans
         if plans.lever is None or not self.study.rates.at(self.position)[0]:
             return
@@ -181,18 +178,15 @@ class _ForceSheet:
 
     @cached_property
     def _shown_plans(self) -> Diagrams:
-        """The plans that its inertia forces are taken from, where no kinematics sheet of the set has them."""
         shown = planless(self.study, self.comparison.motion, self.chosen)
         every = diagrams(self.study, self.comparison.motion.analysis, [self.position] if self.position in shown else [])
         return {key: plan for key, plan in every.items() if plan.is_whole and any(plan.points)}
 
     def _motion(self) -> Iterator[Exhibit]:
-        """Those plans, small."""
         for plan in self._shown_plans.values():
             yield exhibit(vector_plan, plan, self.drafting, SMALL, together=MOTION, weight=SLIGHT)
 
     def _workings(self) -> Iterator[Workings]:
-        """How forces of masses are found, and lengths laid off: beside the figures, where paper would stay bare."""
         plan, drafting = self.plan, self.drafting
         for cut in plan.cuts:
             name = f"scheme-{cut.label}"
@@ -206,7 +200,6 @@ class _ForceSheet:
             yield vector_plan.plan_working(shown, f"{subject}-{k}", drafting)
 
     def _polygon_workings(self, cut: CutGroup) -> Iterator[Workings]:
-        """How the known forces of a cut are laid off, and those that close its polygon are read."""
         name, drafting = f"{POLYGON}{cut.label}", self.drafting
         known, found = dict[str, float](), dict[str, float]()
         for force in self._polygons[cut.label].forces:
@@ -217,14 +210,12 @@ class _ForceSheet:
             yield working.reading(found, polygon.SYMBOL, polygon.UNIT, name, drafting, SEEN)
 
     def _loads(self) -> Iterator[Exhibit]:
-        """Each load that changes over a stroke, with its positions: once in a set, on its first sheet."""
         if self.position != self.chosen[0]:
             return
         for course in courses(self.statics.machine, self.statics.strokes, self.comparison.motion.construction):
             yield exhibit(load_diagram, course._replace(shown=self.chosen), self.drafting)
 
     def _graph(self) -> Iterator[Exhibit]:
-        """The balancing moment over the turn, or the swing, of the crank: once in a set, on its first sheet."""
         if self.position != self.chosen[0]:
             return
         curve = self._curve()
@@ -236,7 +227,6 @@ class _ForceSheet:
         yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
 
     def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> Part:
-        """Draw the graph of the balancing moment, at the scale of its ordinates that the scene states, if it does."""
         scene = self.study.scene
         stated = dict(scene.sheet.scale.stated).get("moment", 0.0)
         if stated and curve.unit != "N*m":  # a slider that drives is balanced by a force
@@ -260,7 +250,6 @@ class _ForceSheet:
         return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
 
     def _stations(self) -> tuple[Floats, Floats]:
-        """Give the abscissas of the positions, and those of the dense curve: degrees of a turn, metres of a stroke."""
         mechanism, phi = self.study.mechanism, self.forces.phi
         if mechanism.drive.turns:
             turned = np.degrees(self.study.sense * (phi - phi[0])) % 360

