@@ -1,7 +1,4 @@
-"""Arrangement: what stands on a sheet is moved a little where paper would stay bare, lettering broken anew (сдвиг).
-
-Cells share their spare paper evenly, which leaves a strip all along narrow figures that stand one above another.
-"""
+"""Arrangement: what stands is moved a little where paper would stay bare, lettering broken anew (сдвиг)."""
 
 import heapq
 import math
@@ -29,11 +26,7 @@ READ = 0.5  # share of the figures of one key that can be read at any scale that
 
 
 class Steps(NamedTuple):
-    """What figures of one scale may be enlarged to, from the smallest on: a rung of each figure, by its name.
-
-    `sizes` tells how large they are at each step: the larger sides of their lines over their weight, mm. At a scale of
-    its own a figure is enlarged no further than to the size of those whose scale it cannot share.
-    """
+    """Rungs of figures of one scale, smallest first; their sizes mm over their weight, at most those of `others`."""
 
     rungs: tuple[Mapping[str, Rung], ...]
     sizes: tuple[float, ...]
@@ -50,11 +43,6 @@ class _Scaled(NamedTuple):
     picture: Picture
     weight: float
     rungs: tuple[Rung, ...]
-
-    @property
-    def read(self) -> tuple[Rung, ...]:
-        """The scales at which it can be read."""
-        return tuple(rung for rung in self.rungs if can_be_read(self.picture, rung))
 
     def at(self, scale: Scale) -> Rung:
         """Give its rung at a scale."""
@@ -83,10 +71,7 @@ def steps_of(panels: Sequence[Panel], room: tuple[float, float], standard: str) 
 
 
 def _steps(figures: Sequence[_Scaled]) -> Iterator[tuple[Steps, Steps]]:
-    """Enlarge figures together, as far as the one that needs most paper fits, before them each at scales of its own.
-
-    These are overridden by the common scale where the figure can be read at it.
-    """
+    """Give steps of scales of their own where figures cannot all be read, overridden by those of the common scale."""
     sized = [item for item in figures if max(item.picture.wide, item.picture.high)] or figures  # a point has any scale
     largest = max(sized, key=lambda figure: figure.rungs[-1].scale.mu if figure.rungs else math.inf)
     scales = [rung.scale for rung in largest.rungs]
@@ -95,7 +80,8 @@ def _steps(figures: Sequence[_Scaled]) -> Iterator[tuple[Steps, Steps]]:
     read = [scale for scale, share in zip(scales, shares, strict=True) if share >= least]
     for figure in figures:
         if not all(map(figure.legible, read)):
-            ladder = _ladder([figure], [rung.scale for rung in figure.read or figure.rungs[-1:]])
+            own = [rung.scale for rung in figure.rungs if figure.legible(rung.scale)]
+            ladder = _ladder([figure], own or [figure.rungs[-1].scale])
             others = tuple(other.picture.name for other in figures if other is not figure)
             yield (ladder._replace(others=others),) * 2
     yield _ladder(figures, read, legible=True), _ladder(figures, scales)
@@ -232,10 +218,7 @@ class _Stands(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Arrangement:
-    """How things may be moved in the room of a page, and how bare it may be.
-
-    `inked` gives what of the box of a thing bears ink, `sizes` what other sizes it may have, mm.
-    """
+    """How things may be moved in a room: what of a box bears ink, what other sizes it may have, how bare it may be."""
 
     page: Page
     room: Field

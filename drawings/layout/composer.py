@@ -34,10 +34,7 @@ PARTINGS = 6  # ways to part a set into sheets that are looked at
 
 
 def compose(contents: Contents, page: Page, cuts: Cuts | None = None) -> tuple[Composition, ...]:
-    """Compose contents on as many sheets as keep every figure readable, the largest figures that fit.
-
-    What is known of the `cuts` of a page's room serves whatever else is composed there.
-    """
+    """Compose contents on as few sheets as keep figures readable, these large; known `cuts` of a room serve again."""
     return _Composer(request(contents, page, cuts or Cuts(size_of_room(page))), page).composed()
 
 

@@ -1,8 +1,4 @@
-"""What a set of sheets shows, and where it stands: the request of a sheet and the answer of the composer (содержание).
-
-A sheet says what it shows, what is weighty, what belongs together and what wants one scale; how it is composed it does
-not know.
-"""
+"""What a set of sheets shows, and where it stands: a sheet's request and the composer's answer (содержание)."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -36,10 +32,7 @@ class Panel(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Contents:
-    """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets.
-
-    Its last sheet may be barer than the others, unless sheets of other contents follow in the same set.
-    """
+    """What a set of sheets must show: panels in their order, tables, notes; if it is `followed`, none is the last."""
 
     panels: tuple[Panel, ...] = ()
     tables: tuple[RuledTable, ...] = ()

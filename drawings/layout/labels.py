@@ -48,10 +48,7 @@ class Labels:
         self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4,
         others: Lines = (), further: Spots = (),
     ) -> Stroke:  # fmt: skip
-        """Place a label `gap` mm beside a point, or `further` points of what it names, as near to a direction, rad.
-
-        It is to be no nearer to `others`, which have labels of their own; no leader begins at one, and few cross one.
-        """
+        """Place a label `gap` mm beside a point or `further` ones, near a direction, rad, no nearer to `others`."""
         label = self.free(point, content, size, gap, prefer, others, further)
         if label is None:  # there is no free place on the whole sheet; a letter is needed all the same
             label = self._written(self._near(point, self._parts(content, size), gap, prefer), content, size)
@@ -96,10 +93,7 @@ class Labels:
     def along(
         self, start: complex, end: complex, content: str, size: float, gap: float, prefer: float, others: Lines = ()
     ) -> Stroke:
-        """Place a label `gap` mm beside a line, near its middle if it can, else as beside points of it.
-
-        It is to be no nearer to `others`, which have labels of their own.
-        """
+        """Place a label `gap` mm beside a line, near its middle or else a point of it, no nearer to `others`."""
         box, *_ = parts = self._parts(content, size)
         across = 1j * (end - start) / abs(end - start)
         if tied((across * cmath.rect(1.0, -prefer)).real) < 0:

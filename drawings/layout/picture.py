@@ -76,10 +76,7 @@ WIDTHS = 8  # in which notes are tried, from their least to the width of the she
 
 
 class TextBlock(NamedTuple):
-    """Lettering that is kept together: the sizes that it may have, width and height in mm, the narrowest first.
-
-    Of a table `pieces` tells into how many it is torn at each of its sizes.
-    """
+    """Lettering kept together: its sizes mm, the narrowest first, and of a table into how many pieces each tears it."""
 
     name: str
     sizes: tuple[tuple[float, float], ...]
@@ -87,10 +84,7 @@ class TextBlock(NamedTuple):
 
 
 class Notes(NamedTuple):
-    """What the sheet says in words: the length of each paragraph in one line, the step of the lines, mm.
-
-    They stand in no column of less than `least` mm.
-    """
+    """What the sheet says in words: length of each paragraph in one line, step of lines, least column, mm."""
 
     lengths: tuple[float, ...]
     step: float

@@ -177,10 +177,7 @@ class Slices(NamedTuple):
 
 
 class Slicing:
-    """The sizes of all runs of units that fit into a room, and of those that make a sheet.
-
-    A sheet is closed by its corner, and a unit that opens it may have other sizes than amid the others.
-    """
+    """The sizes of all runs of units that fit into a room, and of those that make a sheet, with its corner."""
 
     def __init__(
         self,

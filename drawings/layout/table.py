@@ -161,10 +161,7 @@ class RuledTable(NamedTuple):
         return Group(tuple(self.draw(complex(box.left, box.top), self.setting(box), drafting)))
 
     def draw(self, corner: complex, setting: Setting, drafting: Drafting, before: int = 0) -> list[Group]:
-        """Draw the table from its upper left corner, each band and part a group that says its positions.
-
-        The groups are numbered on from those `before` them on the sheet.
-        """
+        """Draw the table from its upper left corner, bands and parts as groups, counted on from `before`."""
         per_part = max(1, math.ceil(len(self.lines) / setting.parts))  # where no force acts at all there are no lines
         width, height = self.width(setting.across) + APART, (per_part + self.over) * self.row + APART
         groups: list[Group] = []

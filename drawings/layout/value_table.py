@@ -30,10 +30,7 @@ def rows(lines: Sequence[Sequence[Quantity]], positions: tuple[int, ...], langua
 
 
 def listed(comparison: Comparison, parts: Sequence[Quantity] = (), given: Collection[str] = ()) -> list[Quantity]:
-    """List what a table tells: of each plan the points, the parts, the links.
-
-    Left out are the names in `given`, which the scene states, and what stays zero: links that do not turn.
-    """
+    """List what a table tells: points, parts, links of each plan, but for names `given` in the scene and zeros."""
     found: list[Quantity] = []
     for order in ORDERS[1:]:
         of_plan = [row for row in comparison.of(order.plan) if np.nanmax(np.abs(row.construction), initial=0.0) > 0]

@@ -355,10 +355,7 @@ def _crowds(station: NumberedPlace, other: NumberedPlace, place: Place, hand: Ha
 
 
 def _outward(bones: Skeletons, track: NumberedTrack, station: NumberedPlace, place: Place) -> tuple[float, float]:
-    """Direct a number away from its point's path: off a guide by the stroke, off an arc from its centre, else outward.
-
-    The second number is how many sizes further off it stands: the return stroke has its own ring outside an arc.
-    """
+    """Direct a number away from its point's path: off a guide, off an arc by rings (in sizes), else outward."""
     if track.slide is not None:
         way = track.slide.way(FRAME).direction
         up = way * (1j if way.real >= 0 else -1j)

@@ -119,10 +119,7 @@ Diagrams: TypeAlias = Mapping[tuple[str, int], VectorDiagram]
 
 
 def diagrams(study: LinkageStudy, analysis: Motion, positions: Sequence[int]) -> Diagrams:
-    """Give what each plan of velocities and accelerations of some positions shows, by its name and position.
-
-    Relative vectors and parts are lettered, by their ends on the plans: one vector may be v_F5 and v_F5F.
-    """
+    """Give what each plan of velocities and accelerations of some positions shows, by its name and position."""
     drafts, masses = study.drafts(), unnamed(study.scene, study.mechanism.links)
     found = defaultdict[tuple[Mark, Mark], tuple[str, ...]](tuple)
     for name, span in spans(study, drafts, analysis).items():

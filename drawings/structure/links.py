@@ -61,10 +61,7 @@ class ShownLinks:
 
 
 def whole(study: StructureStudy, structure: Structure, fixed: str = "") -> ShownLinks:
-    """Show all links of a structure: that of the scene, with contacts replaced, or with other kinds of pairs.
-
-    A fixed point that places are measured from is shown though no link hangs on it.
-    """
+    """Show all links of a structure, as they are or replaced; also a fixed point that places are measured from."""
     found = _shown(study, structure, structure.joints, structure.links)
     held = found.mechanism.links[FRAME].points
     extra = {name: place for name, place in study.pose.points.items() if name == fixed and name not in held}

@@ -30,10 +30,7 @@ class Sides(NamedTuple):
 
 
 def equal_angles(plan: TurnedPlan, points: dict[str, complex], column: int, least: float) -> Iterator[EqualAngle]:
-    """Give for each named point that two lines find the angle between them, and the angle at the point itself.
-
-    Where neither line is a link's own both are turned back by a quarter. On sides below the `least` none is marked.
-    """
+    """Give for each named point that two lines find their angle and its own; none on sides below the `least`."""
     for name, image in plan.images.items():
         sides = _sides(image, column, least)
         if sides is None or name not in points or _square(*sides.ways):

@@ -118,6 +118,13 @@ def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Co
             assert max(panel.item.wide, panel.item.high) / max(keyed) < LEAST  # not to be read at the common one
 
 
+def test_a_scale_of_its_own_enlarges_a_figure_as_far_as_the_others_and_no_further() -> None:
+    """A twentieth as large, it can be read at no scale at which the other fits; it need not be as small as it may."""
+    large, small = (figure("large", 1.0, 0.5), figure("small", 0.05, 0.03))
+    (one,) = compose(Contents(tuple(Panel(item, scale="a") for item in (large, small))), Page("A1"))
+    assert 2 * LEAST < small.extent(one.spots["small"].scale) <= large.extent(one.spots["large"].scale)
+
+
 @pytest.mark.parametrize("page", rows(PAGES, 8), ids=lambda page: f"{page.name}-{page.orientation}-{page.standard}")
 def test_what_belongs_together_is_not_mixed_with_what_does_not(page: Page) -> None:
     panels = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)]

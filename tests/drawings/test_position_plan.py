@@ -21,6 +21,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
 from drawings.lettering.lettering import TOGETHER, bounds
 from drawings.linkage.numbering import lone, numbers
+from drawings.linkage.position_letters import stroke
 from drawings.linkage.position_plan import layers
 from drawings.linkage.sheet import leaves, position
 from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
@@ -31,6 +32,7 @@ from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke, 
 from drawings.paper.walk import flat, texts
 from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings import mechanisms
@@ -114,6 +116,28 @@ def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
     path = found.place.origin + (found.bones.way.points["K"] - found.place.zero) / found.place.scale.mu
     fully = [s for s in found.strokes("paths") if shape(s).distance(shapely.Point(path[0].real, path[0].imag)) < 0.2]
     assert sum(shape(s).length for s in fully) == pytest.approx(np.abs(np.diff(path)).sum() / 2, rel=0.02)
+
+
+def test_a_swinging_crank_has_its_guide_as_far_as_its_positions_go() -> None:
+    """The block of a tangent mechanism is at h tan φ: here of 60 mm, and from -40 to 40 degrees."""
+    (travel,) = (ends for slide, ends in drawn("tangent").bones.travels.items() if slide.owner == FRAME)
+    assert travel == pytest.approx([share * 0.06 * np.tan(np.radians(40)) for share in (-1, 1)])
+
+
+def test_a_lever_without_a_pin_has_its_swing_from_slot_to_slot_in_its_extreme_positions() -> None:
+    found = drawn("slotted-lever")
+    swing = shapely.union_all([shape(part) for part in found.strokes("swing")])
+    assert sum(shape(line).distance(swing) < A1.main for line in found.strokes("extremes")) == 2
+
+
+def test_the_stroke_of_a_point_is_dimensioned_along_the_direction_told() -> None:
+    study = LinkageStudy(parse_scene(f'{mechanisms.TOGGLE_PRESS}\n[output]\npoint = "K"\nalong = 30'))
+    bones, place = skeletons(study, study.motion(), 2), Place(100 + 100j, 0j, Scale(0.001, "l", "m"))
+    (_, dimension, *_) = flat(stroke(bones, place, A1, "en", Ink()))
+    assert isinstance(dimension, Line)
+    along = np.exp(1j * np.pi / 6)
+    size = np.ptp((bones.way.points["K"] * along.conjugate()).real) / place.scale.mu
+    assert (dimension.end - dimension.start) / along == pytest.approx(size, rel=1e-4)
 
 
 def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:

@@ -1,7 +1,4 @@
-"""Slips that are easy to make, planted into our own code: a sign, a factor, a letter exchanged, another assembly.
-
-Each is seen: its sheet is withheld, or is not as it stands in the gallery.
-"""
+"""Slips that are easy to make, planted into our own code: a sign, a factor, a letter exchanged, another assembly."""
 
 import tomllib
 from pathlib import Path

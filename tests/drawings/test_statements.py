@@ -1,7 +1,4 @@
-"""What ink states is read off it, and off nothing else; what is read is held to what is expected.
-
-The strokes here are laid by hand: no symbol of ours is asked how it draws.
-"""
+"""What ink states is read off it, and off nothing else; what is read is held to what is expected."""
 
 from __future__ import annotations
 

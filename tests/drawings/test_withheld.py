@@ -1,7 +1,4 @@
-"""What is right of a scene is drawn: a wrong sheet alone is withheld (5); one badly drawn is written and told (4).
-
-The scene is a rotor and a bank, whose sheets and techniques know nothing of each other.
-"""
+"""What is right of a scene is drawn: a wrong sheet alone is withheld (5); one badly drawn is written and told (4)."""
 
 from __future__ import annotations
 

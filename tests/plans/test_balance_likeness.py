@@ -1,7 +1,4 @@
-"""Likenesses of balances: machines turned, mirrored, enlarged, heavier, faster, described otherwise, balanced twice.
-
-Main points are held at one position of any chain; counterweights need no position at all.
-"""
+"""Likenesses of balances: machines turned, mirrored, enlarged, heavier, faster, described otherwise, balanced twice."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What holds of the balance of any machine of dyads: three ways to one force, nothing left over, likeness of likes.
-
-Every difference is measured against the largest force of the plan, never against a value itself.
-"""
+"""What holds of the balance of any machine of dyads: three ways to one force, nothing left over, likeness of likes."""
 
 from __future__ import annotations
 
@@ -39,10 +36,7 @@ def task(one: Loaded, aim: str) -> BalanceTask:
 
 
 def bearable(one: Loaded, aim: str) -> Loaded:
-    """Let nothing but inertia act, and take the masses off groups that slide about on moving links, and off later ones.
-
-    No counterweight could bring those to rest.
-    """
+    """Let nothing but inertia act, and take the masses off groups that no counterweight could bring to rest."""
     one, groups = bare(one), one.study.groups
     assume(all(group.order == "II" for group in groups))  # a triad is not balanced by counterweights
     while True:

@@ -1,7 +1,4 @@
-"""Kinematic diagrams: of a mechanism turned, mirrored, enlarged, faster; their integrals; gaps inside; their numbers.
-
-The axis and the count of the output's way are common to both roads: these hold them.
-"""
+"""Kinematic diagrams: of a mechanism turned, mirrored, enlarged, faster; their integrals, gaps inside, numbers."""
 
 from __future__ import annotations
 

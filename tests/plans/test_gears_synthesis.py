@@ -89,10 +89,7 @@ def _carrier(a: int, b: int, c: int, d: int) -> Fraction:
 
 
 def put_in(z1: int, z2: int, z3: int, z4: int, rings: tuple[bool, bool], count: int) -> bool:
-    """Set blocks alike at equal angles: each is turned until it meshes with wheel 1, and its phase at wheel 3 compared.
-
-    A phase is the part of a tooth by which a wheel has passed the line of centres; the first block's phases are right.
-    """
+    """Set blocks alike at equal angles, turned until they mesh with wheel 1, and compare their phases at wheel 3."""
 
     def phase(central: int, planet: int, ring: bool, at: Fraction, turned: Fraction) -> Fraction:
         own = (at - turned) * planet  # of the planet: its teeth pass the line as it turns against the wheel about it

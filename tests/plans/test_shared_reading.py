@@ -1,7 +1,4 @@
-"""What both roads read alike - signs, sides, senses - by values worked by hand from the geometry of each case.
-
-A wrong sign here would be wrong on both roads alike, and no comparison would see it.
-"""
+"""What both roads read alike - signs, sides, senses - by values worked by hand from the geometry of each case."""
 
 from __future__ import annotations
 

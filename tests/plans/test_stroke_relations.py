@@ -1,7 +1,4 @@
-"""Machines driven over a stroke: places by hand, their power, and what they obey turned, mirrored, enlarged, reversed.
-
-Both roads share the law of the stroke, the triangle of a cylinder and its force: these hold all three.
-"""
+"""Machines driven over a stroke: places by hand, their power, what they obey turned, mirrored, enlarged, reversed."""
 
 from __future__ import annotations
 

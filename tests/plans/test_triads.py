@@ -129,10 +129,7 @@ KINDS_OF_LEADS = ["RR RR RR", "RR RR PR", "RR RR RP", "RR PR RP", "RR PR PR", "R
 
 
 def by_chance(kinds: str, seed: int) -> Mechanism:
-    """Hang a basis link by three leads on a crank, on the frame and on the rocker of a four-bar before them.
-
-    It is assembled as drawn at the crank angle 0; its own point E is the crank of nothing, a dyad of links 8, 9 behind.
-    """
+    """Hang a basis link by three leads on a crank, on the frame and on the rocker of a four-bar before them."""
     chance = np.random.default_rng(seed)
 
     def spot(about: complex, size: float) -> complex:
