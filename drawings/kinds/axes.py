@@ -24,10 +24,7 @@ STACKED = 1.6  # sizes of a text from a title to the scales under it
 
 
 class Letter(NamedTuple):
-    """A lettering that looks for its place: beside which spot, on which side preferably, how far off, mm.
-
-    Where there is no room beside it, `further` spots of what it names are tried before a leader.
-    """
+    """A lettering that looks for its place: beside which spot, or `further` ones, on which side, how far off, mm."""
 
     at: complex
     text: str
