@@ -134,9 +134,8 @@ class Labels:
                     break
                 corner = _touching(point, box, gap + reach, angle)
                 cost = self.ink.under(padded(box, corner)) + least
-                if cost >= cheapest:
-                    continue
-                cost += STRAY * (_strays(parts, corner, point, point, others) or self._joins(box, corner, space))
+                if cost < cheapest:
+                    cost += STRAY * (_strays(parts, corner, point, point, others) or self._joins(box, corner, space))
                 if cost < cheapest:
                     best, cheapest = corner, cost
         return best

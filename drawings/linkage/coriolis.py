@@ -44,14 +44,13 @@ def is_relative(name: str, vector: str) -> bool:
     return "^" in name or vector.split(" ", maxsplit=1)[0] not in POLES.values()
 
 
-def _up(part: LaidPart) -> float:
-    return cmath.phase(part.end - part.start) + math.pi / 2
-
-
 def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first."""
     order = sorted(parts, key=lambda part: -tied(part.length))
-    texts = (stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v))) for v in order)
+    texts = (
+        stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, cmath.phase(1j * (v.end - v.start))))
+        for v in order
+    )
     return Group(tuple(texts), f"{plan}-{PARTS}")
 
 
