@@ -231,7 +231,8 @@ class BalanceNotes(NamedTuple):
         yield from map(self._counterweight, self.balance.counterweights)
 
     def _counterweight(self, weight: Counterweight) -> str:
-        letter, along = self._letter(weight), line_of(self.mechanism, weight.link, weight.begin)
+        letter = counterweight(weight.link, self.drafting.language)
+        along = line_of(self.mechanism, weight.link, weight.begin)
         if not weight.needed:
             return self.drafting.word("nothing to put on", letters=letter, link=weight.link)
         body = self._body(weight.link)
@@ -368,9 +369,6 @@ class BalanceNotes(NamedTuple):
 
     def _body(self, link: int) -> Body:
         return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))
-
-    def _letter(self, weight: Counterweight) -> str:
-        return counterweight(weight.link, self.drafting.language)
 
     def _rounded(self, value: float, size: float) -> str:
         return "0" if abs(value) <= NOTHING * size else self._number(value)

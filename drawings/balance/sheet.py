@@ -149,7 +149,8 @@ class _BalancingSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, tables and notes of the sheets."""
-        shows = (*self._schemes(), self._polygon, *self._shaking(), *self._rocking(), *self._shares())
+        moments = exhibit(polygon, self._moments, self.drafting, LARGEST)
+        shows = (*self._schemes(), moments, *self._shaking(), *self._rocking(), *self._shares())
         shows += tuple(exhibit(load_diagram, course, self.drafting, LARGEST) for course in self.shown.loads)
         workings = captions(self._workings())
         facts = partial(figures_facts, position=self.shown.bones.shown)
@@ -182,10 +183,6 @@ class _BalancingSheet:
         for shown, _ in self._rooms:
             yield link_working(mechanism, list(mechanism.links), SCHEME + shown.state, self.drafting)
         yield self._moments.working(self.drafting)
-
-    @property
-    def _polygon(self) -> Exhibit:
-        return exhibit(polygon, self._moments, self.drafting, LARGEST)
 
     @property
     def _moments(self) -> Polygon:

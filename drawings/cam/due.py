@@ -45,17 +45,13 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         facts = (leaf.metadata["scales"] for leaf in leaves)
         scales: Mapping[str, float] = next((named for named in facts if SIZES in named), {})
         marks = [mark for leaf in leaves for mark in groups(leaf.groups)]
-        drawn = {mark.data["name"]: mark.data for mark in marks if _is_length(mark.data)}
+        of_profile = (mark.data for mark in marks if mark.data.get("plan") == PROFILE)
+        drawn = {data["name"]: data for data in of_profile if data.get("name") in ("R_0", "ρ_min")}
         said = [mark.states for leaf in leaves for mark in stated(leaf.groups) if mark.states is not None]
         axes = {(axis.figure, axis.name): axis.scale for axis in said if axis.kind is Kind.AXIS}
         cam = _ExpectedCam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
         yield from chain(cam.laws(), cam.phases(), cam.pressure(), cam.profile(), cam.sizes(), cam.table())
     yield from every_cam(study)
-
-
-def _is_length(data: Mapping[str, str]) -> bool:
-    """Tell whether a mark of the profile is a size in a direction that the figure chose."""
-    return data.get("plan") == PROFILE and data.get("name") in ("R_0", "ρ_min")
 
 
 @dataclass(frozen=True)

@@ -213,24 +213,10 @@ def _letters(shown: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
     for trace in shown.traces:
         if trace.letter:
             k = round(trace.at * (len(trace.x) - 1))
-            spot = axes.on(float(trace.x[k]), float(trace.y[k]) - shown.base)
-            further = tuple(_spots(trace, shown, axes, FAR * drafting.hand.letter))
-            yield Letter(spot, drafting.letter(trace.letter), drafting.hand.letter, trace.side, further=further)
+            spot, end = (axes.on(float(trace.x[n]), float(trace.y[n]) - shown.base) for n in (k, -1))
+            yield Letter(spot, drafting.letter(trace.letter), drafting.hand.letter, trace.side, further=(end,))
 
 
-def _spots(trace: GraphTrace, shown: StripGraph, axes: Axes, far: float) -> Iterator[complex]:
-    """Give spots of a curve beside which its letter may stand: `far` mm from every other curve, and its end."""
-    places = np.append((np.arange(SPOTS) + 0.5) * TURN / SPOTS, TURN)
-    level = np.interp(places, trace.x, trace.y)
-    others = [np.interp(places, other.x, other.y) for other in shown.traces if other is not trace]
-    clear = np.all([np.abs(level - other) > far * axes.up.mu for other in others], axis=0)
-    for x, y in zip(places, level - shown.base, strict=True):
-        if x == TURN or np.all(clear[places == x]):
-            yield axes.on(float(x), float(y))
-
-
-FAR = 2.0  # sizes of a letter from one curve to the letter of another
-SPOTS = 24  # of a curve: in the middles of its strips, where its letter is clear of the ordinates
 MOST = 4.0  # times as far as with the flywheel: what swings more has a graph of its own
 MOMENTS, WORKS, SURPLUS, INERTIA, SPEEDS, BEFORE = "moments", "works", "surplus", "inertia", "speeds", "before"
 

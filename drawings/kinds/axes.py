@@ -24,10 +24,7 @@ STACKED = 1.6  # sizes of a text from a title to the scales under it
 
 
 class Letter(NamedTuple):
-    """A lettering that looks for its place: beside which spot, on which side preferably, how far off, mm.
-
-    Where there is no room beside it, `further` spots of what it names are tried before a leader.
-    """
+    """A lettering that looks for its place: beside which spot, or `further` ones, on which side, how far off, mm."""
 
     at: complex
     text: str
@@ -55,8 +52,7 @@ def placed(name: str, letters: Iterable[Letter], labels: Labels) -> Iterator[Str
     for letter in every:
         apart = [(other.at, tied(abs(other.at - letter.at))) for other in every if other.size == letter.size]
         others = [(spot, spot) for spot, far in apart if 0 < far < CLOSE * letter.gap + letter.size]
-        place = letter.at, letter.text, letter.size, letter.gap, letter.side
-        yield telling(name, labels.beside(*place, others, letter.further))
+        yield telling(name, labels.beside(*letter[:3], letter.gap, letter.side, others, letter.further))
 
 
 class Parts(NamedTuple):

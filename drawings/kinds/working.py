@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.layout.contents import Panel
-from drawings.layout.equation import EquationBlock, WrittenEquation, plain
+from drawings.layout.equation import EquationBlock, plain
 from drawings.layout.picture import Spot
 from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.strokes import Group
@@ -75,7 +75,7 @@ class Workings(NamedTuple):
         return self._passage(spot).write(box, self.drafting.hand)
 
     def _passage(self, spot: Spot | None) -> EquationBlock:
-        lines = tuple(map(_line, self.lines(spot)))
+        lines = tuple(plain(first, *(f"= {part}" for part in more)) for first, *more in self.lines(spot))
         return EquationBlock(f"{self.kind}-{self.of}", lines, self.drafting.hand.text, 0.0)
 
 
@@ -87,11 +87,6 @@ def amount(value: float, drafting: Drafting) -> str:
 def at_scale(lines: Callable[[Scale | None], Sequence[tuple[str, ...]]]) -> Lines:
     """Let lines be written by the scale of their figure alone."""
     return lambda spot: lines(None if spot is None else spot.scale)
-
-
-def _line(parts: Sequence[str]) -> WrittenEquation:
-    """Write a line that is broken before its signs of equality."""
-    return plain(parts[0], *(f"= {part}" for part in parts[1:]))
 
 
 def segment_working(

@@ -113,12 +113,10 @@ class EquationBlock(NamedTuple):
         while not widths or width >= max(least, self.narrowest * self.size):
             rows = self.rows(width)
             width = max(_length(row, self.size) for row in rows)
-            widths[self._height(len(rows))] = width  # the last is the least width for this height
+            high = self.size * (ASCENT + STEP * (len(rows) - 1) + DESCENT)
+            widths[high] = width  # the last is the least width for this height
             width -= self.size / 10  # narrower by a pen's width: a line must break
         return TextBlock(self.name, tuple((wide, high) for high, wide in reversed(widths.items())))
-
-    def _height(self, rows: int) -> float:
-        return self.size * (ASCENT + STEP * (rows - 1) + DESCENT)
 
     def write(self, box: Field, hand: Hand) -> Group:
         """Write the equations from the top of their box downwards."""

@@ -60,7 +60,8 @@ class Labels:
     ) -> Stroke | None:  # fmt: skip
         """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
         box, *_ = parts = self._parts(content, size)
-        spots, bare, space = (point, *further), list[complex](), _space(content, size)
+        spots, bare = (point, *further), list[complex]()
+        space = WORD * size if content[:1].isdigit() else 0.0  # that a number keeps from letters on its line
         for spot in spots:
             near = self._near(spot, parts, gap, prefer, others, space)
             if not self.ink.under(padded(box, near)):
@@ -87,7 +88,7 @@ class Labels:
     def close(self, point: complex, content: str, size: float, gap: float, prefer: float) -> Stroke | None:
         """Place a label beside a point, or nowhere if there is no free place there: no leader leads to it."""
         parts = self._parts(content, size)
-        near = self._near(point, parts, gap, prefer, (), _space(content, size))
+        near = self._near(point, parts, gap, prefer)
         return None if self.ink.under(padded(parts[0], near)) else self.free(point, content, size, gap, prefer)
 
     def along(
@@ -117,10 +118,7 @@ class Labels:
     def _near(
         self, point: complex, parts: Sequence[Box], gap: float, prefer: float, others: Lines = (), space: float = 0.0
     ) -> complex:
-        """Find the freest place beside a point; one that covers nothing is taken before any other.
-
-        Letters within `space` mm on its line would be read as one with it.
-        """
+        """Find the freest place beside a point; one that covers nothing is taken before any other."""
         best, cheapest, box = point, math.inf, parts[0]
         for reach in NEAR:
             if cheapest <= 0.8 * reach:
@@ -131,17 +129,16 @@ class Labels:
                     break
                 corner = _touching(point, box, gap + reach, angle)
                 cost = self.ink.under(padded(box, corner)) + least
-                if cost >= cheapest:
-                    continue
-                cost += STRAY * (_strays(parts, corner, point, point, others) or self._joins(box, corner, space))
+                if cost < cheapest:
+                    cost += STRAY * (_strays(parts, corner, point, point, others) or self._joins(box, corner, space))
                 if cost < cheapest:
                     best, cheapest = corner, cost
         return best
 
     def _joins(self, box: Box, corner: complex, space: float) -> bool:
-        """Tell whether a shifted label is so near to letters on its line that both are read as one."""
+        """Tell whether letters stand within `space` mm of a shifted label on its line: both would be read as one."""
         left, bottom, right, top = padded(box, corner, 0.0)
-        return bool(space) and self.ink.under((left - space, bottom, right + space, top)) >= LETTERED
+        return space > 0 and self.ink.under((left - space, bottom, right + space, top)) >= LETTERED
 
     def _led(
         self, spots: Spots, box: Box, gap: float, off: float, prefer: float, others: Lines = (), back: float = 0.0
@@ -175,11 +172,6 @@ class Labels:
                     if cost < cheapest and not any(_in_line((start, end), leader) for leader in self._leaders):
                         best, cheapest = (start, end, corner), cost
         return best
-
-
-def _space(content: str, size: float) -> float:
-    """Give how far a number keeps from letters on its line, mm: by a word's space; other labels by no more than all."""
-    return WORD * size if content[:1].isdigit() else 0.0
 
 
 def free_side(spot: complex, lines: Iterable[Stroke], near: float) -> float:

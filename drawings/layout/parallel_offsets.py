@@ -95,7 +95,7 @@ def _shift(
     for kept, roomy in ((True, True), (True, False), (False, False)):
         for *sides, room in tries:
             free = [
-                (_crowd(line, before), number, shift)
+                (sum(_abreast(line, other, APART) for other in before), number, shift)
                 for number, shift in enumerate(sides)
                 if not any(map(partial(merging, line := offset(segment, shift)), before))
                 and (not kept or _within(line, inside)) and (not roomy or _roomy(line, before, 0.95 * room))
@@ -143,11 +143,6 @@ def _outward(segment: Segment, middle: complex) -> complex:
     if tied(abs(away)) < THROUGH:
         away = across.real if tied(abs(across.real) - abs(across.imag)) > 0 else across.imag
     return across if tied(away) >= 0 else -across
-
-
-def _crowd(segment: Segment, before: Sequence[Segment]) -> int:
-    """Count the lines that are within a lane of a line for most of its length."""
-    return sum(_abreast(segment, other, APART) for other in before)
 
 
 def _beside(line: Segment, other: Segment, near: float) -> float:

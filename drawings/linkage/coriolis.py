@@ -44,16 +44,17 @@ def is_relative(name: str, vector: str) -> bool:
     return "^" in name or vector.split(" ", maxsplit=1)[0] not in POLES.values()
 
 
-def _up(part: LaidPart) -> float:
-    return cmath.phase(part.end - part.start) + math.pi / 2
-
-
 def letter_parts(parts: Iterable[LaidPart], lines: Lines, labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first, each nearer to it than to others of its plan."""
     texts = list[Stroke]()
     for v in sorted(parts, key=lambda part: -tied(part.length)):
         others = [line for line in lines if line != (v.start, v.end)]
-        texts.append(stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, _up(v), others)))
+        texts.append(
+            stating(
+                v.states,
+                labels.along(v.start, v.end, v.text, hand.number, GAP, cmath.phase(1j * (v.end - v.start)), others),
+            )
+        )
     return Group(tuple(texts), f"{plan}-{PARTS}")
 
 

@@ -16,8 +16,8 @@ from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.strokes import Group, Leaf
 from drawings.rotor import across, along
 from drawings.rotor.due import expected
-from drawings.rotor.polygon import RotorView, rotor_view
 from drawings.rotor.polygon import polygon as rotor_polygon
+from drawings.rotor.polygon import rotor_view
 from drawings.rotor.report import RotorNotes
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
@@ -113,13 +113,9 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the rotor along its shaft; across it too, unless it is a thin disc in the plane of correction."""
     shown = rotor_view(rotor.rotor, rotor.balance)
-    if not _thin(shown):
+    if shown.bearings or len(set(shown.places)) != 1:  # not thin
         yield exhibit(across, shown, drafting)
     yield exhibit(along, shown, drafting)
-
-
-def _thin(shown: RotorView) -> bool:
-    return not shown.bearings and len(set(shown.places)) == 1
 
 
 def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Polygon]:

@@ -93,18 +93,13 @@ def breaks(reduction: Reduction) -> Floats:
     """Give the angles turned since position 0, rad in [0, 2 pi), at which the reduced moment jumps or bends."""
     zeros = _within([place for level in _levels(reduction) for place in _zeros(reduction, level)])
     # An extreme position is known to half its digits: where a point reverses there, its own zero is known better.
-    ends = [end for end in _within(_ends(reduction)).tolist() if not np.any(_apart(zeros, end) <= SAME)]
+    ends = [end for end in _within(_ends(reduction)) if np.all(np.abs(np.angle(np.exp(1j * (zeros - end)))) > SAME)]
     return _distinct(np.append(zeros, ends))
 
 
 def _within(places: Iterable[float]) -> Floats:
     """Bring angles into one turn."""
     return np.asarray(np.mod(np.array([*places], dtype=np.float64), TURN))
-
-
-def _apart(places: Floats, place: float) -> Floats:
-    """Give how far angles of a turn are from one, rad."""
-    return np.asarray(np.abs(np.angle(np.exp(1j * (places - place)))))
 
 
 def _ends(reduction: Reduction) -> Iterator[float]:

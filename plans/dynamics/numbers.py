@@ -17,7 +17,7 @@ from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS, Dynami
 from plans.linkage.quantities import compare
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
 from plans.model.motion import VELOCITIES, Floats, Pace, Rates
-from plans.model.run import Account, Failure, MachineRun, Stage, SteadyTurn
+from plans.model.run import Account, MachineRun, Stage, SteadyTurn
 from plans.quantity import Numbers, Quantity, gap_numbers, plain
 from plans.study import Study
 from plans.words.words import message, placed
@@ -92,11 +92,12 @@ def _speeds(found: Speeds | None) -> dict[str, Any] | None:
 
 
 def _run(found: MachineRun) -> dict[str, Any]:
+    why = found.failure
     return {
         "stages": [_stage(found, stage) for stage in found.stages],
         "steady": None if found.steady is None else _steady(found.steady),
         "method": found.method._asdict(),
-        "failure": None if found.failure is None else _failure(found.failure),
+        "failure": None if why is None else {**why._asdict(), "advice": str(why.message)},
         **_rows(found, "t", "turned", "omega", "epsilon"),
     }
 
@@ -115,10 +116,6 @@ def _steady(turn: SteadyTurn) -> dict[str, Any]:
     names = "start", "extremes", "mean", "delta", "period", "closing", "repeats"
     told = {name: getattr(turn, name) for name in names} | {"extremes": list(turn.extremes)}
     return told | {"works": turn.works._asdict(), "efficiency": turn.works.efficiency}
-
-
-def _failure(why: Failure) -> dict[str, Any]:
-    return {**why._asdict(), "advice": str(why.message)}
 
 
 def quantities_of(study: Study) -> tuple[Quantity, ...]:

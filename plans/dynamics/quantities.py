@@ -301,7 +301,7 @@ def _exact(
     found = flywheel(turn, task) if task.delta else None
     before = without_flywheel(turn, task)
     after = with_flywheel(turn, task, found) if found else None
-    speeds = [_known(motion, cycle.turned) for motion in (after, before)]
+    speeds = [motion.speeds(cycle.turned) if isinstance(motion, Swing) else None for motion in (after, before)]
     true = replace(theirs, cycle=exact_cycle(turn, cycle.turned), flywheel=found, speeds=speeds[0], before=speeds[1])
     if study.motor is not None:
         true = replace(true, run=_run(study, turn))
@@ -314,7 +314,3 @@ def _run(study: DynamicsStudy, turn: Exact) -> MachineRun:
 
     assert study.motor is not None  # asked before
     return run(reduced_link(turn, study.constant), study.motor, study.run_task)
-
-
-def _known(found: Swing | Stall | None, turned: Floats) -> Speeds | None:
-    return found.speeds(turned) if isinstance(found, Swing) else None

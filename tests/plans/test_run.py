@@ -193,8 +193,5 @@ def test_a_motor_that_creeps_has_not_settled() -> None:
 def test_the_measures_of_a_steady_turn() -> None:
     found = SteadyTurn(10.0, (9.0, 11.0), TURN / 10.5, 0.0, Works())
     assert (found.mean, found.delta) == (10.0, 0.2)
-    assert [replace(found, closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)] == [
-        False,
-        *[True] * 3,
-        False,
-    ]
+    repeats = [replace(found, closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)]
+    assert repeats == [False, True, True, True, False]

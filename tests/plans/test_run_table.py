@@ -73,10 +73,9 @@ def test_a_drifting_speed_is_what_the_inertia_gives() -> None:
     """A heavy machine is not steady after one turn under load; what the drive lacks over it, its inertia gives."""
     heavy, motor = slider_crank(400.0, force=2000.0), Motor(Linear(600.0, 20.0))
     found = run(heavy, motor, RunTask(12.0, turns=1))
-    turn = found.steady
-    assert turn is not None and turn.works.gained < 0
-    mean = turn.start + found.drift / 2
-    assert heavy.inertia(0.0) * mean * found.drift == pytest.approx(turn.works.gained, rel=1e-9)
+    turn, drift = found.steady, found.drift
+    assert turn is not None and drift < 0
+    assert heavy.inertia(0.0) * (turn.start + drift / 2) * drift == pytest.approx(turn.works.gained, rel=1e-9)
     assert run(slider_crank(4.0, force=2000.0), motor, RunTask(12.0, turns=8, brake=200.0)).drift == 0.0
 
 

@@ -124,7 +124,6 @@ def test_leads_that_slide():
     )  # fmt: skip
 
 
-GUIDED = linkages.ALONG_X
 KINDS_OF_LEADS = ["RR RR RR", "RR RR PR", "RR RR RP", "RR PR RP", "RR PR PR", "RR RP RP", "PR PR RP", "PR RP RP"]
 
 

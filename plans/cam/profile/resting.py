@@ -14,7 +14,6 @@ import numpy as np
 from geometry.meet import EPS, cross
 from plans.cam.profile.profile import CamOutline
 from plans.cam.profile.touch import Stretches, Tip, TurnSpan, guide_start
-from plans.model.cam import Cam
 from plans.model.cam_motion import Extreme, Points
 from plans.model.motion import Floats
 
@@ -161,14 +160,11 @@ def _closed(edge: ProfileEdge, chords: ProfileChords, chord: int, other: int) ->
             break
         pair = np.clip(pair + step, low, high)
     first, second = pair.tolist()
-    if gap > SAME * np.abs(chords.way[[chord, other]]).max() or _short(edge.stretches.course.cam, second - first):
+    cam, wide = edge.stretches.course.cam, second - first  # of a cam that turns the other part may be the cusp
+    cusp = min(wide, wide if cam.translates else cam.turn - wide) < CUSP * cam.turn
+    if cusp or gap > SAME * np.abs(chords.way[[chord, other]]).max():
         return None
     return SelfCrossing(first, second, complex(edge.at(pair).mean()))
-
-
-def _short(cam: Cam, wide: float) -> bool:
-    """Tell whether what is between two turns is a cusp; of a cam that turns the other part of the turn may be one."""
-    return min(wide, wide if cam.translates else cam.turn - wide) < CUSP * cam.turn
 
 
 LOOKS: Final = 129  # turns over a loop, looked at again between the neighbours of the greatest
