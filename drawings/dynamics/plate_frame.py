@@ -145,15 +145,16 @@ class PlateFrame:
     @cached_property
     def integration(self) -> tuple[Scale, Scale, float]:
         """The scales of moments and works and the pole distance, mm, which follows from them."""
-        return self._paired(self.heights[MOMENTS] + self.heights[WORKS])
+        heights = self.heights[MOMENTS], self.heights[WORKS]
+        return self._paired(sum(heights), max(heights))
 
-    def _paired(self, room: float) -> tuple[Scale, Scale, float]:
-        """Choose the largest scales of moments and works that share a room, mm, with a pole that stands well."""
+    def _paired(self, room: float, high: float = 0.0) -> tuple[Scale, Scale, float]:
+        """Choose the largest scales of moments and works that share a room, mm, one so high, with a pole near by."""
         size, mu = self.plate.hand.letter, self.spot.scale.mu
         pairs = product(self._steps(MOMENTS, "M", "N*m", room), self._steps(WORKS, "A", "J", room))
         found = [(first, two, two.mu / (first.mu * mu)) for first, two in pairs]
-        high, other = self._high(MOMENTS), self._high(WORKS)
-        rows, most = [(high / way[0].mu, other / way[1].mu, way) for way in found], EVEN * max(room, self._shared)
+        sizes, most = (self._high(MOMENTS), self._high(WORKS)), max(EVEN * max(room, self._shared), high)
+        rows = [(sizes[0] / way[0].mu, sizes[1] / way[1].mu, way) for way in found]
         fitting = [way for one, two, way in rows if tied(max(one, two) - most) <= 0 >= tied(one + two - room)]
         near = [way for way in fitting if tied(POLE[0] - way[2] / size) <= 0 >= tied(way[2] / size - POLE[1])]
         return min(near or fitting, key=lambda way: way[0].mu * way[1].mu)
