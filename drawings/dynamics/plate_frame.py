@@ -26,6 +26,7 @@ from drawings.symbols.trimming import around, trim
 from plans.model.dynamics import TURN, Touch
 
 POLE = (3.2, 8.2)  # least and greatest pole distance, in sizes of a letter
+LOW = 0.25  # share of the height of the loop under which moments and works are too low beside it: they grow first
 EVEN = 0.65  # share of the room of moments and works that one of them takes at most
 COARSER = 7  # scales tried beyond the largest: they differ by a hundred times
 TITLES = {MOMENTS: "reduced moments", WORKS: "works", SURPLUS: "surplus energy", SPEEDS: "speed over the turn"}
@@ -65,25 +66,30 @@ class PlateFrame:
 
     @cached_property
     def heights(self) -> dict[str, float]:
-        """The heights of the rows, mm: what one leaves at its scale goes to the loop first, then to the others."""
+        """The heights of the rows, mm: what one leaves goes to the loop, or first to what is low beside it."""
         found = self._rooms
         total, heights = sum(found.values()), {name: self._filled(name, room) for name, room in found.items()}
         if (over := self.plate.rows[0].name) in (SPEEDS, INERTIA):  # the inertia stands beside it, over the loop
             heights[over] = found[over]
-        if self.plate.rows[-1].name == SPEEDS:
-            heights[SPEEDS] = max(heights[SPEEDS], self._beside)
+        if (plate := self.plate).loop and plate.rows[-1].name == SPEEDS:  # beside it stands what is told under the loop
+            heights[SPEEDS] = max(heights[SPEEDS], plate.telling - plate.over - 2 * plate.under)
         if WORKS in found:
             heights |= self._integrated(self._shared)
-        if SURPLUS in found and self._high(SURPLUS):  # of nothing it would fill all
-            spare = total - sum(heights.values())
-            heights[SURPLUS] = max(heights[SURPLUS], self._filled(SURPLUS, heights[SURPLUS] + spare))
-        if WORKS in found:
-            heights |= self._integrated(total - sum(heights.values()) + heights[MOMENTS] + heights[WORKS])
-        if SPEEDS in found:
-            spare = total - sum(heights.values())
-            heights[SPEEDS] = max(heights[SPEEDS], self._filled(SPEEDS, heights[SPEEDS] + spare))
+        order = [name for name in (SURPLUS, WORKS, SPEEDS) if name in found and self._high(name)]  # nothing fills all
+        if WORKS in order and SURPLUS in order:
+            grown = self._grown(SURPLUS, heights, total)[SURPLUS]
+            order.sort(key=lambda name: name != WORKS and min(heights[MOMENTS], heights[WORKS]) < LOW * grown)
+        for name in order:
+            heights |= self._grown(name, heights, total)
         spare = total - sum(heights.values())
         return {name: high + spare / len(heights) for name, high in heights.items()}
+
+    def _grown(self, name: str, heights: dict[str, float], total: float) -> dict[str, float]:
+        """Give a row what is left of the room of all, mm: works share it with the moments."""
+        spare = total - sum(heights.values())
+        if name == WORKS:
+            return self._integrated(spare + heights[MOMENTS] + heights[WORKS])
+        return {name: max(heights[name], self._filled(name, heights[name] + spare))}
 
     @property
     def _rooms(self) -> dict[str, float]:
@@ -105,11 +111,6 @@ class PlateFrame:
         """How many times as high as at least the rows are: a box with room to spare is filled."""
         room = measure(self.plate)
         return tied(room.filling(self.spot).high / room.high)
-
-    @property
-    def _beside(self) -> float:
-        """The height of the row of speeds beside which there is room for what is told under the loop, mm."""
-        return self.plate.telling - self.plate.over - 2 * self.plate.under if self.plate.loop else 0.0
 
     def _filled(self, name: str, room: float) -> float:
         """Give how much of a room the values of a row fill at a standard scale, mm."""
@@ -144,15 +145,16 @@ class PlateFrame:
     @cached_property
     def integration(self) -> tuple[Scale, Scale, float]:
         """The scales of moments and works and the pole distance, mm, which follows from them."""
-        return self._paired(self.heights[MOMENTS] + self.heights[WORKS])
+        heights = self.heights[MOMENTS], self.heights[WORKS]
+        return self._paired(sum(heights), max(heights))
 
-    def _paired(self, room: float) -> tuple[Scale, Scale, float]:
-        """Choose the largest scales of moments and works that share a room, mm, with a pole that stands well."""
+    def _paired(self, room: float, high: float = 0.0) -> tuple[Scale, Scale, float]:
+        """Choose the largest scales of moments and works that share a room, mm, one so high, with a pole near by."""
         size, mu = self.plate.hand.letter, self.spot.scale.mu
         pairs = product(self._steps(MOMENTS, "M", "N*m", room), self._steps(WORKS, "A", "J", room))
         found = [(first, two, two.mu / (first.mu * mu)) for first, two in pairs]
-        high, other = self._high(MOMENTS), self._high(WORKS)
-        rows, most = [(high / way[0].mu, other / way[1].mu, way) for way in found], EVEN * max(room, self._shared)
+        sizes, most = (self._high(MOMENTS), self._high(WORKS)), max(EVEN * max(room, self._shared), high)
+        rows = [(sizes[0] / way[0].mu, sizes[1] / way[1].mu, way) for way in found]
         fitting = [way for one, two, way in rows if tied(max(one, two) - most) <= 0 >= tied(one + two - room)]
         near = [way for way in fitting if tied(POLE[0] - way[2] / size) <= 0 >= tied(way[2] / size - POLE[1])]
         return min(near or fitting, key=lambda way: way[0].mu * way[1].mu)
@@ -306,7 +308,11 @@ def working(shown: Plate) -> Workings:
 def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
     if not shown.loop or shown.account.flywheel is None:
         return
-    drafting, (across, up) = shown.drafting, _scales(shown, spot)
+    drafting, frame = (
+        shown.drafting,
+        PlateFrame(shown, spot) if spot else None,
+    )  # where it stands is not known at first
+    across, up = (frame.inertia_scale.mu, frame.energy_scale.mu) if frame else (math.nan, math.nan)
     k = drafting.notation == "K"
     over, under = ("K_{T}", "K_{J}") if k else ("μ_{J}", "μ_{T}")
     factors = [amount(factor, drafting) for factor in ((1 / up, 1 / across) if k else (across, up))]
@@ -316,11 +322,3 @@ def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
             f"{amount(2 * slope, drafting)}·{factors[0]}/(2·{factors[1]})",
             amount(slope * across / up, drafting),
         )
-
-
-def _scales(shown: Plate, spot: Spot | None) -> tuple[float, float]:
-    """Give the scales of inertia and of energy; NaN before it is known where the plate stands."""
-    if spot is None:
-        return math.nan, math.nan
-    frame = PlateFrame(shown, spot)
-    return frame.inertia_scale.mu, frame.energy_scale.mu

@@ -15,13 +15,9 @@ from tests.parts import examples
 
 SERIES = (1, 2, 2.5, 4, 5)  # of scale factors, by both standards: ISO 5455 speaks of lengths alone
 # GOST 2.302-68 and ISO 5455: a of the enlargements a:1, b of the reductions 1:b.
-GOST_LENGTHS = [f"{a}:1" for a in (100, 50, 40, 20, 10, 5, 4, 2.5, 2, 1)] + [
-    f"1:{b}"
-    for b in (
-        2, 2.5, 4, 5, 10, 15, 20, 25, 40, 50, 75, 100, 200, 400, 500, 800, 1000,
-        2000, 5000, 10000, 20000, 25000, 50000,
-    )
-]  # fmt: skip
+GOST_LENGTHS = [f"{a}:1" for a in (100, 50, 40, 20, 10, 5, 4, 2.5, 2, 1)] + [f"1:{b}" for b in (
+    2, 2.5, 4, 5, 10, 15, 20, 25, 40, 50, 75, 100, 200, 400, 500, 800, 1000, 2000, 5000, 10000, 20000, 25000, 50000,
+)]  # fmt: skip
 ISO_LENGTHS = [f"{a}:1" for a in (50, 20, 10, 5, 2, 1)] + [
     f"1:{b}" for b in (2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
 ]
