@@ -256,8 +256,9 @@ class ComparedCam:
             yield self._quantity(PROFILE, f"α_{kind}", "rad", *pair, angle)
         for name, *both in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
             if ours.cam.flat:  # a cusp has no 1/ρ
-                told, long = [one.value if one else 0.0 for one in both], _most(ours.contour.radius)
-                yield self._of(Quantity.of((PROFILE, name, "m"), tuple(told), self.rounded(both[0]), long))
+                found, true = (one.value if one else 0.0 for one in both)
+                long = _most(ours.contour.radius)
+                yield self._of(Quantity.of((PROFILE, name, "m"), (found, true), self.rounded(both[0]), long))
             else:
                 yield self._quantity(PROFILE, name, "1/m", _bent(both[0]), _bent(both[1]), self.bent(both[0]))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):
