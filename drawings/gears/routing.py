@@ -187,23 +187,6 @@ class Routing:
                     best, where = cost, tried
         self.posts = [*before, *where]
 
-    def again(self) -> None:
-        """While lines cross put what stands between columns once more: what came later may leave it a better place."""
-        cost = float("inf")
-        while CROSSING <= self.cost() < cost:
-            cost = self.cost()
-            free = [post for post in self.posts if post.kind in (ARM, DISC, PLATE, BRAKE, HELD)]
-            for thing in dict.fromkeys(map(_thing, free)):
-                before, was, own = self.posts, self.cost(), [post for post in free if _thing(post) == thing]
-                self.posts = [post for post in before if _thing(post) != thing]
-                self.put(*own)
-                self.posts = self.posts if self.cost() < was else before
-
-
-def _thing(post: Post) -> tuple[str, str]:
-    """Name what a post is put with: the arm of a body and its disc, the plates of a clutch."""
-    return ("", post.body) if post.kind in (ARM, DISC) else (post.kind, post.name)
-
 
 def columns(train: Train) -> Mapping[str, float]:
     """Give the place of each wheel across: those that mesh stand in one column, bevel wheels about that of the apex."""
@@ -250,8 +233,6 @@ def _laid(routing: Routing, train: Train) -> Routing:
         if routing.rings(body) and (body in rest or any(post.body == body for post in routing.posts)):
             routing.put(Post(DISC, body, 0.0, routing.bar(body)))
     _hold(routing)
-    if not train.crossing:
-        routing.again()
     routing.nest()
     return routing
 
