@@ -88,7 +88,7 @@ class _SchemePen:
 
     def post(self, post: Post) -> Iterator[Stroke]:
         """Draw a post with what is at its end."""
-        hand, foot, top = self.hand, self.on(post.x, self.routing.level(post.body)), self.on(post.x, post.top)
+        hand, foot, top = self.hand, self.on(post.x, self.routing.foot(post)), self.on(post.x, post.top)
         if post.kind == ARM and post.body in self.routing.roofs:  # down to the lowest wheel of its planet
             links = self.train.carriers[post.name]
             low = min(row.place[1] for link in links for row in self.train.crossing[link])
@@ -99,6 +99,9 @@ class _SchemePen:
             yield from self._end(post, foot)
         else:
             yield Line(foot, top, hand.result)
+            shaft = None if post.body in self.routing.roofs else self.routing.shaft(post.body)
+            if post.kind == ARM and shaft and shaft.left == shaft.right:
+                yield self._bar(foot)  # its hub, on the shaft within
             yield from self._shoes(top) if post.kind == BRAKE else self._ground(top) if post.kind == HELD else ()
 
     def _sun(self, wheel: ToothedWheel, foot: complex) -> Iterator[Stroke]:

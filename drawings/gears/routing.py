@@ -7,6 +7,7 @@ hollow one about another, the inner one lower. Heights are true, m; places acros
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -64,6 +65,11 @@ class Routing:
         """Give the height m of the shaft of a body over the main axis."""
         return self.height(body) + LEVEL * self.size * self.levels.get(body, 0)
 
+    def foot(self, post: Post) -> float:
+        """Give the height m that a post rises from: of its shaft; of the disc of a carrier's ring, of the planets."""
+        arms = [arm.top for arm in self.posts if (arm.kind, arm.body) == (ARM, post.body)]
+        return arms[0] if post.kind == DISC and len(arms) == 1 and not self.roofs else self.level(post.body)
+
     def rings(self, body: str) -> list[ToothedWheel]:
         """Give the rings of a body."""
         return [wheel for wheel in self.train.wheels.values() if wheel.internal and self.bodies[wheel.link] == body]
@@ -78,7 +84,8 @@ class Routing:
 
     def shaft(self, body: str) -> Rod | None:
         """Give the shaft of a body between its posts."""
-        across = [post.x for post in self.posts if post.body == body and not (body in self.roofs and post.kind == ARM)]
+        own = [post for post in self.posts if post.body == body and self.foot(post) == self.level(body)]
+        across = [post.x for post in own if not (body in self.roofs and post.kind == ARM)]
         if not across:
             return None
         return Rod(body, min(across), max(across), self.level(body))
@@ -86,8 +93,10 @@ class Routing:
     def axle(self, link: str) -> Rod:
         """Give the axle of a planet from its carrier's arm through its wheels."""
         body = self.bodies[self.train.carrier_of[link]]
-        across = [*self.across(link), *(post.x for post in self.posts if post.kind == ARM and post.body == body)]
-        return Rod(body, min(across), max(across), float(self.train.heights[link]))
+        high = float(self.train.heights[link])
+        own = [post for post in self.posts if post.body == body]
+        across = [*self.across(link), *(post.x for post in own if post.kind == ARM or self.foot(post) == high)]
+        return Rod(body, min(across), max(across), high)
 
     def across(self, link: str) -> list[float]:
         """Give the places across of the wheels of a link."""
@@ -137,14 +146,21 @@ class Routing:
         rods, cost = self.rods(), 0.0
         for x, low, high, body in self._uprights():
             cost += CROSSING * sum(rod.body != body and rod.left < x < rod.right and low < rod.y < high for rod in rods)
+        level = (
+            (one, two) for k, one in enumerate(rods) for two in rods[:k] if one.body != two.body and one.y == two.y
+        )
+        cost += CROSSING * sum(min(a.right, b.right) >= max(a.left, b.left) for a, b in level)
         return cost + sum(rod.right - rod.left for rod in rods)
 
     def _uprights(self) -> Iterator[tuple[float, float, float, str]]:
         for post in self.posts:
-            low, high = sorted((self.level(post.body), post.top))
+            low, high = sorted((self.foot(post), post.top))
             yield post.x, low, high, post.body
         for wheel in self.train.wheels.values():
-            if wheel.link in self.train.carrier_of and not wheel.side:
+            body = self.bodies[wheel.link]
+            if wheel.internal:
+                yield self.columns[wheel.name], self.outside(wheel) - RIM * self.size, self.bar(body), body
+            elif wheel.link in self.train.carrier_of and not wheel.side:
                 y, r = float(self.train.heights[wheel.link]), float(wheel.radius)
                 yield self.columns[wheel.name], y - r, y + r, self.bodies[self.train.carrier_of[wheel.link]]
 
@@ -154,8 +170,14 @@ class Routing:
         places = sorted({*self.columns.values(), *(post.x for post in self.posts)})
         gaps = [places[0] - BESIDE * 2, *((a + b) / 2 for a, b in pairwise(places)), places[-1] + BESIDE]
         before = [*self.posts]
+        shut = {(a.x, b.x) for a in before for b in before if a.kind == b.kind == PLATE and a.name == b.name}
+        ends = [post.x for post in before if post.kind in (INPUT, OUTPUT)]  # nothing stands in the way out of a train
+        shut |= {side for x in ends for side in ((-math.inf, x), (x, math.inf))}
+        sides = [-math.inf, *places, math.inf]
         for ways in (posts, posts[::-1]) if len(posts) > 1 else (posts,):
             for k, gap in enumerate(gaps):
+                if (sides[k], sides[k + 1]) in shut:
+                    continue
                 width = min((places[k] - places[k - 1]) / 4 if 0 < k < len(places) else HALF, HALF)
                 off = ((2 * n - 1) * width / 2 * (len(posts) - 1) for n in range(len(ways)))
                 tried = tuple(post._replace(x=gap + x) for post, x in zip(ways, off, strict=True))

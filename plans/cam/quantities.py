@@ -146,12 +146,9 @@ class ComparedCam:
         return tuple(Slack(self.ours, self.drawing.sizing, contour) for contour in sides)
 
     def bent(self, extreme: Extreme | None) -> float:
-        """How far rounding can move 1/ρ at the place of an extreme, 1/m."""
-        return max(float(np.max(slack.curvature)) for slack in self.near(extreme))
-
-    def rounded(self, extreme: Extreme | None) -> float:
-        """How far rounding can move ρ under a flat face at the place of an extreme, m."""
-        return max(float(np.max(slack.radius)) for slack in self.near(extreme))
+        """How far rounding can move 1/ρ at the place of an extreme, 1/m; under a flat face ρ itself, m."""
+        flat = self.ours.cam.flat
+        return max(float(np.max(slack.radius if flat else slack.curvature)) for slack in self.near(extreme))
 
     def findings(self, plans: frozenset[str]) -> Iterator[Quantity]:
         """Compare what is asked for."""
@@ -254,12 +251,10 @@ class ComparedCam:
             angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
             pair = abs(extreme.value), abs(theirs.pressure[kind].value)
             yield self._quantity(PROFILE, f"α_{kind}", "rad", *pair, angle)
+        unit, long = ("m", _most(ours.contour.radius)) if ours.cam.flat else ("1/m", None)  # a cusp has no 1/ρ
         for name, *both in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
-            if ours.cam.flat:  # a cusp has no 1/ρ
-                told, long = [one.value if one else 0.0 for one in both], _most(ours.contour.radius)
-                yield self._of(Quantity.of((PROFILE, name, "m"), tuple(told), self.rounded(both[0]), long))
-            else:
-                yield self._quantity(PROFILE, name, "1/m", _bent(both[0]), _bent(both[1]), self.bent(both[0]))
+            one, two = (0.0 if found is None else found.value if unit == "m" else 1 / found.value for found in both)
+            yield self._of(Quantity.of((PROFILE, name, unit), (one, two), self.bent(both[0]), long))
         for k, side in enumerate(("back", "front") if ours.cam.flat else ()):
             yield self._quantity(PROFILE, f"face_{side}", "m", ours.face[k], theirs.face[k], self.slack.lever)
 
@@ -298,7 +293,3 @@ def _over(radius: Floats, edge: float) -> Floats:
     """Give 1/ρ; of a straight place 0, and what is said of an edge."""
     bent = np.where(np.isinf(radius), 0.0, 1 / np.where(radius == 0, np.nan, radius))
     return np.where(radius == 0, edge, bent)
-
-
-def _bent(extreme: Extreme | None) -> float:
-    return 1 / extreme.value if extreme is not None and extreme.value else 0.0

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from drawings.gears.notes import GearsNotes
+from drawings.gears.routing import CROSSING, INPUT, routed
 from drawings.page.page import drafting_of
 from plans.analytic.gears import TrainSpeeds
 from plans.dynamics.quantities import DynamicsComparison
@@ -145,6 +146,17 @@ def test_undercut_tips_that_meet_and_cones_are_told_on_the_sheet() -> None:
     told = " ".join(map(str, GearsNotes(study, TrainSpeeds(study.train), drafting_of(scene)).fit()))
     assert "z < 17:  z_{1} = 9" in told and "z_{3} − z_{2'} = 3" in told
     assert "δ_{5} = 33.69°,  δ_{6} = 56.31°" in told and "= 72.111 mm" in told  # 2 √(20² + 30²)
+
+
+def test_two_rows_whose_rings_and_carriers_are_joined_are_laid_without_a_crossing() -> None:
+    """The ring 3 is joined to the planets 5 between the rows, 6 to the planets 2 over them, and 4 held from within."""
+    more = 'joined = [["H1", "6"], ["3", "H2"]]\nbrakes = { T1 = "4", T2 = "6" }\nclutches = { M = ["1", "4"] }\n'
+    more += 'engaged = { I = ["M"], II = ["T1"], R = ["T2"] }'
+    scene = train("1=28 2=20 3=-0 4=26 5=22 6=-0", TWO, "H2", more, "H1=2 H2=5")
+    laid = routed(Study(scene).of(GearsStudy).train)
+    assert laid.cost() < CROSSING and {post.x for post in laid.posts if post.kind == INPUT} == {
+        min(post.x for post in laid.posts)
+    }
 
 
 def test_racks_go_as_far_in_a_turn_as_their_wheel_rolls() -> None:
