@@ -81,7 +81,8 @@ def _steps(figures: Sequence[_Scaled]) -> Iterator[tuple[Steps, Steps]]:
     for figure in figures:
         if not all(map(figure.legible, read)):
             own = [rung.scale for rung in figure.rungs if figure.legible(rung.scale)]
-            ladder = _ladder([figure], own or [figure.rungs[-1].scale])
+            most = 1 if figure.picture.letter == "l" else None  # schemes stay near the scale of the others
+            ladder = _ladder([figure], own[:most] or [figure.rungs[-1].scale])
             others = tuple(other.picture.name for other in figures if other is not figure)
             yield (ladder._replace(others=others),) * 2
     yield _ladder(figures, read, legible=True), _ladder(figures, scales)
