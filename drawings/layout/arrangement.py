@@ -48,6 +48,11 @@ class _Scaled(NamedTuple):
         """Give its rung at a scale."""
         return Rung(scale, *self.picture.size(scale), self.picture.extent(scale))
 
+    def near(self, scale: Scale) -> Rung:
+        """Give its rung at a scale, or where it cannot be read there at the next one at which it can."""
+        found = (rung for rung in self.rungs if self.legible(rung.scale))
+        return self.at(scale) if self.legible(scale) else next(found, self.rungs[-1])
+
     def legible(self, scale: Scale) -> bool:
         """Tell whether it can be read at a scale, or at none."""
         return not self.rungs or can_be_read(self.picture, self.at(scale))
@@ -79,7 +84,7 @@ def _steps(figures: Sequence[_Scaled]) -> Iterator[tuple[Steps, Steps]]:
     least = min(READ, max(shares, default=READ)) or READ  # of one that is never legible no step
     read = [scale for scale, share in zip(scales, shares, strict=True) if share >= least]
     for figure in figures:
-        if not all(map(figure.legible, read)):
+        if figure.picture.letter != "l" and not all(map(figure.legible, read)):  # a scheme stays near the others
             own = [rung.scale for rung in figure.rungs if figure.legible(rung.scale)]
             ladder = _ladder([figure], own or [figure.rungs[-1].scale])
             others = tuple(other.picture.name for other in figures if other is not figure)
@@ -89,9 +94,13 @@ def _steps(figures: Sequence[_Scaled]) -> Iterator[tuple[Steps, Steps]]:
 
 def _ladder(figures: Sequence[_Scaled], scales: Sequence[Scale], legible: bool = False) -> Steps:
     """Give the steps of figures at some scales, of those alone that are `legible` at each."""
-    shown = [[figure for figure in figures if not legible or figure.legible(scale)] for scale in scales]
-    rungs = [{item.picture.name: item.at(scale) for item in step} for step, scale in zip(shown, scales, strict=True)]
-    sizes = (tied(_mean([*_sizes(*pair)])) for pair in zip(shown, rungs, strict=True))
+    kept = [[f for f in figures if not legible or f.picture.letter == "l" or f.legible(scale)] for scale in scales]
+    shown = [
+        [(f, f.at(scale) if not legible else f.near(scale)) for f in step]
+        for step, scale in zip(kept, scales, strict=True)
+    ]
+    rungs = [{item.picture.name: rung for item, rung in step} for step in shown]
+    sizes = (tied(_mean([*_sizes(*pair)])) for pair in zip(kept, rungs, strict=True))
     return Steps(tuple(rungs), tuple(sizes))
 
 

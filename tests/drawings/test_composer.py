@@ -120,7 +120,9 @@ def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Co
 
 def test_a_scale_of_its_own_enlarges_a_figure_as_far_as_the_others_and_no_further() -> None:
     """A twentieth as large, it can be read at no scale at which the other fits; it need not be as small as it may."""
-    large, small = (figure("large", 1.0, 0.5), figure("small", 0.05, 0.03))
+    large, small = (
+        figure(*one)._replace(letter="v", unit="m/s") for one in (("large", 1.0, 0.5), ("small", 0.05, 0.03))
+    )
     (one,) = compose(Contents(tuple(Panel(item, scale="a") for item in (large, small))), Page("A1"))
     assert 2 * LEAST < small.extent(one.spots["small"].scale) <= large.extent(one.spots["large"].scale)
 
