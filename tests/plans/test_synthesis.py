@@ -1,0 +1,190 @@
+"""Synthesis by construction: the textbook's values, and random tasks whose mechanisms do what was asked."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+
+import numpy as np
+import pytest
+
+from plans.analytic.synthesis import admissible, analysed, at_place, best, end_of_arc, start_of_arc
+from plans.model.synthesis import CrankRocker, RockerTask, SliderCrank, SliderTask
+from plans.synthesis.quantities import compare_synthesis
+from plans.synthesis.rocker import rocker_of
+from plans.synthesis.study import SynthesisStudy
+
+TASK = RockerTask(0.30, math.radians(40), math.radians(15), place=math.radians(200), side=1)
+STROKE = SliderTask(0.12, 0.03, math.radians(6.5), 5.0)  # theme 6, task 7
+
+
+def draw(task):
+    return SynthesisStudy(task).synthesis
+
+
+ROADS = pytest.mark.parametrize("road", [draw, analysed])
+
+
+def printed(value: float, text: str) -> bool:
+    """Tell whether a value, rounded to the digits of a text, is that text."""
+    return f"{value:.{len(text.partition('.')[2])}f}" == text
+
+
+@ROADS
+def test_textbook_crank_rocker(road) -> None:
+    """Methods M1.5, all printed digits."""
+    (one,) = road(TASK).readings[0].found
+    assert printed(one.pivot.real, "-0.3725310918") and printed(one.pivot.imag, "-0.2366134082")
+    found = one.crank, one.coupler, one.frame, math.degrees(one.transmission), one.margin
+    texts = "0.0593602436", "0.6439316772", "0.4413222397", "21.79034348", "-0.0380303189"
+    assert [*map(printed, found, texts)] == [True] * 5
+
+
+def test_textbook_circle() -> None:
+    """Methods M1.5: centre and radius."""
+    board = SynthesisStudy(TASK).drawn[0].board
+    assert printed(board["M"].point.imag, "-0.1010231794") and printed(board["M:o"].value.radius, "0.3964393075")
+
+
+SLIDERS = [  # theme 6, tasks 4, 5, 7, and M1.6 fed back: crank, rod, offset, signed pressure angles
+    (STROKE.only("overlap", "ratio"), ("0.0578116854", "0.289058427", "0.07566935175"), ("3.541916713", "27.50194624")),
+    (STROKE.only("offset", "overlap"), ("0.05914210508", "0.1878802967", "0.03"), ("-8.923173554", "28.32434183")),
+    (STROKE.only("offset", "ratio"), ("0.05968319715", "0.2984159857", "0.03"), ("-5.708605054", "17.48948743")),
+    (SliderTask(0.12, ratio=3.0), ("0.06", "0.18", "0.00"), ("-19.47122063", "19.47122063")),
+    (SliderTask(0.12, ratio=4.0), ("0.06", "0.24", "0.00"), ("-14.47751219", "14.47751219")),
+    (SliderTask(0.12, ratio=5.0), ("0.06", "0.30", "0.00"), ("-11.53695903", "11.53695903")),
+    (SliderTask(0.12, pressure=math.asin(0.25)), ("0.06", "0.24", "0.00"), ("-14.47751219", "14.47751219")),
+    (
+        SliderTask(0.1206655633, 0.02, math.radians(3.801484916)),
+        ("0.060000", "0.200000", "0.02"),
+        ("-11.53696", "23.57818"),
+    ),
+]
+
+
+@ROADS
+@pytest.mark.parametrize(("task", "lengths", "angles"), SLIDERS)
+def test_textbook_slider_cranks(road, task, lengths, angles) -> None:
+    (one,) = road(task).readings[0].found
+    assert [*map(printed, (one.crank, one.rod, one.offset), lengths)] == [True] * 3
+    assert [*map(printed, map(math.degrees, one.pressures), angles)] == [True] * 2
+
+
+@ROADS
+def test_an_overdetermined_task_has_three_readings(road) -> None:
+    """Theme 6, task 7: its third reading leaves the overlap out, and has another."""
+    readings = road(STROKE).readings
+    kept = [("overlap", "ratio"), ("offset", "overlap"), ("offset", "ratio")]
+    assert [one.kept for one in readings] == kept and [len(one.found) for one in readings] == [1, 1, 1]
+    assert printed(math.degrees(readings[2].found[0].overlap), "2.41344924")
+
+
+def turned(one: CrankRocker) -> tuple[float, float]:
+    """Give swing and overlap by the cosine rule alone, from the lengths (M1.2)."""
+    l1, l2, l3, l4 = one.lengths
+    reach = l2 + l1, l2 - l1
+    at_o = [math.acos((r**2 + l4**2 - l3**2) / (2 * r * l4)) for r in reach]
+    at_c = [math.acos((l3**2 + l4**2 - r**2) / (2 * l3 * l4)) for r in reach]
+    return abs(at_c[0] - at_c[1]), abs(at_o[0] - at_o[1])
+
+
+def agree(task) -> None:
+    comparison = compare_synthesis(SynthesisStudy(task))
+    assert [(one.name, one.excess.max()) for one in comparison.findings if one.excess.max() > 1] == []
+    assert [len(one.found) for one in comparison.construction.readings] == [
+        len(one.found) for one in comparison.analysis.readings
+    ]
+
+
+def rocker_tasks(count: int):
+    random = np.random.default_rng(5)
+    for _ in range(count):
+        swing, overlap = math.radians(random.uniform(10, 120)), math.radians(random.uniform(1, 60))
+        task = RockerTask(random.uniform(0.05, 2), swing, overlap, side=int(random.choice([1, -1])))
+        end = end_of_arc(task, task.side)
+        if end is not None:
+            start = start_of_arc(task, task.side)
+            yield task._replace(place=start + random.uniform(0.02, 0.98) * (end - start))
+
+
+@pytest.mark.parametrize("task", [*rocker_tasks(70)])
+def test_a_crank_rocker_has_what_was_asked(task) -> None:
+    """Swing and overlap to 1e-12, a crank that turns, and by its frame the same mechanism again."""
+    (one,) = draw(task).readings[0].found
+    swing, overlap = turned(one)
+    assert math.isclose(swing, task.swing, rel_tol=0, abs_tol=1e-12 / math.sin(one.transmission))
+    assert math.isclose(overlap, task.overlap, rel_tol=0, abs_tol=1e-12 / math.sin(one.transmission))
+    assert one.margin < 0 and min(one.lengths) == one.crank
+    agree(task)
+    again = draw(task._replace(place=None, frame=one.frame)).readings[0].found
+    assert min(abs(other.crank / one.crank - 1) for other in again) < 1e-9
+
+
+@pytest.mark.parametrize(("side", "degrees"), [*product((1, -1), np.arange(0.5, 360, 9))])
+def test_an_arc_ends_where_no_mechanism_is(side, degrees) -> None:
+    """The arc between B2 and its end, and its mirror image, admit O, and nothing else does."""
+    task = RockerTask(0.3, math.radians(40), math.radians(15), place=math.radians(degrees), side=side)
+    ends = sorted((start_of_arc(task, side), end_of_arc(task, side)))
+    left = math.radians(degrees if 90 <= degrees <= 270 else (180 - degrees) % 360)
+    assert bool(draw(task).readings[0].found) == bool(analysed(task).readings[0].found) == (ends[0] < left < ends[1])
+
+
+def slider_tasks(count: int):
+    random = np.random.default_rng(7)
+    for _ in range(count):
+        stroke, theta, ratio = random.uniform(0.02, 2), math.radians(random.uniform(0.5, 30)), random.uniform(1.5, 8)
+        offset = stroke * random.uniform(0.01, 1)
+        pair = [("offset", "overlap"), ("offset", "ratio"), ("overlap", "ratio"), ("ratio", "pressure")]
+        every = SliderTask(stroke, offset, theta, ratio, math.asin(min(random.uniform(1, 1.8) / ratio, 0.9)))
+        yield every.only(*pair[random.integers(4)])
+
+
+@pytest.mark.parametrize("task", [*slider_tasks(100)])
+def test_a_slider_crank_has_what_was_asked(task) -> None:
+    """Each demand to 1e-12, and where there is no mechanism, none of many tried ones meets the demands."""
+    found = draw(task).readings[0].found
+    for one in found:
+        has = {"offset": one.offset, "overlap": one.overlap, "ratio": one.ratio, "pressure": one.pressures[1]}
+        near = one.rod - one.crank - one.offset  # how far a dead place is: angles there are badly told
+        assert math.isclose(one.stroke, task.stroke, rel_tol=1e-12 * one.rod / near)
+        for name in task.demands:
+            assert math.isclose(has[name], getattr(task, name), rel_tol=1e-12 * one.rod / near), name
+    agree(task)
+    assert len(found) == len(tried(task))
+
+
+def tried(task: SliderTask) -> list[SliderCrank]:
+    """Find the mechanisms of a task by brute force: with the first demand met, where the other changes its sign."""
+    named, other = task.demands
+    far = np.geomspace(1e-7, 1e4, 200_001) * task.stroke  # beyond the foot of O, along the guide
+    if named == "ratio":  # by the ratio the offset is free: that of the shape is sought
+        offsets = np.linspace(0, 1, 400_001)[1:-1] * (task.ratio - 1)
+        shapes = [SliderCrank(1.0, task.ratio, offset) for offset in offsets[:: len(offsets) // 4000]]
+        return _changes(shapes, [one.pressures[1] - task.pressure for one in shapes])
+    if named == "offset":
+        shapes = [_at(task.stroke, task.offset, x) for x in far[::100]]
+        return _changes(shapes, [getattr(one, other) - getattr(task, other) for one in shapes])
+    shapes = [SliderCrank(1.0, task.ratio, e * (task.ratio - 1)) for e in np.linspace(0, 1, 4001)[:-1]]
+    return _changes(shapes, [one.overlap - task.overlap for one in shapes])
+
+
+def _at(stroke: float, offset: float, x: float) -> SliderCrank:
+    near, far = math.hypot(x, offset), math.hypot(x + stroke, offset)
+    return SliderCrank((far - near) / 2, (far + near) / 2, offset)
+
+
+def _changes(shapes, off) -> list[SliderCrank]:
+    return [one for one, here, there in zip(shapes, off, off[1:], strict=False) if (here < 0) != (there < 0)]
+
+
+@pytest.mark.parametrize(("swing", "overlap"), [*product((20, 40, 70), (3, 10, 16, 25))])
+def test_the_best_place_is_best(swing, overlap) -> None:
+    """No place of a fine division of both arcs has a larger least transmission angle, and the roads agree."""
+    task = RockerTask(0.3, math.radians(swing), math.radians(overlap))
+    chosen = rocker_of(task)
+    one = draw(chosen).readings[0].found[0]
+    assert abs(one.transmission - max(best(task, 1), best(task, -1))) < 1e-8
+    tries = product((1, -1), np.linspace(math.pi / 2, 3 * math.pi / 2, 3001))
+    made = [at_place(task, side, float(place)) for side, place in tries]
+    assert max(each.transmission for each in made if each) <= one.transmission + 1e-12
+    assert all(admissible(task, each.pivot) for each in made if each)
