@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from geometry.board import Board, Mark, between
 from geometry.meet import Sizes, Vectors
 from plans.words.words import because
@@ -41,7 +43,7 @@ class Chord(NamedTuple):
         ray = board.turn(f"{name}:b", self.along, to, because("ray_overlap", angle=f"{math.degrees(turned):.10g}"))
         line = board.parallel(f"{name}:c", self.stretched, ray)
         centre = board.meet(name, self.bisector, line, why=because("centre_overlap"))
-        radius = abs(between(centre, self.stretched))
+        radius = np.abs(between(centre, self.stretched))
         return board.arc(f"{name}:o", centre, radius, because("sees_chord", angle=f"{math.degrees(overlap):.10g}"))
 
     def proportioned(self, ratio: float) -> Mark:
@@ -51,7 +53,7 @@ class Chord(NamedTuple):
         outer = board.lay_off("D_2", self.folded, board.turn("B_2D_2", board["B_2E"], 1 - ratio, why))
         half = board.turn("D_2N", board.join("D_2D_1", outer, inner), 0.5)
         centre = board.lay_off("N", outer, half, because("middle_chord"))
-        return board.arc("N:o", centre, abs(half.point), because("sees_ratio"))
+        return board.arc("N:o", centre, np.abs(half.point), because("sees_ratio"))
 
     def offset(self, offset: float) -> Mark:
         """Draw the parallel at an offset right of the way from B2 to B1."""
@@ -70,16 +72,16 @@ class Drawn(NamedTuple):
     @property
     def lengths(self) -> tuple[Sizes, Sizes]:
         """The lengths l1 and l2, m."""
-        return abs(self.crank.point), abs(self.coupler.point)
+        return np.abs(self.crank.point), np.abs(self.coupler.point)
 
 
 def read(chord: Chord, pivot: Mark) -> Drawn:
     """Read crank and coupler: OB2 is laid off on OB1, and what is left of it halved is the crank."""
     board, name = chord.board, pivot.name
     far, near = (board.join(f"{name}{one.name}", pivot, one) for one in (chord.stretched, chord.folded))
-    unit = board.turn(f"{name}:u", far, 1 / abs(far.point))
+    unit = board.turn(f"{name}:u", far, np.abs(far.point) ** -1 + 0j)
     line = board.parallel(f"{name}:f", pivot, unit)
-    arc = board.arc(f"{name}:n", pivot, abs(near.point), because("near_length"))
+    arc = board.arc(f"{name}:n", pivot, np.abs(near.point), because("near_length"))
     end = board.meet(f"{name}:D", line, arc, 1.0, because("near_on_far"))
     twice = board.join(f"{name}:DB_1", end, chord.stretched)
     crank = board.turn(f"{name}:l_1", twice, 0.5, because("half_left"))

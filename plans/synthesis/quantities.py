@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -31,7 +31,8 @@ def compare_synthesis(study: SynthesisStudy) -> Comparison:
 def _findings(study: SynthesisStudy, theirs: Synthesis) -> Iterator[Quantity]:
     for number, (first, drawn) in enumerate(_parts(study)):
         known = theirs.readings[0 if isinstance(study.task, RockerTask) else number].found[first:]
-        for k, (marks, made) in enumerate(drawn.found):
+        pairs: Sequence[tuple[Drawn, CrankRocker | SliderCrank]] = drawn.found
+        for k, (marks, made) in enumerate(pairs):
             other = known[k] if k < len(known) else None
             yield from _Designed(drawn, marks, made, other, suffix(number, k)).quantities()
     if study.sought and isinstance(study.task, RockerTask):
@@ -55,7 +56,16 @@ def suffix(number: int, place: int) -> str:
     >>> suffix(0, 0), suffix(0, 1), suffix(1, 0)
     ('', "'", ',b')
     """
-    return "'" * place + (f",{'abcdefgh'[number]}" if number else "")
+    return "'" * place + (f",{letter_of(number)}" if number else "")
+
+
+def letter_of(number: int) -> str:
+    """Letter a construction of a task.
+
+    >>> letter_of(0), letter_of(2)
+    ('a', 'c')
+    """
+    return "abcdefgh"[number]
 
 
 class _Designed(NamedTuple):
@@ -76,10 +86,11 @@ class _Designed(NamedTuple):
 
     @property
     def _lengths(self) -> tuple[tuple[str, str, Shown | None], ...]:
-        crank, coupler = ("l_1", "crank", self.marks.crank), ("l_2", "", self.marks.coupler)
-        if isinstance(self.ours, CrankRocker):
-            return crank, (coupler[0], "coupler", coupler[2]), ("l_4", "frame", None)
-        return crank, (coupler[0], "rod", coupler[2]), ("e", "offset", None)
+        # A similar mechanism is drawn with a crank of length 1: its lengths are not read off.
+        marks = (self.marks.crank, self.marks.coupler) if "B_1" in self.drawn.board else (None, None)
+        rocker = isinstance(self.ours, CrankRocker)
+        crank, coupler = ("l_1", "crank", marks[0]), ("l_2", "coupler" if rocker else "rod", marks[1])
+        return crank, coupler, ("l_4", "frame", None) if rocker else ("e", "offset", None)
 
     def _angles(self) -> Iterator[Quantity]:
         """Measure the overlap on the drawing, and the angles that tell how well the force is led."""
@@ -99,8 +110,12 @@ class _Designed(NamedTuple):
             yield self._of("α_max", "rad", (self.ours.pressures[1], other), self._turned(flat))
 
     def _seen(self, stretched: Mark, folded: Mark) -> Reading:
+        """Give how the overlap is read: the way to B2, and that to B1 turned into it."""
         board, name = self.drawn.board, self.marks.pivot.name
-        return Reading(board[f"{name}{stretched.name}"], board[f"{name}{folded.name}"])
+        far, near = (board[f"{name}{one.name}"] for one in (stretched, folded))
+        way = complex(near.point) / abs(complex(near.point))
+        turned = board.turn(f"{name}:θ", far, way / complex(far.point))
+        return Reading(turned, board.turn(f"{name}:w", near, 1 / abs(complex(near.point))))
 
     @property
     def slack(self) -> float:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from geometry.board import Board, Mark, between
 from geometry.meet import Sizes, Vectors
@@ -65,14 +66,12 @@ def _pivots(board: Board, task: RockerTask, pivot: Mark, locus: Mark) -> Iterato
             yield met
 
 
-def _admits(task: RockerTask, side: int, pivot: Mark, chord: Chord, at: Mark) -> Floats:
+def _admits(task: RockerTask, side: int, pivot: Mark, chord: Chord, at: Mark) -> NDArray[np.bool_]:
     """Tell where O is on the arc that sees theta, and sees B1 and B2 on one side of the line OC."""
-    frame, folded = between(at, pivot), between(at, chord.folded)
-    ends = [cross(frame, between(at, end)) for end in (chord.stretched, chord.folded)]
-    beside = np.asarray(np.sign(ends[0]) * np.sign(ends[1]) > 0)
-    if not task.overlap:
-        return np.asarray(beside & (np.real(folded) > 0))
-    return np.asarray(beside & (side * np.imag(folded) > 0))
+    frame, folded = between(at, pivot), np.asarray(between(at, chord.folded))
+    ends = [np.sign(cross(frame, between(at, end))) for end in (chord.stretched, chord.folded)]
+    beside = np.asarray(ends[0] * ends[1] > 0)
+    return beside & np.asarray(side * folded.imag > 0 if task.overlap else folded.real > 0)
 
 
 def _made(task: RockerTask, pivot: Mark, drawn: Drawn) -> CrankRocker:
@@ -85,7 +84,7 @@ def _made(task: RockerTask, pivot: Mark, drawn: Drawn) -> CrankRocker:
 def _transmission(name: str, drawn: Drawn, frame: Vectors, rocker: float) -> Sizes:
     """Draw the coupler with the crank on the line of the frame, towards C and away, and measure its angle at B."""
     board = Board("transmission")
-    length, (crank, coupler) = abs(frame), drawn.lengths
+    length, (crank, coupler) = np.abs(frame), drawn.lengths
     pivot, hinge = board.given("O", 0j), board.given(name, length + 0j)
     angles = []
     for sense in (1, -1):

@@ -1,0 +1,95 @@
+"""A construction of synthesis on paper: chord, loci, barred arcs, and the mechanism in both extreme places (синтез)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.words import with_index
+from drawings.page.page import Drafting
+from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
+from drawings.paper.walk import stating
+from drawings.symbols.figure import Subject, around, heading, heading_width, point
+from drawings.symbols.symbols import block, fit_dashes, hinge
+from drawings.synthesis.shown import ShownSynthesis
+
+SYMBOL, UNIT = "l", "m"
+MARGINS = Margins(4.0, 2.5, 2.0)
+LETTERS = 22.0  # it is drawn at least so many letters high
+DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
+HINGES = frozenset(("O", "C", "A_1", "A_2", "B_1", "B_2"))
+HATCH, APART = 3.0, 2.5  # mm: a stroke of the hatching of an arc, and how far apart they are
+
+
+def measure(found: ShownSynthesis, drafting: Drafting) -> Picture:
+    """Measure the room that a construction needs."""
+    hand, title = drafting.hand, _title(found, drafting)
+    margins = around(MARGINS, hand)
+    width = heading_width(title, hand)
+    return picture(found.name, found.known, (SYMBOL, UNIT), margins, width, LETTERS * hand.letter)
+
+
+def _title(found: ShownSynthesis, drafting: Drafting) -> str:
+    return f"{drafting.word('synthesis construction')} {found.letter}".rstrip()
+
+
+def draw(found: ShownSynthesis, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw a construction in its spot."""
+    drawing = _DrawnSynthesis(found, room.place(*spot), drafting)
+    head = heading(spot.box, _title(found, drafting), drafting.scale(spot.scale), drafting.hand)
+    return LetteredFigure(found.name, (head, *drawing.lines()), drawing.letters)
+
+
+class _DrawnSynthesis:
+    """A construction at its place on paper."""
+
+    def __init__(self, found: ShownSynthesis, place: Place, drafting: Drafting) -> None:
+        self.found, self.place, self.hand = found, place, drafting.hand
+        self.spots = {name: place.on(spot) for name, spot in found.points.items()}
+
+    def lines(self) -> Iterator[Stroke]:
+        """Draw loci, lines, the mechanism in its second place and in its first, then the points."""
+        found, hand = self.found, self.hand
+        for name, curve in found.circles.items():
+            yield stating(Statement(Kind.CURVE, found.name, name), self._chain(curve.tolist(), hand.other))
+        for arc in found.barred:
+            yield from self._hatched(arc.tolist())
+        yield from (Line(self.place.on(start), self.place.on(end), hand.drafted) for start, end in found.drafted)
+        yield from fit_dashes(Line(self.place.on(start), self.place.on(end), hand.axis) for start, end in found.axes)
+        yield from fit_dashes([self._chain(found.second, hand.extreme)])
+        yield self._chain(found.first, hand.result)
+        yield from self._blocks()
+        subject = Subject(found.name, SYMBOL, None)
+        for name, spot in self.spots.items():
+            circle = hinge(spot, hand)[0] if name in HINGES else Circle(spot, DOT * hand.symbol, INK)
+            yield point(
+                subject, name, found.points[name], self.place, circle, "point" if found.points[name] else "pole"
+            )
+
+    def _chain(self, places: Sequence[complex], style: LineStyle) -> Polyline:
+        return Polyline(tuple(map(self.place.on, places)), False, style)
+
+    def _hatched(self, arc: list[complex]) -> Iterator[Stroke]:
+        """Hatch an arc on its inner side."""
+        spots = [self.place.on(spot) for spot in arc]
+        middle = sum(spots) / len(spots)
+        step = max(round(APART * self.hand.symbol / abs(spots[1] - spots[0])), 1)
+        for k in range(0, len(spots) - 1, step):
+            along = spots[k + 1] - spots[k]
+            inner = 1j * along if ((middle - spots[k]) * (1j * along).conjugate()).real > 0 else -1j * along
+            way = (inner + along) / abs(inner + along)
+            yield Line(spots[k], spots[k] + HATCH * self.hand.symbol * way, self.hand.drafted)
+
+    def _blocks(self) -> Iterator[Stroke]:
+        if self.found.sliding:
+            yield from (block(self.spots[name], 1 + 0j, self.hand) for name in ("B_1", "B_2"))
+
+    def letters(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the points, away from the middle of the figure."""
+        middle = sum(self.spots.values()) / len(self.spots)
+        for name, spot in self.spots.items():
+            side = cmath.phase(spot - middle) if spot != middle else math.pi / 4
+            yield labels.beside(spot, with_index(name), self.hand.letter, BESIDE, side)

@@ -1,0 +1,64 @@
+"""The sheet of a task of synthesis: the construction of each reading, the lengths, what was asked (лист синтеза)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import Final
+
+from drawings.layout.table import RuledTable, table
+from drawings.layout.value_table import COLUMNS, value_row
+from drawings.lettering.words import Slot, joined, with_index
+from drawings.page.page import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.kind import PLAN, SheetKind
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, exhibit, figures_facts
+from drawings.synthesis import construction
+from drawings.synthesis.due import TOLD, VALUES, expected, noted, rows, slips
+from drawings.synthesis.shown import NAME, shown
+from plans.model.synthesis import RockerTask, SliderTask
+from plans.study import Study
+from plans.synthesis.study import SynthesisStudy
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's task."""
+    found, drafting = study.of(SynthesisStudy), drafting_of(study.scene)
+    shows = tuple(exhibit(construction, one, drafting, weight=2.0 if one.name == NAME else 1.0) for one in shown(found))
+    title, said = drafting.word("synthesis sheet title"), tuple(_notes(found, drafting))
+    later = partial(slips, study.comparison(NAME))
+    draft = Draft(NAME, title, shows, (values(study, drafting),), said, figures_facts, NAME, later=later)
+    return lay_out(study.scene, [draft])
+
+
+def values(study: Study, drafting: Drafting) -> RuledTable:
+    """Tell the lengths and angles by both roads."""
+    lines = [value_row(one, name, (0,), drafting.language) for name, one in rows(study.comparison(NAME), drafting)]
+    heads = tuple(map(drafting.word, COLUMNS))
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=VALUES)
+
+
+def _notes(study: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
+    """Say what was asked, how O was found, and what several readings are."""
+    units = {"ψ": "°", "θ": "°", "α_max": "°", "λ": ""}
+    given = noted(study.task).items()
+    parts = [_told(name, one, units.get(name, "mm"), drafting) for name, one in given]
+    yield drafting.phrase("synthesis asked", parts=joined(", ", parts))
+    if isinstance(study.task, RockerTask):
+        yield drafting.word("synthesis best" if study.sought else "synthesis free")
+        yield drafting.word("synthesis barred")
+    elif len(study.drawn) > 1:
+        yield drafting.word("synthesis readings")
+    similar = isinstance(study.task, SliderTask) and study.task.pressure is not None
+    yield drafting.word("synthesis similar" if similar else "synthesis read")
+
+
+def _told(name: str, value: float, unit: str, drafting: Drafting) -> str:
+    after = "" if not unit else drafting.word(unit) if unit == "°" else f" {drafting.word(unit)}"
+    return joined("", (f"{with_index(name)} = ", drafting.slot(Slot(name, value, TOLD)), after))
+
+
+SCALES: Final = {NAME: "synthesis"}
+FORM: Final = {NAME: PLAN}
+SHEETS: Final = {NAME: SheetKind(leaves, expected, SCALES, figures=FORM, tables=(VALUES,))}
