@@ -14,12 +14,11 @@ from plans.model.synthesis import ANALYSIS, EPS, CrankRocker, RockerTask, Slider
 from plans.quantity import Comparison, Numbers, Quantity, Shown
 from plans.study import Study
 from plans.synthesis.chord import SYNTHESIS, Drawn
-from plans.synthesis.rocker import DrawnRocker
+from plans.synthesis.rocker import PLACED, DrawnRocker
 from plans.synthesis.slider import DrawnSlider
 from plans.synthesis.study import SynthesisStudy
 
 WEAR = 32.0  # roundings of what is read off several lines
-SQRT_EPS = math.sqrt(EPS)  # within which the place of a largest value is known
 
 
 def compare_synthesis(study: SynthesisStudy) -> Comparison:
@@ -39,7 +38,7 @@ def _findings(study: SynthesisStudy, theirs: Synthesis) -> Iterator[Quantity]:
         chosen = study.chosen
         assert isinstance(chosen, CrankRocker)  # the task is of one
         found = max(best(study.task._replace(place=None), side) for side in (1, -1))
-        yield Quantity.of((SYNTHESIS, "μ_best", "rad"), (chosen.transmission, found), SQRT_EPS)
+        yield Quantity.of((SYNTHESIS, "μ_best", "rad"), (chosen.transmission, found), 10.0**-PLACED)
 
 
 def _parts(study: SynthesisStudy) -> Iterator[tuple[int, DrawnRocker | DrawnSlider]]:

@@ -18,7 +18,8 @@ from plans.words.words import because
 
 CENTRES = {1: "M", -1: "M'"}  # of the circles, by their sides
 STATIONS = 361  # of O on an arc, where the best is looked for; then closer about the best of them
-CLOSER = 6  # times
+CLOSER = 5  # times
+PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding
 
 
 class DrawnRocker(NamedTuple):
@@ -101,7 +102,7 @@ def best_place(task: RockerTask) -> tuple[int, float] | None:
     The arc is divided, then divided again about its best place, and so on; right of the axis all is mirrored.
     """
     best = max(((*_best_on(task, side), side) for side in task.sides), default=(-math.inf, 0.0, 0))
-    return (best[2], best[1]) if best[0] > 0 else None
+    return (best[2], round(best[1], PLACED)) if best[0] > 0 else None
 
 
 def _best_on(task: RockerTask, side: int) -> tuple[float, float]:
