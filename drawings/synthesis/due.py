@@ -12,17 +12,25 @@ from drawings.checks.expected import NOTES, Cell, Expected, by_hand, cells
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from drawings.synthesis.shown import NAME, POINTS
-from plans.analytic.synthesis import analysed, circle, start_of_arc
+from plans.analytic.synthesis import analysed
 from plans.model.motion import Complexes
-from plans.model.synthesis import CrankRocker, RockerTask, SliderCrank, SliderTask, readings_of
+from plans.model.synthesis import (
+    CENTRES,
+    CrankRocker,
+    RockerTask,
+    SliderCrank,
+    SliderTask,
+    circle,
+    readings_of,
+    start_of_arc,
+)
 from plans.quantity import Comparison, Quantity
 from plans.quantity import by_hand as slipping
 from plans.study import Study
-from plans.synthesis.rocker import CENTRES
 from plans.synthesis.study import SynthesisStudy
 
-VALUES = "values"
+NAME, VALUES = "synthesis", "values"
+POINTS = 181  # of a circle
 UNITS = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "°")}  # times which a quantity is told, in which
 FAR = 1e-9  # of a place: both roads agree far better
 TOLD = 6  # digits of a number of the notes

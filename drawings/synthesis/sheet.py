@@ -15,8 +15,8 @@ from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, exhibit, figures_facts
 from drawings.synthesis import construction
-from drawings.synthesis.due import TOLD, VALUES, expected, noted, rows, slips
-from drawings.synthesis.shown import NAME, shown
+from drawings.synthesis.due import NAME, TOLD, VALUES, expected, noted, rows, slips
+from drawings.synthesis.shown import shown
 from plans.model.synthesis import RockerTask, SliderTask
 from plans.study import Study
 from plans.synthesis.study import SynthesisStudy

@@ -9,18 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.synthesis.due import NAME, POINTS
 from geometry.board import Arc, Board, Mark
-from plans.analytic.synthesis import end_of_arc, start_of_arc
 from plans.model.motion import Complexes
-from plans.model.synthesis import CrankRocker, RockerTask, SliderCrank
+from plans.model.synthesis import CENTRES, CrankRocker, RockerTask, SliderCrank, end_of_arc, start_of_arc
 from plans.synthesis.chord import Drawn
 from plans.synthesis.quantities import letter_of
-from plans.synthesis.rocker import CENTRES, DrawnRocker
+from plans.synthesis.rocker import DrawnRocker
 from plans.synthesis.slider import DrawnSlider
 from plans.synthesis.study import SynthesisStudy
-
-NAME = "synthesis"
-POINTS = 181  # of a circle
 
 
 class ShownSynthesis(NamedTuple):

@@ -13,16 +13,18 @@ from typing import Final
 
 from plans.model.synthesis import (
     ANALYSIS,
+    QUARTER,
     CrankRocker,
     Reading,
     RockerTask,
     SliderCrank,
     SliderTask,
     Synthesis,
+    circle,
+    end_of_arc,
     readings_of,
+    start_of_arc,
 )
-
-QUARTER: Final = math.pi / 2
 
 
 def analysed(task: RockerTask | SliderTask) -> Synthesis:
@@ -60,11 +62,6 @@ def _versed(place: float, middle: float) -> float:
     """Give |m| (1 ± sin place) without cancelling near where it vanishes."""
     away = place - math.copysign(QUARTER, -middle)  # from the direction of C at M
     return 2 * abs(middle) * math.sin(away / 2) ** 2
-
-
-def circle(task: RockerTask, side: int) -> tuple[float, float]:
-    """Give the radius of a circle that sees the chord under theta, and its centre on the axis of C, m."""
-    return task.half / math.sin(task.overlap), task.height - side * task.half / math.tan(task.overlap)
 
 
 def admissible(task: RockerTask, pivot: complex) -> bool:
@@ -170,24 +167,6 @@ def _pressed(task: SliderTask) -> Iterator[SliderCrank]:
         far, near = ((task.ratio + one - offset) * (task.ratio + one + offset) for one in (1, -1))
         crank = task.stroke * (math.sqrt(far) + math.sqrt(near)) / (far - near)
         yield SliderCrank(crank, task.ratio * crank, offset * crank)
-
-
-def end_of_arc(task: RockerTask, side: int) -> float | None:
-    """Give the angle rad at M where the admissible arc left of the axis ends, which begins at B2; None: none of it is.
-
-    There the circle meets one of the lines CB1, CB2, at a distance from C by the power of C.
-    """
-    radius, middle = circle(task, side)
-    if side < 0 and task.swing / 2 + task.overlap >= QUARTER:
-        return None
-    reach = (middle**2 - radius**2) / task.rocker  # along CB2, or back along CB1
-    end = cmath.rect(reach, QUARTER + math.copysign(task.swing / 2, reach))
-    return cmath.phase(end - complex(0, middle)) % math.tau
-
-
-def start_of_arc(task: RockerTask, side: int) -> float:
-    """Give the angle rad at M of B2, where the arc begins."""
-    return (side * QUARTER + side * task.overlap) % math.tau
 
 
 def best(task: RockerTask, side: int) -> float:

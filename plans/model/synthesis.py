@@ -6,6 +6,7 @@ stroke is 0, its guide the x axis, and the crank's pivot O lies left of it, not 
 
 from __future__ import annotations
 
+import cmath
 import math
 from dataclasses import dataclass
 from typing import Final, NamedTuple
@@ -14,7 +15,9 @@ from plans.model.motion import Gap
 
 EPS: Final = 2.0**-52
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
+QUARTER: Final = math.pi / 2
 TOWARDS, BEYOND = 1, -1  # the centre M of the circle on the rocker's side of the chord, or beyond it
+CENTRES: Final = {TOWARDS: "M", BEYOND: "M'"}  # of the circles, by their sides
 
 
 def overlap_of(ratio: float) -> float:
@@ -54,6 +57,29 @@ class RockerTask(NamedTuple):
     def sides(self) -> tuple[int, ...]:
         """The circles that O may lie on."""
         return (TOWARDS, BEYOND) if self.side is None else (self.side,)
+
+
+def circle(task: RockerTask, side: int) -> tuple[float, float]:
+    """Give the radius of a circle that sees the chord under theta, and its centre on the axis of C, m."""
+    return task.half / math.sin(task.overlap), task.height - side * task.half / math.tan(task.overlap)
+
+
+def start_of_arc(task: RockerTask, side: int) -> float:
+    """Give the angle rad at M of B2, where the arc begins."""
+    return (side * QUARTER + side * task.overlap) % math.tau
+
+
+def end_of_arc(task: RockerTask, side: int) -> float | None:
+    """Give the angle rad at M where the admissible arc left of the axis ends, which begins at B2; None: none of it is.
+
+    There the circle meets one of the lines CB1, CB2, at a distance from C by the power of C.
+    """
+    radius, middle = circle(task, side)
+    if side < 0 and task.swing / 2 + task.overlap >= QUARTER:
+        return None
+    reach = (middle**2 - radius**2) / task.rocker  # along CB2, or back along CB1
+    end = cmath.rect(reach, QUARTER + math.copysign(task.swing / 2, reach))
+    return cmath.phase(end - complex(0, middle)) % math.tau
 
 
 class SliderTask(NamedTuple):

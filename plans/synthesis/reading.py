@@ -8,12 +8,23 @@ from collections.abc import Iterator
 from decimal import Decimal
 from typing import NamedTuple
 
-from plans.analytic.synthesis import QUARTER, analysed, circle, end_of_arc, start_of_arc
-from plans.model.synthesis import BEYOND, PAIR, TOWARDS, RockerTask, SliderTask, overlap_of
+from plans.model.synthesis import (
+    BEYOND,
+    PAIR,
+    QUARTER,
+    TOWARDS,
+    RockerTask,
+    SliderTask,
+    circle,
+    end_of_arc,
+    overlap_of,
+    start_of_arc,
+)
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Meaning, Scene
 from plans.synthesis.form import DemandTable, RockerTable, SliderTable, SynthesisForm
 from plans.synthesis.rocker import rocker_of
+from plans.synthesis.study import SynthesisStudy
 
 ROCKER: Path = ("synthesis", "crank_rocker")
 SLIDER: Path = ("synthesis", "slider_crank")
@@ -74,14 +85,18 @@ def _rocker(scene: Scene, task: RockerTask) -> SynthesisSurvey:
         return SynthesisSurvey(None, False, [scene.fault(ROCKER, "synthesis_centric", least=_mm(task.rocker))])
     whole = rocker_of(task)
     assert whole is not None  # the circle on the rocker's side has always an arc
-    if analysed(whole).readings[0].found:
+    if _met(whole):
         return SynthesisSurvey(whole, sought, [])
     name = "frame" if task.place is None else "place"
-    within = "; ".join(f"{low:.10g} … {high:.10g}" for low, high in _met(task))
+    within = "; ".join(f"{low:.10g} … {high:.10g}" for low, high in _within(task))
     return SynthesisSurvey(None, False, [scene.fault((*ROCKER, name), f"synthesis_{name}", within=within or "—")])
 
 
-def _met(task: RockerTask) -> Iterator[tuple[float, float]]:
+def _met(task: RockerTask | SliderTask) -> bool:
+    return any(reading.found for reading in SynthesisStudy(task).synthesis.readings)
+
+
+def _within(task: RockerTask) -> Iterator[tuple[float, float]]:
     """Give the frames mm, or the places in degrees, that some mechanism has."""
     if not task.overlap:
         yield MILLIMETRES * task.rocker, math.inf
@@ -113,7 +128,7 @@ def _slider_faults(scene: Scene, task: SliderTask) -> Iterator[Fault]:
         yield scene.fault(SLIDER, "synthesis_free")
     elif task.overlap is not None and task.offset is not None and bool(task.overlap) != bool(task.offset):
         yield scene.fault((*SLIDER, "offset"), "synthesis_axial")
-    elif not any(reading.found for reading in analysed(task).readings):
+    elif not _met(task):
         yield _beyond(scene, task)
 
 

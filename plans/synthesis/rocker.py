@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from geometry.board import Board, Mark, between
 from geometry.meet import Sizes, Vectors
 from plans.model.motion import Floats
-from plans.model.synthesis import TOWARDS, CrankRocker, RockerTask
+from plans.model.synthesis import CENTRES, TOWARDS, CrankRocker, RockerTask
 from plans.synthesis.chord import SYNTHESIS, Chord, Drawn, cross, read
 from plans.words.words import because
 
-CENTRES = {1: "M", -1: "M'"}  # of the circles, by their sides
 STATIONS = 361  # of O on an arc, where the best is looked for; then closer about the best of them
 CLOSER = 5  # times
 PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding

@@ -8,8 +8,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from plans.analytic.synthesis import admissible, analysed, at_place, best, end_of_arc, start_of_arc
-from plans.model.synthesis import CrankRocker, RockerTask, SliderCrank, SliderTask
+from plans.analytic.synthesis import admissible, analysed, at_place, best
+from plans.model.synthesis import CrankRocker, RockerTask, SliderCrank, SliderTask, end_of_arc, start_of_arc
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.synthesis.quantities import compare_synthesis
