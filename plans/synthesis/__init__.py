@@ -21,6 +21,7 @@ class SynthesisTechnique(Technique):
     survey = late("reading:survey_of")
     comparison = late("quantities:compare_synthesis", "synthesis.study:SynthesisStudy")
     numbers = late("quantities:numbers")
+    marks = late("quantities:marks")
 
     def study(self, study: Study) -> Made:
         from plans.scene.faults import SceneError

@@ -10,6 +10,7 @@ import numpy as np
 
 from geometry.board import Mark, Reading, between
 from plans.analytic.synthesis import analysed, best
+from plans.explanation import Explanation, NoMark, explained_by
 from plans.model.synthesis import ANALYSIS, EPS, CrankRocker, RockerTask, SliderCrank, Synthesis
 from plans.quantity import Comparison, Numbers, Quantity, Shown
 from plans.study import Study
@@ -151,3 +152,9 @@ def told(made: CrankRocker | SliderCrank) -> dict[str, Any]:
     names = "crank", "coupler", "rocker", "frame"
     pivot = [made.pivot.real, made.pivot.imag]
     return {**dict(zip(names, made.lengths, strict=True)), "pivot": pivot, "transmission": made.transmission}
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark: places and lengths are metres."""
+    found = explained_by(study.comparison(SYNTHESIS).findings, position, name)
+    return found._replace(units={SYNTHESIS: "m"}) if isinstance(found, Explanation) else found
