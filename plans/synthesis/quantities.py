@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark, Reading, between
+from geometry.board import Mark, Reading, behind, between
 from plans.analytic.synthesis import analysed, best
 from plans.explanation import Explanation, NoMark, explained_by
 from plans.model.synthesis import ANALYSIS, EPS, CrankRocker, RockerTask, SliderCrank, Synthesis
@@ -120,8 +120,8 @@ class _Designed(NamedTuple):
     @property
     def slack(self) -> float:
         """How far rounding may move a length, m: more where loci meet flatly."""
-        met = self.marks.pivot.meeting
-        sharp = 1.0 if met is None else float(np.abs(np.asarray(met.sharpness)))
+        met = (mark.meeting for mark in behind(self.marks.coupler) if mark.meeting is not None)
+        sharp = min((float(np.abs(np.asarray(one.sharpness))) for one in met), default=1.0)
         points = (abs(complex(mark.point)) for mark in self.drawn.board if not isinstance(mark.value, tuple))
         arcs = [self.ours.crank, max(points)]
         return WEAR * EPS * sum(arcs) / sharp
