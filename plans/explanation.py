@@ -19,7 +19,7 @@ class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own wor
 
 
 class Explanation(NamedTuple):
-    """The steps behind a mark, with the units of the plans that they were drawn on, and what follows from them."""
+    """The steps behind a mark, with the units of plans, and of marks that have others, and what follows from them."""
 
     title: Message
     steps: tuple[Mark, ...]

@@ -253,11 +253,11 @@ def _letters(shown: ShareGraph, graph: Graph, drafting: Drafting) -> Iterator[Le
     yield from (graph.number(k / DIVISIONS, number(k / DIVISIONS)) for k in range(DIVISIONS + 1))
     level = drafting.word("bare level", letter=curve_letters(shown.reaction)[REACTIONS])
     yield Letter(axes.on(0.5, shown.bare), level, hand.number, math.pi / 2, 0.8)
+    least = {name: value_of(best, name) for name, best in shown.best.items()}
     for name, letter in curve_letters(shown.reaction).items():
         yield Letter(axes.on(*shown.rows[name][-1]), letter, hand.letter, 0.0)
-        best = shown.best[name]
-        text = least_text(best, name, letter, drafting)
-        yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
+        best, side = shown.best[name], math.pi / 2 if least[name] == max(least.values()) else -math.pi / 2
+        yield Letter(axes.on(best.share, least[name]), least_text(best, name, letter, drafting), hand.number, side, 1.6)
 
 
 def levels(high: float, up: Scale) -> list[float]:

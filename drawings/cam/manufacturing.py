@@ -213,6 +213,8 @@ def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
         yield drafting.word("plane datum", curve=curve)
     else:
         yield drafting.phrase("polar datum", curve=curve, keyway=keyway_place(cam.hub, drafting, cam.name))
+    if cam.setting:
+        yield drafting.phrase("cam setting", angle=Slot(f"setting {cam.name}", math.degrees(cam.setting), DIGITS))
     if shown.view.found.roller:
         yield drafting.letter(_roller(shown, drafting))
     if not cam.translates:

@@ -19,7 +19,7 @@ from drawings.linkage.pose import Pose, letters, measured, scheme
 from drawings.linkage.skeleton import Pairs
 from drawings.page.page import Drafting
 from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied_spot
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import arrowhead, fit_dashes
 from geometry.board import at
@@ -107,17 +107,17 @@ def curvature(study: CentresStudy, name: str, bones: Pose, k: int, drafting: Dra
     if circle is None:
         return ShownCurves(bones, k, curvature_plan(name), title, {}, marked)
     pole, end, tangent = (at(mark.point, 0) for mark in (circle.pole, circle.inflection, circle.tangent))
-    marked[circle.inflection.name] = end
     lines = [*circle.lines, *(found.lines if found else ())]
     spots = {mark: at(mark.point, 0) for line in lines for mark in line}
     places = [(spots[one], spots[other]) for one, other in lines]
     reach = tangent / abs(tangent) * TANGENT * study.at(k).size
     places += [(pole, pole + reach), (pole, pole - reach)]
-    marked |= {found.centre.name: spots[found.centre]} if found else {}
+    marked |= {circle.inflection.name: end} | ({found.centre.name: spots[found.centre]} if found else {})
     built = {mark.name: spot for mark, spot in spots.items() if mark.name.partition("_")[0] in BUILT}
     shown = ShownCurves(bones, k, curvature_plan(name), title, {f"i_{link}": circle_of(pole, end)}, marked)
     shown = shown._replace(lines=_from_near(places), built=built)
-    away = ((tip, drafting.word("centre far", letter=with_index(far))) for far, (_, tip) in dict(shown.away).items())
+    tips = {tied_spot(tip): (tip, with_index(far)) for far, (_, tip) in shown.away}.values()  # some share their line
+    away = ((tip, drafting.word("centre far", letter=far)) for tip, far in tips)
     start, tip = dict(shown.away).get(circle.inflection.name, (pole, end))
     diameter = start + (tip - start) / 3, with_index(circle.diameter.name)  # clear of its middle, where a pin may be
     own = ((pole + reach, "t"), diameter) if circle.pole.name in shown.near else ()

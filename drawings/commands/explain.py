@@ -236,7 +236,7 @@ def _plan(subject: str, language: str) -> str:
 
 
 def _value(mark: Mark, of: Explanation, digits: int) -> Message:
-    unit = of.units.get(_drawn_on(mark), "")
+    unit = of.units.get(mark.name, of.units.get(_drawn_on(mark), ""))
     if isinstance(mark.value, Line):
         through, direction = at(mark.value.through, 0), at(mark.value.direction, 0)
         angle = f"{np.degrees(np.angle(direction)) % 180:.2f}"

@@ -44,7 +44,8 @@ def train_given(study: Study, driving: float, drafting: Drafting) -> Iterator[Ph
     said = {"letters": f"U_{{{pair_of(drive, crank)}}}", "ratio": Slot("U", turns[drive], DIGITS)}
     if driving:
         moment = Slot(f"M_{drive}", driving / turns[drive], DIGITS)
-        yield drafting.phrase("gears before crank", drive=drive, moment=moment, **said)
+        lossy = " with friction" if train.efficiency else ""
+        yield drafting.phrase(f"gears before crank{lossy}", drive=drive, moment=moment, **said)
     else:
         yield drafting.phrase("gears alone before crank", **said)
     arms = {link: float(train.heights[link] - train.heights[train.carrier_of[link]]) for link in train.masses}

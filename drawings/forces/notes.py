@@ -117,6 +117,7 @@ def _sides(force: Force, language: str) -> Iterator[str]:
     if piston is not None and (force.card or piston.area != piston.other):
         sizes = {"there": 1e4 * piston.area, "other": 1e4 * piston.other, "behind": piston.behind}
         yield word(language, "piston sides", **{name: number(size, language) for name, size in sizes.items()})
+    yield from [word(language, "one side")] if force.one_sided else []
 
 
 def _balanced(statics: Statics, position: int, language: str) -> Iterator[str]:

@@ -195,7 +195,7 @@ def _bodies(statics: Statics, language: str) -> Iterator[str]:
         far = {} if force.other is None else {"far": force.other.point, "other": force.other.link}
         line = say("report.force_between" if far else "report.force", name=force.name, **ends, **far)
         yield _size(line, force.size, force.diagram, language)
-        yield from _piston(table, language)
+        yield from _piston(table, [lettering.word(language, "one side")] if force.one_sided else [], language)
     for moment in machine.moments:
         line = say("report.moment", name=moment.name, link=moment.link, during=moment.during)
         yield say("report.load_size", line=line, size=write(moment.size), unit=lettering.word(language, "N*m"))
@@ -204,19 +204,19 @@ def _bodies(statics: Statics, language: str) -> Iterator[str]:
         yield say("report.spring", **ends, stiffness=write(spring.stiffness), free=write(spring.free))
 
 
-def _piston(force: ForceTable, language: str) -> Iterator[str]:
-    """Tell the piston of a load: its bore and rod, the areas of both sides, and what else presses on it."""
+def _piston(force: ForceTable, more: Sequence[str], language: str) -> Iterator[str]:
+    """Tell the piston of a load: its bore and rod, the areas of both sides, what else presses on it, and `more`."""
     if not force.pressed or force.bore is None:
         return
     say, write = partial(word, language), partial(number, language=language, digits=DIGITS)
     parts = [say("report.bore", size=write(1000 * float(force.bore)))]
     if force.rod is not None:
         parts.append(say("report.rod", size=write(1000 * float(force.rod)), on=force.rod_on))
-    areas = (write(SQUARE_CM * float(force.area(side))) for side in (PRESSED, BEHIND))
-    parts.append(say("report.areas", **dict(zip(("there", "other"), areas, strict=True))))
+    there, other = (write(SQUARE_CM * float(force.area(side))) for side in (PRESSED, BEHIND))
+    parts.append(say("report.areas", there=there, other=other))
     for key, pressure in (("behind", force.behind), ("ambient", force.ambient)):
         parts += [say(f"report.{key}", size=write(float(pressure) / MPA))] if pressure else []
-    yield say("report.piston", told="; ".join(parts))
+    yield say("report.piston", told="; ".join((*parts, *more)))
 
 
 def _size(line: str, size: float, diagram: Diagram | None, language: str) -> str:

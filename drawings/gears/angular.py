@@ -55,9 +55,8 @@ def measure(shown: ShownAngular, drafting: Drafting) -> Picture:
 def draw(shown: ShownAngular, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the line, the rays from the pole, and the ends that they cut off."""
     place, hand = room.place(*spot), drafting.hand
-    far = joined(
-        "", ("K = ", drafting.slot(Slot(f"K {shown.name}", place.length(abs(shown.pole)))), f" {drafting.word('mm')}")
-    )
+    size = drafting.slot(Slot(f"K {shown.name}", place.length(abs(shown.pole))))
+    far = joined("", ("K = ", size, f" {drafting.word('mm')}"))
     title = heading(spot.box, shown.title, drafting.scale(spot.scale), hand)
     across = [0.0, *(end.real for end in shown.ends.values())]
     past = PAST * abs(shown.pole)
@@ -69,14 +68,9 @@ def draw(shown: ShownAngular, room: Picture, spot: Spot, drafting: Drafting) -> 
     for link, end in shown.ends.items():
         if _shared(shown, end, place).split(", ")[0] == link:  # of links that turn alike the first bears the mark
             marks.append(point(subject, f"ω_{link}", end, place, pole(place.on(end)), title=link))
-    beside = telling(shown.name, _distance(shown, place, drafting, far), far)
+    under = place.on(shown.pole) - 1j * (2.2 * hand.text)
+    beside = telling(shown.name, Text(under, far, hand.text, "middle", True), far)
     return LetteredFigure(shown.name, (title, base, *rays, *marks, beside), partial(_letters, shown, place, drafting))
-
-
-def _distance(shown: ShownAngular, place: Place, drafting: Drafting, far: str) -> Stroke:
-    """Write the distance of the pole under it."""
-    low = place.on(shown.pole) - 1j * (2.2 * drafting.hand.text)
-    return Text(low, far, drafting.hand.text, "middle", True)
 
 
 def _shared(shown: ShownAngular, end: complex, place: Place) -> str:

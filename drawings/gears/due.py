@@ -30,9 +30,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's gear train."""
     found, drafting = study.of(GearsStudy), drafting_of(study.scene)
     scales = {name: mu for leaf in leaves for name, mu in leaf.metadata["scales"].items()}
-    plans = (
-        one for gear in found.train.gears for one in (*_linear(found, gear, scales), *_angular(found, gear, scales))
-    )
+    gears = found.train.gears
+    plans = (one for gear in gears for of in (_linear, _angular) for one in of(found, gear, scales))
     findings = tabled(study.of(GearsComparison))
     slips = slipping(study.comparison(GEARS).findings, scales)
     results = (row for one in findings for row in _result(one, slips, drafting))
@@ -61,13 +60,16 @@ def _angular(study: GearsStudy, gear: BoxGear, scales: Mapping[str, float]) -> I
     yield Expected(Kind.PHRASE, name, f"K {name}", 1 / study.plans[0].tau / scales[name])
 
 
+def label(one: Quantity, drafting: Drafting) -> str:
+    """Name a quantity with its unit."""
+    letters = drafting.letter(with_index(one.name))
+    return f"{letters}, {drafting.word(one.unit)}" if one.unit else letters
+
+
 def _result(one: Quantity, slips: Mapping[tuple[str, int], float], drafting: Drafting) -> Iterator[Expected]:
     value = float(one.analysis[0]), float(one.allowed[0])
-    letters = drafting.letter(with_index(one.name))
-    label = f"{letters}, {drafting.word(one.unit)}" if one.unit else letters
-    yield from cells(
-        "results", label, (value, value, by_hand(slips.get((one.name, 0), math.nan), one.largest)), digits=DIGITS
-    )
+    error = by_hand(slips.get((one.name, 0), math.nan), one.largest)
+    yield from cells("results", label(one, drafting), (value, value, error), digits=DIGITS)
 
 
 def _speeds(found: TrainSpeeds) -> Iterator[Expected]:
@@ -91,9 +93,8 @@ def _notes(study: GearsStudy) -> Iterator[Expected]:
         numbers |= {f"n_{link}": speed * 30 / math.pi, f"given ω_{link}": speed}
     for one, other in train.pairs:
         if one.side:
-            numbers |= {
-                f"δ_{a.name}": math.degrees(math.atan2(a.teeth, b.teeth)) for a, b in ((one, other), (other, one))
-            }
+            both = (one, other), (other, one)
+            numbers |= {f"δ_{a.name}": math.degrees(math.atan2(a.teeth, b.teeth)) for a, b in both}
             numbers[f"R_{one.name}{other.name}"] = 500 * float(one.module) * math.hypot(one.teeth, other.teeth)
             continue
         numbers[f"a_{one.name}{other.name}"] = 500 * float(one.module * abs(one.teeth + other.teeth))
@@ -146,9 +147,8 @@ def _planets(study: GearsStudy) -> Iterator[Expected]:
     for link, carrier in train.carrier_of.items() if (train.planets or 0) > 1 else ():
         far = float(train.heights[link] - train.heights[carrier])
         for name, row in {row.cross.name: row for row in train.crossing.get(link, ())}.items():
-            cone = math.atan(row.cross.radius / row.level.radius) + math.atan2(
-                2, abs(complex(row.cross.teeth, row.level.teeth))
-            )
+            cone = math.atan(row.cross.radius / row.level.radius)
+            cone += math.atan2(2, abs(complex(row.cross.teeth, row.level.teeth)))
             for key, value in (("share", 180 / (train.planets or 1)), ("tip", math.degrees(cone))):
                 yield Expected(Kind.PHRASE, NOTES, f"{key} {name}", value, digits=DIGITS)
         for wheel in (wheel for wheel in train.wheels.values() if wheel.link == link and not wheel.side):

@@ -81,9 +81,7 @@ class ShownLinear(NamedTuple):
         for link, rows in train.crossing.items() if self.schemed else ():
             spots = [spot for spot in self.scheme.spots if link in spot.links and spot.across is not None]
             axis = self.scheme.axis(link)
-            ends = {
-                spot.letter: complex(axis + float(spot.across or 0), self.images[spot.letter].real) for spot in spots
-            }
+            ends = {one.letter: complex(axis + float(one.across or 0), self.images[one.letter].real) for one in spots}
             if link not in train.carrier_of:
                 ends[""] = complex(axis)
             speeds, gap = [0.0, *(end.imag for end in ends.values())], BETWEEN * self.high
@@ -154,7 +152,7 @@ def draw(shown: ShownLinear, room: Picture, spot: Spot, drafting: Drafting) -> L
     arrows = filter(None, (_arrow(shown, name, place, drafting) for name in shown.plan.velocities))
     subject, zero = Subject(board_of(LINEAR, shown.plan.gear), "v", None), pole(place.on(complex(shown.zero)))
     origin = point(subject, AXIS, 0j, Place(zero.centre, 0j, _velocity(shown, spot.scale)), zero, "pole")
-    upright = (line for link in shown.crossing for line in _across(shown, link, place, drafting.hand))
+    upright = (line for link in shown.crossing for line in _across(shown, link, place, hand))
     drawn = title, *_levels(shown, place, drafting), *scheme, *lines, *upright, origin, *arrows
     return LetteredFigure(shown.name, drawn, partial(_letters, shown, place, drafting))
 
@@ -207,22 +205,17 @@ def _letters(shown: ShownLinear, place: Place, drafting: Drafting, labels: Label
     if shown.schemed:
         yield from shown.scheme.letters(place, hand, labels)
     for spot in shown.scheme.spots:
-        if shown.schemed and spot.links[0] != FRAME:
-            at, way = place.on(shown.scheme.contact(spot)), -0.6 if spot.rack else 0.6
-            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, way)
-        elif not spot.height:
-            yield labels.beside(place.on(complex(shown.zero)), spot.letter, hand.letter, BESIDE, -2.6)
+        fixed, image = spot.links[0] == FRAME, shown.images[spot.letter]
+        if not spot.height and (fixed or not shown.schemed):
+            at, way = complex(shown.zero), -2.6
         elif shown.schemed:
-            at = place.on(shown.scheme.contact(spot))
-            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, -0.8)
+            at, way = shown.scheme.contact(spot), -0.8 if fixed else -0.6 if spot.rack else 0.6
         else:
-            at = place.on(complex(_left(shown), float(spot.height)))
-            yield labels.beside(at, with_index(spot.letter), hand.letter, BESIDE, math.pi)
-        if spot.links[0] != FRAME:
-            image = shown.images[spot.letter]
+            at, way = complex(_left(shown), float(spot.height)), math.pi
+        yield labels.beside(place.on(at), with_index(spot.letter), hand.letter, BESIDE, way)
+        if not fixed:
             way = -0.6 if image.real > 0 else math.pi - 0.6  # what rests or goes back has its letter on that side
-            at = place.on(shown.zero + image)
-            yield labels.beside(at, with_index(spot.image), hand.letter, BESIDE, way)
+            yield labels.beside(place.on(shown.zero + image), with_index(spot.image), hand.letter, BESIDE, way)
     for name, end in shown.free_ends.items():
         up = math.pi / 2 if end == shown.lines[name][1] else -math.pi / 2
         yield labels.beside(place.on(shown.zero + end), name, hand.number, BESIDE, up)

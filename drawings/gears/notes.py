@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from fractions import Fraction
 from itertools import chain
 from typing import NamedTuple
 
@@ -12,15 +11,16 @@ from drawings.gears import synthesis
 from drawings.gears.efficiency import EfficiencyNotes
 from drawings.gears.willis import by_teeth, lettered, quantity, ratio_letters, stopped
 from drawings.lettering.gear_letters import link_letters, teeth_letters
-from drawings.lettering.words import Phrase, Slot, joined
+from drawings.lettering.words import Phrase, Slot, joined, with_index
 from drawings.page.page import Drafting
 from plans.analytic.gears import TrainSpeeds
 from plans.gears.study import GearsStudy, of_gear
 from plans.gears.synthesis import CLEAR
-from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, Willis, assembly, bodies
+from plans.model.gears import FRAME, BoxGear, ToothedWheel, Train, assembly, bodies
 
 MILLIMETRES = 1000.0
 DIGITS = 5
+OMEGA = "ω_{{{}}}"
 
 
 class GearsNotes(NamedTuple):
@@ -33,8 +33,8 @@ class GearsNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, how it fits, what Willis gives, how the plans are read."""
-        told = self.given(), self.synthesis(), self.fit(), self.willis(), self.solved(), self.inertia(), self.moments()
-        return tuple(chain(*told, self.read()))
+        told = self.given(), self.synthesis(), self.fit(), self.willis(), self.ratios(whole=True)
+        return tuple(chain(*told, self.inertia(), self.moments(), self.read()))
 
     def given(self) -> Iterator[str]:
         """Tell teeth, module and speeds."""
@@ -52,9 +52,8 @@ class GearsNotes(NamedTuple):
             n, omega = Slot(f"n_{link}", speed * 30 / math.pi, DIGITS), Slot(f"given ω_{link}", speed, DIGITS)
             yield self._said("gears drive", link=link, n=n, omega=omega)
         if train.joined:
-            yield self._said(
-                "gears joined", links=";  ".join(" – ".join(map(link_letters, group)) for group in train.joined)
-            )
+            groups = (" – ".join(map(link_letters, group)) for group in train.joined)
+            yield self._said("gears joined", links=";  ".join(groups))
         for gear in train.gears:
             if gear.name:
                 names = ", ".join(map(link_letters, self.study.engaged(gear)))
@@ -130,28 +129,20 @@ class GearsNotes(NamedTuple):
     def willis(self) -> Iterator[str]:
         """Write Willis's formula of each two wheels about a planet, in letters and in numbers."""
         for one in self.study.train.willis:
-            yield self._formula(one)
+            over = f" − ω_{{{one.carrier}}}" if one.carrier else ""
+            top, low = (OMEGA.format(wheel.link) + over for wheel in (one.first, one.other))
+            speeds = f"({top})/({low})" if over else f"{top}/{low}"
+            value = self.drafting.slot(Slot(quantity(one), float(one.ratio), DIGITS))
+            yield joined(" = ", (ratio_letters(one), speeds, *by_teeth(one), value))
 
-    def _formula(self, one: Willis) -> Phrase:
-        first, other, carrier = one.first.link, one.other.link, one.carrier
-        name = ratio_letters(one)
-        top, low = (f"ω_{{{link}}}" + (f" − ω_{{{carrier}}}" if carrier else "") for link in (first, other))
-        speeds = f"({top})/({low})" if carrier else f"{top}/{low}"
-        value = self.drafting.slot(Slot(quantity(one), float(one.ratio), DIGITS))
-        return joined(" = ", (name, speeds, *by_teeth(one), value))
+    def ratios(self, whole: bool = False) -> Iterator[str]:
+        """Tell the ratio of each gear, by Willis's formula where that gives it at once, and the driven speed.
 
-    def ratios(self) -> Iterator[str]:
-        """Tell the ratio of each gear, by Willis's formula where that gives it at once, and the driven speed."""
+        The whole of it tells, before a ratio that its formulas give only together, these for the links as they turn.
+        """
         for gear in self.study.train.gears:
+            yield from self._together(gear) if whole and not stopped(self.study.train, gear) else ()
             yield from (self._ratio(gear), *self.racks(gear))
-
-    def solved(self) -> Iterator[str]:
-        """Tell the ratios, before each that its formulas give only together these for the links as they turn."""
-        for gear in self.study.train.gears:
-            if not stopped(self.study.train, gear):
-                yield from self._together(gear)
-            yield self._ratio(gear)
-            yield from self.racks(gear)
 
     def racks(self, gear: BoxGear) -> Iterator[Phrase]:
         """Tell how fast a rack goes by its wheel, and how far in a turn of the driving link."""
@@ -174,7 +165,7 @@ class GearsNotes(NamedTuple):
             first, other, carrier = (body[link] for link in (one.first.link, one.other.link, one.carrier or FRAME))
             if len({first, other, carrier}) > 1:
                 over, under = (_over_carrier(link, carrier) for link in (first, other))
-                yield f"{over} = {ratio_letters(one)}{_bracketed(under)}"
+                yield f"{over} = {ratio_letters(one)}{f'({under})' if '−' in under else under}"
 
     def _ratio(self, gear: BoxGear) -> Phrase:
         driving, driven, ratio = self.study.train.drives[0][0], self.study.train.output, self.speeds.ratio(gear)
@@ -188,7 +179,7 @@ class GearsNotes(NamedTuple):
         value = slot(Slot(of_gear(self.study.ratio_name, gear), float(ratio), DIGITS))
         formula = stopped(self.study.train, gear) or f"ω_{{{driving}}}/ω_{{{driven}}}"
         terms = [lettered(self.study.ratio_name, gear), formula]
-        terms += [_fraction(ratio)] if ratio.denominator != 1 else []
+        terms += [str(ratio).replace("-", "−")] if ratio.denominator != 1 else []
         return joined("", (joined(" = ", (*terms, value)), ";  ", turns))
 
     def inertia(self) -> Iterator[str]:
@@ -238,11 +229,19 @@ class GearsNotes(NamedTuple):
     def read(self) -> Iterator[str]:
         """Say how the plans are read, and on what assumed speed they rest."""
         yield self._said("gears read")
-        for link in self.study.train.crossing:
-            key = "gears over" if link in self.study.train.carrier_of else "gears axis across"
-            yield self._said(key, link=link_letters(link))
+        yield from self._across()
         for link in dict.fromkeys(link for plan in self.study.plans for link in plan.assumed):
             yield self._said("gears assumed", link=link_letters(link))
+
+    def _across(self) -> Iterator[Phrase]:
+        """Say of all axes across in one note where velocities stand that are about them, and how links turn there."""
+        across, planets = self.study.train.crossing, self.study.train.carrier_of
+        image = next((with_index(spot.image) for spot in self.study.spots if spot.across is not None), "")
+        over, fixed = ([link for link in across if (link in planets) == free] for free in (True, False))
+        kinds = ("gears upright", "{}", [*across]), ("gears over", OMEGA, over), ("gears axis across", OMEGA, fixed)
+        told = ((key, ", ".join(map(form.format, links))) for key, form, links in kinds if links)
+        said = [self._said(key, links=links, image=image) for key, links in told]
+        yield from (joined(";  ", said),) if said else ()
 
     def _equal(self, letter: str, slot: Slot) -> Phrase:
         return joined(" = ", (letter, self.drafting.slot(slot)))
@@ -262,11 +261,3 @@ def _over_carrier(link: str, carrier: str) -> str:
     """Write the speed of a body over that of a carrier, either of which may rest."""
     parts = [f"{sign}ω_{{{one}}}" for sign, one in (("", link), ("−", carrier)) if one != FRAME]
     return "0" if link == carrier else " ".join(parts).replace(" −", " − ")
-
-
-def _bracketed(text: str) -> str:
-    return f"({text})" if "−" in text else text
-
-
-def _fraction(value: Fraction) -> str:
-    return str(value).replace("-", "−")

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 
 from drawings.gears.routing import ARM, BRAKE, DISC, HELD, INPUT, OUTPUT, SUN, Post, Routing, held
 from drawings.gears.scheme import FACE, SHOE, STEP, TrainScheme
+from drawings.kinds.axes import arrow
 from drawings.layout.picture import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Polyline, Stroke
-from drawings.symbols.symbols import arrowhead, fit, ground
+from drawings.symbols.symbols import fit, ground
 from plans.model.gears import BevelMesh, ToothedWheel, Train
 
 # Millimetres, by the factor of the hand: half the gap between two faces, half a hub, half the cross of a wheel that is
@@ -75,8 +76,7 @@ class _SchemePen:
             if height:
                 wheels = (w for w in self.train.wheels.values() if self._fixed(w.link))
                 some = [self.routing.columns[w.name] for w in wheels if self.train.heights[w.link] == height]
-                start, end = self.on(min(some), float(height)), self.on(max(some), float(height))
-                past = 2.2 * self._face
+                (start, end), past = (self.on(pick(some), float(height)) for pick in (min, max)), 2.2 * self._face
             yield Line(start - past, end + past, fit(self.hand.axis, abs(end - start) + 2 * past))
         for link, rows in self.train.crossing.items():
             x, heights = self.routing.columns[rows[0].cross.name], self.train.heights
@@ -93,27 +93,20 @@ class _SchemePen:
             links = self.train.carriers[post.name]
             low = min(row.place[1] for link in links for row in self.train.crossing[link])
             foot = self.on(post.x, float(self.train.heights[post.name] + low)) - 1.5j * self._face
-        match post.kind:
-            case _ if post.kind == SUN:
-                yield from self._sun(self.train.wheels[post.name], foot)
-            case _ if post.kind in (INPUT, OUTPUT):
-                yield from self._end(post, foot)
-            case _ if post.kind == BRAKE:
-                yield Line(foot, top, hand.result)
-                yield from self._shoes(top)
-            case _ if post.kind == HELD:
-                yield Line(foot, top, hand.result)
-                yield from self._ground(top)
-            case _:
-                yield Line(foot, top, hand.result)
+        if post.kind == SUN:
+            yield from self._sun(self.train.wheels[post.name], foot)
+        elif post.kind in (INPUT, OUTPUT):
+            yield from self._end(post, foot)
+        else:
+            yield Line(foot, top, hand.result)
+            yield from self._shoes(top) if post.kind == BRAKE else self._ground(top) if post.kind == HELD else ()
 
     def _sun(self, wheel: ToothedWheel, foot: complex) -> Iterator[Stroke]:
-        reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol
         centre = self.on(self.routing.columns[wheel.name], float(self.train.heights[wheel.link]))
         both, along = self.scheme.both(wheel), 1 + 0j
         if row := next((row for row in self.train.bevels.values() if row.level == wheel), None):
             along = complex(_edge(row).real, abs(_edge(row).imag))
-            reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol / abs(along.real)
+        reach = self.place.length(float(wheel.radius)) - MESHED * self.hand.symbol / abs(along.real)
         yield Line(centre - 1j * reach if both and foot == centre else foot, centre + 1j * reach, self.hand.result)
         if both and foot != centre:  # another shaft passes through it
             under = 2 * centre - foot
@@ -161,10 +154,7 @@ class _SchemePen:
             middle = (low + end) / 2 + way * beside
             yield from ground(middle - along, middle + along, complex(way), hand)
         outward = 1j * rows[0].up * ARROW * hand.symbol
-        ways = (end, end + outward) if link == self.train.output else (end + outward, end)
-        head = arrowhead(*ways, hand.symbol)
-        yield Line(*ways, hand.other)
-        yield from (head,) if head is not None else ()
+        yield from arrow(*((end, end + outward) if link == self.train.output else (end + outward, end)), hand)
 
     def _cross(self, at: complex) -> Iterator[Stroke]:
         """Draw that a wheel is fixed on its shaft."""
@@ -176,10 +166,7 @@ class _SchemePen:
         inward = 1.0 if self.scheme.across[post.x] < self.scheme.right / 2 else -1.0
         yield from self._bearing(foot + inward * BEARING * self.hand.symbol)
         end = foot - inward * ARROW * self.hand.symbol
-        tail, tip = (end, foot) if post.kind == INPUT else (foot, end)
-        head = arrowhead(tail, tip, self.hand.symbol)
-        yield Line(tail, tip, self.hand.other)
-        yield from (head,) if head is not None else ()
+        yield from arrow(*((end, foot) if post.kind == INPUT else (foot, end)), self.hand)
 
     def _bearing(self, at: complex) -> Iterator[Stroke]:
         half, low = BEARING / 2 * self.hand.symbol, 1j * OFF * self.hand.symbol
@@ -206,8 +193,7 @@ class _SchemePen:
 
     def hub(self, link: str) -> Iterator[Stroke]:
         """Draw the hub of a planet, which turns on its axle."""
-        some = [self.routing.columns[w.name] for w in self.train.wheels.values() if w.link == link]
-        y, half = float(self.train.heights[link]), HUB * self.hand.symbol
+        some, y, half = self.routing.across(link), float(self.train.heights[link]), HUB * self.hand.symbol
         start, end = self.on(min(some), y) - self._face, self.on(max(some), y) + self._face
         yield from (Line(start + way * half, end + way * half, self.hand.result) for way in (1j, -1j))
         if min(some) == max(some):
@@ -218,9 +204,8 @@ class _SchemePen:
         x, hand = self.routing.columns[wheel.name], self.hand
         face = self.on(x, float(self.train.heights[wheel.link] + wheel.radius)) + 1j * MESHED * hand.symbol
         outside, body = self.on(x, self.routing.outside(wheel)), self.train.body_of[wheel.link]
-        joined = any(post.body == body and post.kind == DISC for post in self.routing.posts)
-        joined = joined or len(self.routing.rings(body)) > 1
-        top = self.on(x, self.routing.bar(body)) if joined else outside
+        disc = any(post.body == body and post.kind == DISC for post in self.routing.posts)
+        top = self.on(x, self.routing.bar(body)) if disc or len(self.routing.rings(body)) > 1 else outside
         yield self._bar(face)
         yield Line(face, top, hand.result)
         if wheel is self.routing.rings(body)[0]:
@@ -237,12 +222,9 @@ class _SchemePen:
         yield from ground(guide - half, guide + half, 1j * side, self.hand)
 
     def _held(self, body: str, top: complex) -> Iterator[Stroke]:
-        for name, link in held(self.train):
-            if self.train.body_of[link] == body and name:
-                yield Line(top, top + 1j * (SHOE + OFF) * self.hand.symbol, self.hand.result)
-                yield from self._shoes(top + 1j * (SHOE + OFF) * self.hand.symbol)
-            elif self.train.body_of[link] == body:
-                yield from self._ground(top)
+        high = top + 1j * (SHOE + OFF) * self.hand.symbol
+        for name in (name for name, link in held(self.train) if self.train.body_of[link] == body):
+            yield from (Line(top, high, self.hand.result), *self._shoes(high)) if name else self._ground(top)
 
 
 def _edge(row: BevelMesh) -> complex:

@@ -47,6 +47,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     sought = ["", *ruled(solutions(searched, drafting, None).plain)] if searched else []
     told = (results(comparison, drafting), speeds(comparison.analysis, drafting))
     tables = [line for each in told for line in ("", *ruled(each.plain))]
+    found = *notes.willis(), *notes.ratios(whole=True), *notes.inertia(), *notes.moments()
     head = chapter(drafting.language, GEARS)
     return Chapters(
         subject=[
@@ -54,7 +55,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
             *map(entry, (*notes.given(), *notes.synthesis(None), *notes.fit())),
             *sought,
         ],
-        values=["", *map(entry, (*notes.willis(), *notes.solved(), *notes.inertia(), *notes.moments())), *tables],
+        values=["", *map(entry, found), *tables],
     )
 
 

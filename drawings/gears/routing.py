@@ -85,13 +85,12 @@ class Routing:
 
     def axle(self, link: str) -> Rod:
         """Give the axle of a planet from its carrier's arm through its wheels."""
-        arm = (
-            post.x for post in self.posts if post.kind == ARM and post.body == self.bodies[self.train.carrier_of[link]]
-        )
-        across = [*self._of(link), *arm]
-        return Rod(self.bodies[self.train.carrier_of[link]], min(across), max(across), float(self.train.heights[link]))
+        body = self.bodies[self.train.carrier_of[link]]
+        across = [*self.across(link), *(post.x for post in self.posts if post.kind == ARM and post.body == body)]
+        return Rod(body, min(across), max(across), float(self.train.heights[link]))
 
-    def _of(self, link: str) -> list[float]:
+    def across(self, link: str) -> list[float]:
+        """Give the places across of the wheels of a link."""
         return [self.columns[wheel.name] for wheel in self.train.wheels.values() if wheel.link == link]
 
     def bars(self) -> Iterator[Rod]:
@@ -125,12 +124,12 @@ class Routing:
 
     def _under(self, inner: Rod, outer: str) -> bool:
         """Tell whether a shaft passes under a post of a coaxial one."""
-        same = self.height(inner.body) == self.height(outer)
-        return same and any(post.body == outer and inner.left < post.x < inner.right for post in self.posts)
+        posts = (post.x for post in self.posts if post.body == outer and self.height(inner.body) == self.height(outer))
+        return any(inner.left < x < inner.right for x in posts)
 
     def _overlap(self, one: Rod, other: Rod) -> bool:
-        apart = self.height(one.body) != self.height(other.body)
-        return not apart and min(one.right, other.right) >= max(one.left, other.left)
+        level = self.height(one.body) == self.height(other.body)
+        return level and min(one.right, other.right) >= max(one.left, other.left)
 
     def cost(self) -> float:
         """Count crossings of posts and wheels with level lines of other bodies, and how long these are."""
@@ -158,9 +157,8 @@ class Routing:
         for ways in (posts, posts[::-1]) if len(posts) > 1 else (posts,):
             for k, gap in enumerate(gaps):
                 width = min((places[k] - places[k - 1]) / 4 if 0 < k < len(places) else HALF, HALF)
-                tried = tuple(
-                    post._replace(x=gap + (2 * n - 1) * width / 2 * (len(posts) - 1)) for n, post in enumerate(ways)
-                )
+                off = ((2 * n - 1) * width / 2 * (len(posts) - 1) for n in range(len(ways)))
+                tried = tuple(post._replace(x=gap + x) for post, x in zip(ways, off, strict=True))
                 self.posts = [*before, *tried]
                 cost = self.cost() + (0.0 if near is None else abs(gap - near))
                 if cost < best:

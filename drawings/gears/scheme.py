@@ -115,13 +115,10 @@ class TrainScheme:
         """Tell whether a wheel is drawn on both sides of its axis."""
         if wheel.side in ACROSS:
             return False
-        under = any(row.up < 0 for row in self.train.bevels.values() if row.level == wheel)
-        under = under or any(
-            name == wheel.name and self.train.rack_side(rack) < 0 for rack, name in self.train.racks.items()
-        )
-        return not wheel.internal and (
-            under or self.whole or wheel.link in self.train.carrier_of or self._height(wheel) != 0
-        )
+        under = [row.up < 0 for row in self.train.bevels.values() if row.level == wheel]
+        under += [self.train.rack_side(rack) < 0 for rack, name in self.train.racks.items() if name == wheel.name]
+        alone = self.whole or wheel.link in self.train.carrier_of or self._height(wheel) != 0
+        return not wheel.internal and (alone or any(under))
 
     def at(self, x: float, y: float) -> complex:
         """Give a true place from the place across and the height."""
@@ -131,12 +128,12 @@ class TrainScheme:
         """Give where a point of the train is in the scheme: a mesh in its column, a planet's centre at its wheel."""
         if spot.rack:
             return self.at(self.routing.columns[self.train.racks[spot.rack]], float(spot.height))
-        names = [w.name for w in self.train.wheels.values() if w.link in spot.links]
+        columns = {w.name: self.routing.columns[w.name] for w in self.train.wheels.values() if w.link in spot.links}
         for mesh in self.train.meshes:
-            if {*mesh} <= {*names} and self.train.contact(mesh) == spot.height:
+            if {*mesh} <= {*columns} and self.train.contact(mesh) == spot.height:
                 bevel = self.train.bevels.get(mesh)
-                return self.at(self.routing.columns[bevel.level.name if bevel else mesh[0]], float(spot.height))
-        return self.at(max(self.routing.columns[name] for name in names), float(spot.height))
+                return self.at(columns[bevel.level.name if bevel else mesh[0]], float(spot.height))
+        return self.at(max(columns.values()), float(spot.height))
 
     def beyond(self, spot: TrainPoint) -> complex:
         """Give where the level of a point begins: past the faces of a mesh, at the end of an axle, of the scheme."""
@@ -166,10 +163,9 @@ class TrainScheme:
         for post in self.routing.posts:
             if post.kind in (ARM, BRAKE, PLATE) and post.name not in seen:
                 seen.add(post.name)
-                low = self.routing.level(post.body)
-                low = self.routing.roofs.get(post.body, low) if post.kind == ARM else low
-                y = low + (post.top - low) * (0.5 if post.kind == ARM else 1.0)
-                up = 0.0 if post.kind == ARM else math.pi / 2
+                y, up = post.top, math.pi / 2
+                if post.kind == ARM:
+                    y, up = (y + self.routing.roofs.get(post.body, self.routing.level(post.body))) / 2, 0.0
                 yield labels.beside(place.on(self.at(post.x, y)), with_index(post.name), size, BESIDE + 0.7, up)
         for name, link in held(self.train):
             if name and name not in seen:

@@ -9,7 +9,7 @@ from typing import Final
 
 from drawings.gears import angular, linear
 from drawings.gears.angular import ShownAngular
-from drawings.gears.due import expected
+from drawings.gears.due import expected, label
 from drawings.gears.linear import ShownLinear
 from drawings.gears.notes import DIGITS, GearsNotes
 from drawings.gears.routing import routed
@@ -20,7 +20,6 @@ from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, value_row
 from drawings.lettering.gear_letters import link_letters
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Field, drafting_of
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.sheets.kind import PLAN, SheetKind
@@ -31,7 +30,7 @@ from plans.gears.kutzbach import ANGULAR, LINES
 from plans.gears.quantities import GearsComparison, tabled
 from plans.gears.study import GEARS, GearsStudy
 from plans.model.gears import BoxGear
-from plans.quantity import Quantity, by_hand
+from plans.quantity import by_hand
 from plans.study import Study
 
 SPEEDS, RESULTS = "speeds", "results"  # the tables
@@ -78,12 +77,6 @@ def results(comparison: GearsComparison, drafting: Drafting) -> RuledTable:
     lines = [value_row(one, label(one, drafting), (0,), drafting.language) for one in tabled(comparison)]
     heads = tuple(drafting.word(key) for key in COLUMNS)
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS, least=6)
-
-
-def label(one: Quantity, drafting: Drafting) -> str:
-    """Name a quantity with its unit."""
-    letters = drafting.letter(with_index(one.name))
-    return f"{letters}, {drafting.word(one.unit)}" if one.unit else letters
 
 
 def speeds(found: TrainSpeeds, drafting: Drafting) -> RuledTable:

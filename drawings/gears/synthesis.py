@@ -48,11 +48,10 @@ def _off(wanted: Wanted, ratio: float) -> float:
 def notes(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> Iterator[Phrase]:
     """Tell what was wanted, what each condition left, and how the train that is drawn meets them."""
     wanted, best = found.wanted, found.solutions[0]
-    bounds = {
-        name: Slot(f"U {name}", float(one), DIGITS) for name, one in zip(("lo", "hi"), wanted.bounds, strict=True)
-    }
-    given = {"ratio": Slot("wanted U", float(wanted.ratio), DIGITS), "tolerance": Slot("tolerance", _tolerance(wanted))}
-    yield drafting.phrase("gears wanted", name=_ratio(wanted), **given, **bounds)
+    told = {name: Slot(f"U {name}", float(one), DIGITS) for name, one in zip(("lo", "hi"), wanted.bounds, strict=True)}
+    told |= {"ratio": Slot("wanted U", float(wanted.ratio), DIGITS)}
+    told |= {"tolerance": Slot("tolerance", 100 * float(wanted.tolerance))}
+    yield drafting.phrase("gears wanted", name=_ratio(wanted), **told)
     counts = {"coaxial": found.coaxial, "clear": found.clear, "whole": found.whole, "count": len(found.solutions)}
     across = Slot("D", MILLIMETRES * float(best.across), DIGITS)
     sizes = {"across": across, "off": Slot("ΔU", _off(wanted, float(best.ratio)), OFF), "planets": best.planets}
@@ -61,13 +60,8 @@ def notes(found: Searched, drafting: Drafting, most: int | None = SHOWN) -> Iter
     if most and len(found.solutions) > most:
         yield drafting.phrase("gears more", shown=most, count=len(found.solutions))
     sound = all(abs(teeth) >= USUAL_LEAST[teeth < 0] for teeth in best.teeth.values())
-    yield drafting.phrase(
-        "gears undercut" if sound else "gears least", parts=joined(",  ", tuple(_undercut(wanted, best)))
-    )
-
-
-def _tolerance(wanted: Wanted) -> float:
-    return 100 * float(wanted.tolerance)
+    key, met = "gears undercut" if sound else "gears least", tuple(_undercut(wanted, best))
+    yield drafting.phrase(key, parts=joined(",  ", met))
 
 
 def _widest(wanted: Wanted, best: Solution) -> str:
@@ -80,10 +74,8 @@ def _undercut(wanted: Wanted, best: Solution) -> Iterator[str]:
     """Write the least teeth of external wheels and of rings, and how many more a ring has than the wheel within it."""
     kinds = {False: wanted.least, True: wanted.ring}
     for ring, least in kinds.items():
-        sought = [
-            name for name, teeth in wanted.raw.teeth.items() if teeth is None and (name in wanted.raw.rings) == ring
-        ]
-        if sought:
+        free = (name for name, teeth in wanted.raw.teeth.items() if teeth is None)
+        if sought := [name for name in free if (name in wanted.raw.rings) == ring]:
             name = min(sought, key=lambda name: abs(best.teeth[name]))
             yield f"{teeth_letters(name)} = {abs(best.teeth[name])} ≥ {least}".replace(" ", NBSP)
     for one, planet in wanted.rows:

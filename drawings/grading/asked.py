@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -187,7 +188,8 @@ def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
     expected = originals.expected(sheet)
     for (plan, position), marks in figures.items():
         if position in record.plans.get(plan, ()):
-            vectors = tuple(_asked(mark, record, expected, titles) for mark in marks)
+            every = (_asked(mark, record, expected, titles) for mark in marks)
+            vectors = tuple(vector for vector in every if cmath.isfinite(vector.true))  # of a rate that is open none
             quantity, unit, scale = marks[0].quantity, marks[0].unit, marks[0].scale
             apart = {name for name, _ in record.boards} if plan in record.subjects else ()
             rests = ((name, mu) for name, mu in record.plans.items() if position in mu and name not in apart)

@@ -160,10 +160,9 @@ def open_sides(plan: DrawnPlan, near: float) -> Iterator[Verdict]:
         if vector.corners is not None and vector.letters in plan.arrows and not vector.diagonal
     ]
     side = next(_apart(sides, near), None)
-    # They may go round in another order: where one ends another begins, or beside it in a lane.
-    if side is not None and not all(
-        any(_joined(side, other, near) for other in sides if other is not side) for side in sides
-    ):
+    # They may go round in another order: where one ends another begins, or beside it in a lane, and none is left over.
+    pairs = [(k, j) for k, one in enumerate(sides) for j, two in enumerate(sides) if k != j and _joined(one, two, near)]
+    if side is not None and not len({k for k, _ in pairs}) == len({j for _, j in pairs}) == len(sides):
         spot = side.arrow.end
         yield Verdict(plan.asked.plan, plan.asked.position, "", verdict.UNCLOSED, at=(spot, spot))
 

@@ -46,8 +46,8 @@ UNREAD, UNGROUPED, ILLEGIBLE = _UNREAD = "unread", "ungrouped", "illegible"
 UNTABLED, DOUBLED, UNNAMED = _UNSURE = "untabled", "doubled", "unnamed"
 UNSEEN = (*_UNREAD, *_UNSURE)
 DEAD, SMALL = "dead", "small"  # too near a dead centre, too short to be found by its letter: not graded
-WORKINGS = "workings"  # numbers that are written beside the tables: told to be unread, and nothing hangs on them
-UNGRADED = (DEAD, SMALL, WORKINGS, *UNSEEN)
+WORKINGS, ZERO = "workings", "zero"  # told, and nothing hangs on them: numbers beside the tables, a zero that is free
+UNGRADED = (DEAD, SMALL, WORKINGS, ZERO, *UNSEEN)
 
 
 class Verdict(NamedTuple):

@@ -26,16 +26,13 @@ from plans.study import Study
 MESH, GENERATION, SLIDING, PAIR, SIZES, DATA = "mesh", "generation", "sliding", "pair", "sizes", "data"
 MILLIMETRES = 3  # decimals
 UNITS = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "°"), "1": (1.0, "")}  # times which a quantity is told, in which
-DIGITS, TOLD, SHARES = (
-    9,
-    5,
-    4,
-)  # enough for all decimals of data and notes; digits beside a slip; decimals of modules, degrees
+DIGITS, TOLD = 9, 5  # enough for all decimals of data and notes; digits beside a slip
+SHARES = 4  # decimals of modules, degrees
 FAR = 1e-9  # of a place: both roads agree far better
 POINTS = 81  # of a flank
 EXACT = 12  # decimals of a module: what is less is rounding, where the axes are as far apart as without shift
 LEAST, BEYOND = -2.0, 1.5  # the graph goes down at least so far, or so many times the largest sliding
-FINE = {"α", "α_w", "y", "Δy", "x_Σ", "k", "u"}  # told with more decimals than millimetres are
+FINE = {"α", "α_w", "y", "Δy", "x_Σ", "k", "u_12"}  # told with more decimals than millimetres are
 Row = tuple[str, list[float | None], int]  # its name, its cells, their decimals
 
 
@@ -45,9 +42,9 @@ def pair_rows(comparison: Comparison, drafting: Drafting) -> Iterator[tuple[str,
     for name in ("α_w", "a_w", "g_α", "ε_α", "λ_B1", "λ_B2"):
         one = known[name]
         times, unit = UNITS[one.unit]
-        roads = times * one.construction, times * one.analysis
+        ours, theirs = times * one.construction, times * one.analysis
         row = f"{with_index(name)}, {drafting.word(unit)}" if unit else with_index(name)
-        yield row, one._replace(construction=roads[0], analysis=roads[1], largest=times * one.largest)
+        yield row, one._replace(construction=ours, analysis=theirs, largest=times * one.largest)
 
 
 def slips(comparison: Comparison, scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
@@ -91,7 +88,7 @@ def noted(pair: InvolutePair, sizes: PairSizes) -> dict[str, float]:
     found |= {"a": 1e3 * pair.standard, "a_w": 1e3 * sizes.distance, "y": moved}
     found |= {"Δy": round(pair.total - moved, EXACT) + 0.0, "α_w": math.degrees(sizes.angle), "ε_α": sizes.ratio}
     found |= {"k": pair.tip_relief, "g_α": 1e3 * sizes.active, "p_b": 1e3 * rack.base_pitch, "p": 1e3 * rack.pitch}
-    found |= {"x_Σ": pair.total, "u": -pair.sense * pair.teeth[1] / pair.teeth[0]}
+    found |= {"x_Σ": pair.total, "u_12": -pair.sense * pair.teeth[1] / pair.teeth[0]}
     found |= {f"s_a{n}/m": one.tip_thickness / rack.module for n, one in enumerate(sizes.wheels, 1)}
     return {name: round(one, SHARES if name in FINE else MILLIMETRES) for name, one in found.items()}
 
@@ -117,8 +114,8 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 
 
 def _side(pair: InvolutePair, sizes: PairSizes, number: int) -> Complexes:
-    wheel, found = pair.wheels[number], sizes.wheels[number]
-    return flank(wheel, found.tip, found.root, POINTS)
+    found = sizes.wheels[number]
+    return flank(pair.wheels[number], found.tip, found.root, POINTS)
 
 
 def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
@@ -131,19 +128,18 @@ def _mesh(pair: InvolutePair, sizes: PairSizes) -> Iterator[Expected]:
     for name, far in spots.items():
         yield Expected(Kind.POINT, MESH, name, far * along, FAR * sizes.distance, may_lack=name == "P")
     yield Expected(Kind.ANGLE, MESH, "α_w", sizes.angle, FAR)
-    shown = [one.shown for one in placed(pair, sizes)]
+    wheels = placed(pair, sizes)
+    shown = [one.shown for one in wheels]
     apart = Expected(Kind.LENGTH, MESH, "a_w", sizes.distance, FAR * sizes.distance)  # broken off where one is far
     both = [*measured(apart, noted(pair, sizes)["a_w"], digits=DIGITS)]
     yield from both[not all(shown) :] if any(shown) else ()
-    for k, one in enumerate(placed(pair, sizes)):
-        n = one.wheel.number
-        slack = FAR * one.sizes.operating
+    for k, one in enumerate(wheels):
+        n, slack = one.wheel.number, FAR * one.sizes.operating
         yield Expected(Kind.DIRECTION, MESH, f"ω_{n}", -1.0 if one.up == 1j else 1.0)
         if one.shown:
             yield Expected(Kind.POINT, MESH, f"O_{n}", one.centre, slack)
-        last = sizes.angle
-        last += tips[k] / one.wheel.base - math.tan(sizes.angle) if one.unrolled else 0.0
-        for name, curve in one.circles(last).items():
+        more = tips[k] / one.wheel.base - math.tan(sizes.angle) if one.unrolled else 0.0
+        for name, curve in one.circles(sizes.angle + more).items():
             yield Expected(Kind.CURVE, MESH, name, curve, slack)
         yield Expected(Kind.CURVE, MESH, f"teeth {n}", one.teeth(_side(pair, sizes, k)), slack)
 

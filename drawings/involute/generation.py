@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.involute.mesh import ANGLE, BESIDE, DOT, SYMBOL, UNIT, polyline
+from drawings.involute.mesh import ANGLE, BESIDE, DOT, SYMBOL, UNIT, drawn
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.words import Slot, joined, telling, with_index
@@ -24,7 +24,7 @@ from plans.model.involute import GearWheel
 from plans.model.motion import Complexes
 from plans.model.teeth import placed, racked
 
-NAME = "generation"
+NAME, TOOTH = "generation", "tooth"
 MARGINS = Margins(4.5, 2.0, 2.0)
 LETTERS = 20.0  # it is drawn at least so many letters wide
 LARGEST = 1.5  # of the shift on paper, in arrows: less is not dimensioned
@@ -35,9 +35,7 @@ class ShownGeneration(NamedTuple):
     """A tooth with the positions of its rack, m about P_0."""
 
     wheel: GearWheel
-    tooth: Complexes
-    racks: Mapping[str, Complexes]
-    circles: Mapping[str, Complexes]
+    curves: Mapping[str, Complexes]  # circles, the rack's flanks, the tooth
 
     @property
     def reach(self) -> float:
@@ -47,11 +45,9 @@ class ShownGeneration(NamedTuple):
 
 def shown(study: InvoluteStudy) -> ShownGeneration:
     """Give what is drawn of the generation of wheel 1."""
-    one, flanks = placed(study.pair, study.sizes)[0], study.flanks[0]
-    wheel = one.wheel
-    return ShownGeneration(
-        wheel, one.tooth(study.profile(flanks)), racked(wheel.rack, wheel.shift, wheel.radius), circles(one.wheel)
-    )
+    one, wheel = placed(study.pair, study.sizes)[0], study.pair.wheels[0]
+    tooth = {TOOTH: one.tooth(study.profile(study.flanks[0]))}
+    return ShownGeneration(wheel, circles(wheel) | racked(wheel.rack, wheel.shift, wheel.radius) | tooth)
 
 
 def circles(wheel: GearWheel) -> dict[str, Complexes]:
@@ -63,7 +59,7 @@ def circles(wheel: GearWheel) -> dict[str, Complexes]:
 def measure(made: ShownGeneration, drafting: Drafting) -> Picture:
     """Measure the room that the figure needs."""
     hand = drafting.hand
-    known = [complex(spot) for curve in (*made.racks.values(), *made.circles.values()) for spot in curve]
+    known = [complex(spot) for name, curve in made.curves.items() for spot in curve if name != TOOTH]
     title = heading_width(drafting.word("involute generation"), hand)
     return picture(NAME, known, (SYMBOL, UNIT), around(MARGINS, hand), title, LETTERS * hand.letter)
 
@@ -78,21 +74,16 @@ def draw(made: ShownGeneration, room: Picture, spot: Spot, drafting: Drafting) -
 
 def _lines(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     hand = drafting.hand
-    for name, curve in made.circles.items():
-        style = hand.axis if name == "d_1" else hand.other
-        yield stating(Statement(Kind.CURVE, NAME, name), *fit_dashes([polyline(curve, place, style)]))
-    for name, curve in made.racks.items():
-        style = hand.relative if name in ("0", "0'") else hand.drafted
-        yield stating(Statement(Kind.CURVE, NAME, name), polyline(curve, place, style))
-    yield stating(Statement(Kind.CURVE, NAME, "tooth"), polyline(made.tooth, place, hand.result))
+    styles = {"d_1": hand.axis, "d_b1": hand.other, "0": hand.relative, "0'": hand.relative, TOOTH: hand.result}
+    for name, curve in made.curves.items():
+        yield drawn(NAME, name, curve, place, styles.get(name, hand.drafted))
     for level in dict.fromkeys((0.0, made.wheel.shift * made.wheel.rack.module)):
         start, end = (place.on(complex(side * made.reach, level)) for side in (-1, 1))
         yield from fit_dashes([Line(start, end, hand.axis)])
     yield from _action(made, place, drafting)
     size = _shift(made, place, drafting)
     yield from size.draw(hand) if size else ()
-    circle = Circle(place.on(0j), DOT * hand.symbol, INK)
-    yield point(Subject(NAME, SYMBOL, None), "P_0", 0j, place, circle, "pole")
+    yield point(Subject(NAME, SYMBOL, None), "P_0", 0j, place, Circle(place.on(0j), DOT * hand.symbol, INK), "pole")
 
 
 def _action(made: ShownGeneration, place: Place, drafting: Drafting) -> Iterator[Stroke]:
@@ -115,17 +106,13 @@ def _angle(made: ShownGeneration, place: Place, drafting: Drafting) -> TurnArrow
 
 def _shift(made: ShownGeneration, place: Place, drafting: Drafting) -> Dimension | None:
     """Dimension the shift from the pitch line to the rack's mean line, where it is long enough."""
-    wheel = made.wheel
-    shift = wheel.shift * wheel.rack.module
+    shift = made.wheel.shift * made.wheel.rack.module
     if place.length(abs(shift)) < LARGEST:
         return None
-    start = place.on(complex(-made.reach, 0.0))
-    end = place.on(complex(-made.reach, shift))
-    number = drafting.slot(Slot("x_1m", 1e3 * shift))
-    text = joined("", ("x_{1}m = ", number))
-    return Dimension(
-        text, start, end, complex(-6 * drafting.hand.symbol), Statement(Kind.LENGTH, NAME, "x_1m", scale=place.scale.mu)
-    )
+    start, end = (place.on(complex(-made.reach, level)) for level in (0.0, shift))
+    text = joined("", ("x_{1}m = ", drafting.slot(Slot("x_1m", 1e3 * shift))))
+    states = Statement(Kind.LENGTH, NAME, "x_1m", scale=place.scale.mu)
+    return Dimension(text, start, end, complex(-6 * drafting.hand.symbol), states)
 
 
 def _letters(made: ShownGeneration, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
@@ -138,8 +125,8 @@ def _letters(made: ShownGeneration, place: Place, drafting: Drafting, labels: La
         spot = place.on(complex(made.reach, level))
         side = math.pi / 2 if level > 0 or (level == 0 and made.wheel.shift < 0) else -math.pi / 2
         yield labels.beside(spot, drafting.word(word), hand.number, BESIDE, side)
-    for name, curve in made.circles.items():
-        end, before = place.on(complex(curve[0])), place.on(complex(curve[1]))
+    for name in ("d_1", "d_b1"):
+        end, before = (place.on(complex(spot)) for spot in made.curves[name][:2])
         yield labels.beside(end, with_index(name), hand.number, BESIDE, cmath.phase(end - before))
     if size := _shift(made, place, drafting):
         yield telling(NAME, labels.beside(size.middle, size.letter, hand.number, BESIDE, math.pi), size.letter)

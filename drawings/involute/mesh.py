@@ -15,7 +15,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.words import Slot, joined, telling, with_index
 from drawings.page.page import Drafting
-from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
+from drawings.paper.strokes import INK, Circle, Group, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Dimension, Subject, around, heading, heading_width, point
 from drawings.symbols.symbols import TurnArrow, fit_dashes, rotation
@@ -79,9 +79,7 @@ def shown(study: InvoluteStudy) -> ShownMesh:
         last = pairs[-1][0] if pairs else marks[f"N_{n}"]
         circles |= one.circles(cmath.phase((last - one.centre) / one.up))
         teeth[f"teeth {n}"] = one.teeth(study.profile(flanks))
-    active = tuple(
-        touching(flanks, *ends) for flanks, *ends in zip(study.flanks, action.feet, action.strings, strict=True)
-    )
+    active = tuple(map(touching, study.flanks, action.feet, action.strings))
     return ShownMesh(marks, wheels, teeth, circles, strings, active, action.angle)
 
 
@@ -108,9 +106,10 @@ def draw(mesh: ShownMesh, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     return LetteredFigure(NAME, (head, *drawing.lines()), drawing.letters)
 
 
-def polyline(places: Complexes, place: Place, style: LineStyle) -> Polyline:
-    """Draw true places as a chain."""
-    return Polyline(tuple(map(place.on, places.tolist())), False, style)
+def drawn(figure: str, name: str, curve: Complexes, place: Place, style: LineStyle) -> Group:
+    """Draw a curve of true places as a chain, and say what it is."""
+    chain = Polyline(tuple(map(place.on, curve.tolist())), False, style)
+    return stating(Statement(Kind.CURVE, figure, name), *fit_dashes([chain]))
 
 
 class _DrawnMesh:
@@ -124,12 +123,10 @@ class _DrawnMesh:
     def lines(self) -> Iterator[Stroke]:
         """Draw circles, strings, teeth, the line of action, the points."""
         yield from self._circles()
-        yield from (
-            Line(self.place.on(start), self.place.on(end), self.hand.drafted)
-            for start, end in self.mesh.strings.values()
-        )
+        for start, end in self.mesh.strings.values():
+            yield Line(self.place.on(start), self.place.on(end), self.hand.drafted)
         for name, curve in self.mesh.teeth.items():
-            yield stating(Statement(Kind.CURVE, NAME, name), polyline(curve, self.place, self.hand.result))
+            yield drawn(NAME, name, curve, self.place, self.hand.result)
         yield from self._strips()
         yield from self._action()
         yield from self._rotations()
@@ -138,8 +135,7 @@ class _DrawnMesh:
     def _circles(self) -> Iterator[Stroke]:
         styles = {"d_a": self.hand.other, "d_f": self.hand.drafted, "d_b": self.hand.other, "d_w": self.hand.axis}
         for name, curve in self.mesh.circles.items():
-            line = polyline(curve, self.place, styles.get(name[:3], self.hand.axis))
-            yield stating(Statement(Kind.CURVE, NAME, name), *fit_dashes([line]))
+            yield drawn(NAME, name, curve, self.place, styles.get(name[:3], self.hand.axis))
 
     def _strips(self) -> Iterator[Stroke]:
         """Hatch a strip along the active parts of the flanks that touch in P."""
@@ -155,13 +151,11 @@ class _DrawnMesh:
         low, high = self._upright
         yield from fit_dashes([Line(low - 1j * past, high + 1j * past, hand.axis)])
         yield from (*self._radii(), *self._apart())
-        ends = sorted(
-            (spots[name] for name in ("N_1", "N_2", "B_1", "B_2")), key=lambda spot: (spot * self.way.conjugate()).real
-        )
+        ends = [spots[name] for name in ("N_1", "N_2", "B_1", "B_2")]
+        ends.sort(key=lambda spot: (spot * self.way.conjugate()).real)
         yield Line(ends[0] - past * self.way, ends[-1] + past * self.way, hand.other)
         yield Line(spots["B_1"], spots["B_2"], hand.result)
-        pole = spots["P"]
-        long = COMMON * hand.symbol
+        pole, long = spots["P"], COMMON * hand.symbol
         yield Line(pole - long, pole + long, hand.drafted)
         arrow = TurnArrow(pole, ANGLE * hand.symbol, 0.0, self.mesh.angle)
         yield stating(Statement(Kind.ANGLE, NAME, "α_w"), *arrow.angle(hand))

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def _notes(study: Study) -> InvoluteNotes:
-    return InvoluteNotes.of(study.of(InvoluteStudy), drafting_of(study.scene))
+    return InvoluteNotes(study.of(InvoluteStudy), drafting_of(study.scene))
 
 
 def headline(study: Study) -> str:

@@ -27,7 +27,7 @@ def tables(study: Study, drafting: Drafting) -> tuple[RuledTable, ...]:
     """Tell the data of both wheels, the sizes of the pair, those of each wheel, as they are drawn and by formulas."""
     found, comparison = study.of(InvoluteStudy), study.comparison(NAME)
     word, text = drafting.word, drafting.hand.text
-    roads = word("by construction"), word("by analysis")
+    roads = tuple(map(word, COLUMNS[:2]))
     both = tuple(word("involute wheel", number=n, road=road) for n in (1, 2) for road in roads)
     first = [value_row(one, name, (0,), drafting.language) for name, one in pair_rows(comparison, drafting)]
     second = [_row(name, cells, places, drafting) for name, cells, places in size_rows(comparison, drafting)]
@@ -56,7 +56,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         exhibit(sliding, sliding.shown(found), drafting),
     )
     told = tables(study, drafting)
-    title, notes = drafting.word("involute sheet title"), InvoluteNotes.of(found, drafting).all
+    title, notes = drafting.word("involute sheet title"), InvoluteNotes(found, drafting).all
     later = partial(slips, study.comparison(NAME))
     return lay_out(study.scene, [Draft(NAME, title, shows, told, notes, figures_facts, mesh.NAME, later=later)])
 

@@ -16,6 +16,7 @@ from drawings.lettering.words import Slot, joined, with_index
 from drawings.page.page import Drafting
 from drawings.paper.strokes import Kind, Statement, Stroke
 from drawings.symbols.figure import Dimension, heading
+from plans.involute.action import apart
 from plans.involute.study import InvoluteStudy
 from plans.model.motion import Floats
 
@@ -34,15 +35,14 @@ class ShownSliding(NamedTuple):
     low: float
     curves: Mapping[str, tuple[Floats, Floats]]
     sizes: Mapping[str, float]  # of the dimensions from B_1 on, m
-    feet: tuple[float, float]  # of wheel 1 at B_1, of wheel 2 at B_2
+    feet: Mapping[str, tuple[float, float]]  # where, and sliding: of wheel 1 at B_1, of wheel 2 at B_2
 
 
 def shown(study: InvoluteStudy) -> ShownSliding:
     """Give the graph of a pair: sliding by segments of the line of action."""
     action, ratio = study.action, study.pair.teeth[0] / study.pair.teeth[1]
-    far, sense = abs(complex(action.ends[1].point) - complex(action.ends[0].point)), study.pair.sense
-    pole = abs(complex(action.pole.point) - complex(action.ends[0].point))
-    start, end = action.feet[0], action.strings[0]
+    far, sense = apart(*action.ends), study.pair.sense
+    pole, start, end = apart(action.ends[0], action.pole), action.feet[0], action.strings[0]
     places = {"N_1": 0.0, "B_1": start, "P": pole, "B_2": end} | ({"N_2": far} if sense > 0 else {})
     to = reach(study.pair, far, end, action.sliding)
     curves = dict[str, tuple[Floats, Floats]]()
@@ -51,9 +51,9 @@ def shown(study: InvoluteStudy) -> ShownSliding:
         other = far - x if sense > 0 else far + x
         pair = {"λ_1": (x, other * ratio), "λ_2": (other * ratio, x)}[n]
         curves[n] = x, 1 - pair[1] / pair[0]
-    return ShownSliding(
-        places, to.length, to.low, curves, {"g_α": action.length, "p_b": study.pair.rack.base_pitch}, action.sliding
-    )
+    sizes = {"g_α": action.length, "p_b": study.pair.rack.base_pitch}
+    feet = dict(zip(("λ_B1", "λ_B2"), zip((start, end), action.sliding, strict=True), strict=True))
+    return ShownSliding(places, to.length, to.low, curves, sizes, feet)
 
 
 def measure(graph: ShownSliding, drafting: Drafting) -> Picture:
@@ -66,22 +66,17 @@ def draw(graph: ShownSliding, room: Picture, spot: Spot, drafting: Drafting) -> 
     hand = drafting.hand
     axes = standing(room, spot, (graph.low, ABOVE), (LAMBDA, "1"), drafting)
     drawn = Graph(NAME, axes, hand)
-    lines: list[Stroke] = [
-        heading(spot.box, drafting.word("involute sliding"), drafting.scale(spot.scale, axes.up), hand)
-    ]
-    lines += axes.lines((0.0, graph.length), (graph.low, ABOVE), hand, NAME)
+    head = heading(spot.box, drafting.word("involute sliding"), drafting.scale(spot.scale, axes.up), hand)
+    lines: list[Stroke] = [head, *axes.lines((0.0, graph.length), (graph.low, ABOVE), hand, NAME)]
     for (name, (x, y)), style in zip(graph.curves.items(), (hand.result, hand.relative), strict=True):
         lines.append(drawn.stated(name, drawn.curve(x, y, style)))
-    for name, value in zip(("B_1", "B_2"), graph.feet, strict=True):
-        lines += drawn.ordinate(graph.places[name], value, foot(name))
+    for name, foot in graph.feet.items():
+        lines += drawn.ordinate(*foot, name)
     lines += (drawn.tick(x) for x in graph.places.values())
     sizes = [*_dimensions(graph, drawn, drafting)]
     lines += (stroke for size in sizes for stroke in size.draw(hand))
-    return Part(
-        NAME,
-        tuple(lines),
-        (*_letters(graph, drawn), *(Letter(size.middle, size.letter, hand.number, math.pi / 2) for size in sizes)),
-    )
+    letters = (Letter(size.middle, size.letter, hand.number, math.pi / 2) for size in sizes)
+    return Part(NAME, tuple(lines), (*_letters(graph, drawn), *letters))
 
 
 def _dimensions(graph: ShownSliding, drawn: Graph, drafting: Drafting) -> Iterator[Dimension]:
@@ -94,22 +89,12 @@ def _dimensions(graph: ShownSliding, drawn: Graph, drafting: Drafting) -> Iterat
         yield Dimension(text, foot, end, up, Statement(Kind.LENGTH, NAME, name, scale=drawn.axes.across.mu))
 
 
-def foot(place: str) -> str:
-    """Name the sliding at an end of the active part.
-
-    >>> foot("B_1")
-    'λ_B1'
-    """
-    return f"{LAMBDA}_{place.replace('_', '')}"
-
-
 def _letters(graph: ShownSliding, drawn: Graph) -> Iterator[Letter]:
     size, axes = drawn.hand.letter, drawn.axes
     yield from drawn.ends((graph.length, "l"), (ABOVE, LAMBDA))
     for name, x in graph.places.items():
         yield Letter(axes.on(x), with_index(name), size, -math.pi / 2, 2.0)
-    for name, value in zip(("B_1", "B_2"), graph.feet, strict=True):
-        yield Letter(axes.on(graph.places[name], value), with_index(foot(name)), size, -math.pi / 2)
+    yield from (Letter(axes.on(*foot), with_index(name), size, -math.pi / 2) for name, foot in graph.feet.items())
     for name, (along, y) in graph.curves.items():
         k = int(np.argmin(np.abs(y - 0.55)))
         yield Letter(axes.on(float(along[k]), float(y[k])), with_index(name), size, math.pi / 2)

@@ -15,6 +15,7 @@ from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.page.page import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Anchor, Group, Line, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols import trimming
@@ -204,7 +205,7 @@ class BarFigure(ChartFigure):
         start, end = map(self.place.on, ends)
         line = fit_dashes([Line(start, end, course.style_of(stretch.span, self.hand))])
         data = Subject(NAME, SYMBOL, None).data("vector", bar.name, ends[1] - ends[0], self.place.scale)
-        letter = words[0] if words else self._whole(bar) if bar.told else ""
+        letter = words[0] if words else self._whole(bar) if self._lettered(bar) else ""
         yield Group(tuple(line), "", data, Text(0j, letter).plain)
         for k, text in enumerate(words):
             yield self._text(self.place.on(bar.top) + 1j * (OVER + k * STEP * self.hand.number), text)
@@ -221,6 +222,11 @@ class BarFigure(ChartFigure):
         # a phase has its letter and its angle in a line, as a dimension has
         ways = ((one, two) if stretch.span.label else (two, one)) if bar.told else (one,)
         return next((way for way in ways if len(way) <= fit and max(map(self._wide, way)) <= room), ())
+
+    def _lettered(self, bar: Bar) -> bool:
+        """Whether it bears letters: a part of a cut span that is hardly seen has none beside the longer one."""
+        start, end = map(self.place.on, bar.ends)
+        return bar.told or abs(end - start) > SEEN
 
     def _whole(self, bar: Bar) -> str:
         """Write in a line what is done in a stretch, with its angle where that is told here."""
@@ -279,9 +285,9 @@ class BarFigure(ChartFigure):
             yield labels.beside(spot, str(number), self.hand.number, BESIDE, math.pi / 2)
 
     def _long(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the bars whose letters have no room over them, of a span that is cut its longest part."""
+        """Letter the bars whose letters have no room over them."""
         for bar in self._bars():
-            if bar.told and not self._label(bar):
+            if self._lettered(bar) and not self._label(bar):
                 text, spot = self._whole(bar), self.place.on(sum(bar.ends) / 2)
                 yield labels.beside(spot, text, self.hand.number, BESIDE, math.pi / 2)
 

@@ -308,36 +308,6 @@ class Arrangement:
         return _Stands(boxes[free], self._grid.cells(inked[free]), (FAR * np.hypot(*shifts[free].T)).round(PLACES))
 
 
-def enlarged(k: int, size: Size, boxes: Boxes, page: Page, room: Field) -> Boxes | None:
-    """Stand what has become larger under its top or near by; at most one other thing makes way for it."""
-    others = {n: box for n, box in boxes.items() if n != k}
-    stands = _near(boxes[k], size, others.values(), page, room)
-    barred = np.array([_meet(stands, box) for box in others.values()], bool).reshape(len(others), len(stands))
-    for m in np.flatnonzero(~barred.any(0))[:1]:
-        return {**others, k: Field(*stands[m].tolist())}
-    for n, bars in zip(others, barred & (barred.sum(0) == 1), strict=True):
-        for m in np.flatnonzero(bars)[:1]:
-            grown = {**others, k: Field(*stands[m].tolist())}
-            box = grown.pop(n)
-            ways = _near(box, (box.width, box.height), grown.values(), page, room)
-            for way in ways[clear(ways, grown.values(), room)][:1].tolist():
-                return {**grown, n: Field(*way)}
-    return None
-
-
-def _near(field: Field, size: Size, others: Iterable[Field], page: Page, room: Field) -> Floats:
-    """Give the boxes of a size under the top of a box, or near by and beside others, in the room, nearest first."""
-    (wide, high), edges = size, [*page.taken, *others]
-    lefts, lows = [field.centre.real - wide / 2, room.left, room.right - wide], [field.top - high, room.bottom]
-    lefts += [x for edge in edges for x in (edge.right + GAP, edge.left - GAP - wide)]
-    lows += [y for edge in edges for y in (edge.top + GAP, edge.bottom - GAP - high)]
-    corners = np.array([*product(lefts, [*lows, room.top - high])])
-    far = np.hypot(*(corners - corners[0]).T).round(PLACES)
-    boxes: Floats = np.hstack([corners, corners + np.array(size)])[far.argsort(kind="stable")]
-    near = np.sort(far) <= REACH * STEP * max(page.field.width, page.field.height)
-    return np.asarray(boxes[near & clear(boxes, page.taken, room)])
-
-
 def _meeting(stands: Sequence[_Stands]) -> Truths | bool:
     """Tell which ways of two things to stand are too near each other."""
     if len(stands) == 1:

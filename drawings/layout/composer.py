@@ -13,7 +13,7 @@ from heapq import nlargest
 from itertools import chain
 from typing import NamedTuple
 
-from drawings.layout.arrangement import Growth, State, Steps, rungs_of
+from drawings.layout.arrangement import Growth, State, rungs_of
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.filling import Stood, size_of
 from drawings.layout.picture import Picture, Rung
@@ -83,7 +83,6 @@ class _Set:
 
     sheets: tuple[Stood, ...]
     most: float
-    state: State
 
     @cached_property
     def score(self) -> float:
@@ -115,7 +114,7 @@ class _Composer:
             if whole._fewest(whole.orders) == count:
                 found = whole._among(count)
                 best = max(best, found, key=lambda candidate: (-len(candidate.sheets), candidate.settled))
-        return tuple(sheet.composition() for sheet in _enlarged(best, self.asked.steps))
+        return tuple(sheet.composition() for sheet in best.sheets)
 
     def _among(self, count: int) -> _Set:
         """Find the best set: in the further orders where they need fewer sheets, or leave less of them bare."""
@@ -233,20 +232,7 @@ class _Composer:
         late = LATE * any(sheet.notes for sheet in sheets[1:])
         torn, full = math.fsum(sheet.torn for sheet in sheets), [sheet.full for sheet in sheets]
         uneven = EVEN * (math.fsum(full) / len(full) - min(full))
-        return _Set(sheets, tied(math.log(size) - late - torn - uneven), grown)
-
-
-def _enlarged(best: _Set, steps: Sequence[Steps]) -> Sequence[Stood]:
-    """Draw figures larger that have paper enough where they stand, the smallest first, those of one scale together."""
-    sheets: Sequence[Stood] = best.sheets
-    for step, k in sorted(zip(steps, best.state, strict=True), key=lambda entry: entry[0].sizes[entry[1]]):
-        for larger in step.rungs[k + 1 :]:
-            grown = [sheet.enlarged(larger) for sheet in sheets]
-            found = [sheet for sheet in grown if sheet is not None]
-            if len(found) < len(sheets):
-                break
-            sheets = found
-    return sheets
+        return _Set(sheets, tied(math.log(size) - late - torn - uneven))
 
 
 def _settled(sets: Sequence[_Set]) -> _Set:

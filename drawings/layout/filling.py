@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.layout.arrangement import Arrangement, clear, enlarged
+from drawings.layout.arrangement import Arrangement, clear
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Notes, Picture, Rung, Spot, TextBlock
@@ -35,14 +35,13 @@ LETTERED = 0.25  # share of the margins of a figure that its letters and symbols
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Stood:
-    """A sheet: what is shown, how it is cut, scales of its pictures, whether it ends its set, where all stands."""
+    """A sheet: what is shown, how it is cut, the scales of its pictures, whether it ends its set."""
 
     stock: Stock
     page: Page
     tree: Tree
     rungs: Mapping[str, Rung]
     last: bool
-    known: Mapping[int, Field] | None = None
 
     @cached_property
     def boxes(self) -> dict[int, Field]:
@@ -85,8 +84,6 @@ class Stood:
     @cached_property
     def stands(self) -> Mapping[int, Field]:
         """The boxes at last: where paper is free, lettering is wider and tables whole; the sheet is no barer for it."""
-        if self.known is not None:
-            return self.known
         boxes = dict(self.arranged)
         most = max(bareness(self.ink(boxes), self.page.field), self.most)
         for k in (k for k in boxes if not isinstance(self.stock.shown[k], Picture)):
@@ -99,21 +96,6 @@ class Stood:
             fair = (box for box in free if bareness(self.ink({**boxes, k: box}), self.page.field) <= most)
             boxes[k] = next(fair, boxes[k])
         return boxes
-
-    def enlarged(self, rungs: Mapping[str, Rung]) -> "Stood | None":
-        """Give the sheet with some figures larger where they stand, no barer; nothing where one has no place."""
-        sheet, boxes = replace(self, rungs={**self.rungs, **rungs}), self.stands
-        for k, box in self.stands.items():
-            item = self.stock.shown[k]
-            if isinstance(item, Picture) and rungs.get(item.name, self.rungs[item.name]) != self.rungs[item.name]:
-                rung, (_, more) = rungs[item.name], sheet._more(item, (0.0, 0.0))
-                high = max(rung.high, min(box.height, rung.high + more))
-                found = enlarged(k, (rung.wide, high), boxes, self.page, room_of(self.page))
-                if found is None:
-                    return None
-                boxes = found
-        most = max(bareness(self.ink(self.stands), self.page.field), self.most)
-        return replace(sheet, known=boxes) if bareness(sheet.ink(boxes), self.page.field) <= most else None
 
     def _wider(self, k: int, box: Field) -> Iterator[Field]:
         """Give the wider boxes that lettering may have under the top of its own, the widest first."""

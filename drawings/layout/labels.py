@@ -74,7 +74,7 @@ class Labels:
         if led is None and not bare:
             led = self._led(spots, box, gap, off, prefer, lines) or self._led(spots, box, gap, off, prefer)
         if led is not None:
-            self._leaders.append(led[:2])
+            self._leaders.append((led[0], _nearest(box, led[2], led[0], 0.0)))
             return self._written(led[2], content, size, Line(*led[:2], self._leader))
         return self._written(bare[0], content, size) if bare else None
 
@@ -153,8 +153,8 @@ class Labels:
                 start = spot + cmath.rect(off, angle)
                 if beginning(start):
                     continue
-                end = _nearest(box, corner, start)
-                cost = reach + 1.5 * TURNED * step + OTHER * sum(crossing((start, end), other) for other in others)
+                end, letter = (_nearest(box, corner, start, by) for by in (CLEAR, 0.0))
+                cost = reach + 1.5 * TURNED * step + OTHER * sum(crossing((start, letter), other) for other in others)
                 if cost >= cheapest:
                     continue
                 crossed, run = self.ink.along(start, end)

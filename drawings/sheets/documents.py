@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from drawings import VERSION
 from drawings.lettering.lettering import UnknownLetter, demand
+from drawings.page.blocks.form1 import short_date
 from drawings.page.frame import NUMBERS
 from drawings.page.page import BLOCK, EXTRA, Page, page_of
 from drawings.paper.hand import SIZES
@@ -107,8 +108,8 @@ def _designation(scene: Scene, kind: str) -> tuple[Path, str]:
 
 
 def _names(scene: Scene) -> Iterator[tuple[Path, str]]:
-    """Give what else the author wrote for the title block, by its key; a date is written as its form has it."""
-    yield from ((("sheet", cell), getattr(scene.sheet, cell)) for cell in CELLS if cell not in ("designation", "date"))
+    """Give what else the author wrote for the title block, by its key, but a date that its form may write shorter."""
+    yield from ((("sheet", cell), text) for cell in CELLS[1:] if short_date(text := getattr(scene.sheet, cell)) == text)
 
 
 def _lettering(leaf: Leaf, name: str) -> Iterator[str]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from plans.model.gears import FRAME, BoxGear, Train, joint_name
 from plans.model.motion import Gap
-from plans.model.trains import equations, inertia, matrix, reduced, shares
+from plans.model.trains import equations, inertia, reduced, shares, table
 
 Mesh = tuple[str, str]
 ROUNDED = 2.0**-40  # of powers: far above what their sums lose, far below what circulates anywhere
@@ -25,11 +25,10 @@ def speeds(train: Train, gear: BoxGear) -> Mapping[str, Fraction]:
 
 def ratio_with(train: Train, first: str, other: str, carrier: str) -> Fraction:
     """Give the ratio of two links where a carrier is held and nothing else, brakes, clutches or joined shafts."""
-    bare, place, last = replace(train, joined=()), train.links.index(first), len(train.links)
-    rows = matrix(bare, BoxGear("", () if carrier == FRAME else (carrier,), ()), 1)
-    drive = [Fraction(0)] * (last + 1)
-    drive[train.links.index(other)] = drive[last] = Fraction(1)
-    return next(row for row in reduced([*rows, drive], last) if row[place])[last]
+    held = BoxGear("", () if carrier == FRAME else (carrier,), ())
+    rows = *equations(replace(train, joined=()), held), {other: Fraction(1), "": Fraction(1)}
+    found, place = reduced(table(rows, (*train.links, "")), len(train.links)), train.links.index(first)
+    return next(row[-1] for row in found if row[place])
 
 
 def velocity(train: Train, speeds: Mapping[str, Fraction], link: str, height: Fraction) -> float:

@@ -57,12 +57,9 @@ class _Formulas:
 
     @property
     def sizes(self) -> PairSizes:
-        first, second = self.pair.wheels
-        rolls = [self.roll(wheel) for wheel in (first, second)]
-        tangent = math.tan(self.angle)
+        (first, second), tangent = self.pair.wheels, math.tan(self.angle)
         # Of an internal wheel the tip is nearer to its base circle, and the line of action goes on beyond
-        parts = first.teeth * (rolls[0] - tangent), second.inward * second.teeth * (rolls[1] - tangent)
-        ratio = sum(parts) / math.tau
+        ratio = sum(one.inward * one.teeth * (self.roll(one) - tangent) for one in (first, second)) / math.tau
         wheels = self._wheel(first), self._wheel(second)
         return PairSizes(ANALYSIS, self.angle, self.distance, ratio * self.rack.base_pitch, ratio, wheels)
 
@@ -84,11 +81,6 @@ class _Formulas:
         """Give the tangent of the profile angle at the tip."""
         return math.sqrt(max((self.tip(wheel) / wheel.base) ** 2 - 1, 0.0))
 
-    def foot(self, wheel: GearWheel) -> float:
-        """Give the tangent of the profile angle at which the tip of the other wheel meets this one's foot."""
-        other = self.pair.wheels[2 - wheel.number]
-        return self.facing(other, other.base * self.roll(other)) / wheel.base
-
     def facing(self, wheel: GearWheel, curvature: float) -> float:
         """Give the radius of curvature of the other flank where that of a wheel is known, m."""
         if not self.pair.internal:
@@ -97,7 +89,8 @@ class _Formulas:
 
     def _sliding(self, wheel: GearWheel) -> float:
         """Give the specific sliding at the foot: 1 less the ratio of the velocities along the flanks."""
-        other, own = self.pair.wheels[2 - wheel.number], self.foot(wheel) * wheel.base
+        other = self.pair.wheels[2 - wheel.number]
+        own = self.facing(other, other.base * self.roll(other))
         return 1 - wheel.teeth / other.teeth * self.facing(wheel, own) / own
 
     def _wheel(self, wheel: GearWheel) -> WheelSizes:
@@ -131,9 +124,8 @@ class _Formulas:
 
     def _over(self, wheel: GearWheel, tip: float) -> tuple[float, float]:
         """Give the first pins that touch the flanks and stand over the tips, and the size over them or between, m."""
-        free = (
-            wheel.width / (2 * wheel.radius) + inv(self.rack.angle) - (0 if wheel.internal else math.pi / wheel.teeth)
-        )
+        half = wheel.width / (2 * wheel.radius) + inv(self.rack.angle)
+        free = half if wheel.internal else half - math.pi / wheel.teeth
         across = math.cos(math.pi / 2 / wheel.teeth) if wheel.teeth % 2 else 1.0
         for pin in wheel.pins:
             angle = angle_of(free + wheel.inward * pin / (2 * wheel.base))

@@ -124,7 +124,7 @@ class CounterweightTable(Table):
         """Say that one size of a disc is given, and of a sector none."""
         given: list[Form] = [{"required": [name]} for name in SIZES]
         return {
-            "if": {"properties": {"shape": {"const": SECTOR}}, "required": ["shape"]},
+            "if": {"properties": {"shape": forms.choice((SECTOR,))}, "required": ["shape"]},
             "then": {"not": {"anyOf": given}},
             "else": {"oneOf": given, "not": {"required": ["half_angle"]}},
         }
@@ -174,7 +174,7 @@ class BalanceTable(Table):
         return {
             "dependentRequired": {"share": ["aim"]},
             "if": {"required": ["share"]},
-            "then": {"properties": {"aim": {"const": SHARE}}},
+            "then": {"properties": {"aim": forms.choice((SHARE,))}},
             "else": {
                 "if": {"properties": {"counterweights": {"minItems": 1}}, "required": ["counterweights"]},
                 "then": {"required": ["aim"]},

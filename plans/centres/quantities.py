@@ -70,7 +70,7 @@ class Solved(NamedTuple):
 @np.errstate(invalid="ignore", divide="ignore")
 def solved(mechanism: Mechanism, motion: Motion, pair: Pair, kappa: Floats) -> Solved:
     """Find a centre by analysis; kappa bounds the rounding of its rates, as a share of the largest."""
-    fastest = max(float(np.nanmax(np.abs(point.v))) for point in motion.points.values())
+    fastest = max(float(np.nanmax(np.abs(point.v), initial=0.0)) for point in motion.points.values())
     (_, one), (_, two) = (spin(mechanism, motion, link) for link in pair)
     place, fast = common(mechanism, motion, pair), np.maximum(np.abs(one), np.abs(two))
     apart = np.abs(one - two) if hinge_of(mechanism, pair) is None else fast
@@ -89,7 +89,7 @@ class Curving(NamedTuple):
         return np.asarray(ANALYSIS * EPS * self.road.conditions(self.motion) ** 3)
 
     def _largest(self, order: int) -> float:
-        return max(float(np.nanmax(np.abs(point[order]))) for point in self.motion.points.values())
+        return max(float(np.nanmax(np.abs(point[order]), initial=0.0)) for point in self.motion.points.values())
 
     @np.errstate(invalid="ignore", divide="ignore")  # a link that only translates for a moment
     def inflection(self, mechanism: Mechanism, link: int) -> Solved:
@@ -99,7 +99,7 @@ class Curving(NamedTuple):
         pole = moved.r + arm
         way = (moved.a + (1j * turned.epsilon - omega**2) * arm) / omega**2
         fastest, most = self._largest(1), self._largest(2)
-        swift = float(np.nanmax(omega)) + float(np.nanmax(np.abs(turned.epsilon)))
+        swift = float(np.nanmax(omega, initial=0.0)) + float(np.nanmax(np.abs(turned.epsilon), initial=0.0))
         off = fastest / omega + most / omega**2 + (np.abs(way) + np.abs(arm)) * (swift / omega + swift / omega**2)
         return Solved(pole + way, self.kappa * off, omega > self.kappa * swift, pole)
 

@@ -9,10 +9,10 @@ from typing import NamedTuple, TypeVar
 from plans.dynamics.form import DynamicsForm, DynamicsTable, FlywheelTable, ShaftTable, motor_of
 from plans.gears.crank import CrankTrain
 from plans.gears.form import geared
-from plans.gears.reading import crank_train
+from plans.gears.reading import GearsSurvey, crank_train, unknown
 from plans.linkage.reading.form import LinkageForm
 from plans.model.dynamics import Rim, Shaft, Task
-from plans.scene.faults import Fault, Path, suggestion
+from plans.scene.faults import Fault, Path
 from plans.scene.scene import Meaning, Scene
 
 T = TypeVar("T", ShaftTable, FlywheelTable)
@@ -51,6 +51,8 @@ def _float(value: Decimal | None) -> float | None:
 def survey_of(meaning: Meaning) -> DynamicsSurvey:
     """Examine a scene's dynamics."""
     scene = meaning.scene
+    if geared(scene) and meaning.of(GearsSurvey).faults:  # of a speed that is not the train's nothing more is said
+        return DynamicsSurvey([*_train_faults(scene)])
     form, drive = scene.of(DynamicsForm).dynamics, scene.of(LinkageForm).drive
     still = ("dynamics", "speed") if form.speed is not None else ("drive", "speed")
     speed = drive.omega if form.speed is None else form.speed
@@ -82,7 +84,7 @@ def _train_faults(scene: Scene) -> Iterator[Fault]:
     """Give what of a machine does not fit the train before its crank: a speed, a link that something is on."""
     form, train = scene.of(DynamicsForm).dynamics, crank_train(scene)
     if train is None and geared(scene):
-        return  # it has faults of its own
+        return
     if train is not None and form.speed is not None:
         yield from train.unlike(scene, ("dynamics", "speed"), form.speed.copy_sign(train.speed))
     links = train.links if train is not None else ()
@@ -90,8 +92,7 @@ def _train_faults(scene: Scene) -> Iterator[Fault]:
     parts += [(("dynamics", "shafts", k, "on"), shaft.on) for k, shaft in enumerate(form.shafts)]
     for path, name in parts:
         if name and name not in links:
-            advice = suggestion(name, links)
-            yield scene.fault(path, "no_link_before_crank", name=name, known=", ".join(links) or "-", suggestion=advice)
+            yield scene.fault(path, "no_link_before_crank", **unknown(name, links))
 
 
 def _motor_faults(meaning: Meaning, speed: Decimal) -> Iterator[Fault]:
@@ -113,6 +114,8 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     form = scene.of(DynamicsForm).dynamics
     if form.fluctuation is not None and form.fluctuation > LARGE:
         yield scene.fault(("dynamics", "fluctuation"), "large_fluctuation", found=f"{float(form.fluctuation):g}")
+    if geared(scene) and scene.meaning.faults:
+        return
     motor, speed, drive = motor_of(form.motor), task_of(scene).speed, abs(float(scene.of(LinkageForm).drive.omega))
     if drive and speed and not 1 / OTHER <= speed / drive <= OTHER:
         yield scene.fault(("dynamics", "speed"), "other_speed", found=f"{speed:.5g}", drive=f"{drive:.5g}")

@@ -86,17 +86,11 @@ def between_axes(raw: RawTrain) -> Mapping[frozenset[str], list[Apart]]:
 def completed(raw: RawTrain) -> RawTrain:
     """Find the teeth that coaxiality gives, as far as they are whole."""
     while True:
-        found = next(_missing(raw), None)
-        if found is None:
+        whole = ((name, int(teeth)) for name, teeth in sought(raw) if teeth.denominator == 1 and teeth > 0)
+        name, teeth = next(whole, ("", 0))
+        if not name:
             return raw
-        name, teeth = found
         raw = raw._replace(teeth={**raw.teeth, name: -teeth if name in raw.rings else teeth})
-
-
-def _missing(raw: RawTrain) -> Iterator[tuple[str, int]]:
-    for name, teeth in sought(raw):
-        if teeth.denominator == 1 and teeth > 0:
-            yield name, int(teeth)
 
 
 def sought(raw: RawTrain) -> Iterator[tuple[str, Fraction]]:
@@ -104,9 +98,8 @@ def sought(raw: RawTrain) -> Iterator[tuple[str, Fraction]]:
     for rows in between_axes(raw).values():
         for one in rows:
             for other in rows:
-                names = {*one.lacking, *other.lacking}
-                if len(names) == 1 and one is not other:
-                    (name,) = names
+                name, *more = {*one.lacking, *other.lacking} or {""}
+                if name and not more and one is not other:
                     factor = one.lacking.get(name, Fraction(0)) - other.lacking.get(name, Fraction(0))
                     if factor:
                         yield name, (other.known - one.known) / factor
@@ -148,15 +141,10 @@ def heights(raw: RawTrain) -> tuple[Mapping[str, Fraction], Sequence[Unlike]]:
         here, there = (axes[link_of(name)] for name in mesh)
         here, there = (here, there) if here in found else (there, here)
         far = apart(raw, mesh).known
-        if there not in found:
-            ring = next((axes[link_of(name)] for name in mesh if name in raw.rings), "")
-            found[there] = _height(found, here, -far if ring == there else far, there in planets or here in planets)
+        if there not in found:  # on the other side where an axis is there
+            far = -far if any(name in raw.rings and axes[link_of(name)] == there for name in mesh) else far
+            back = far > 0 and found[here] - far in found.values() and planets.isdisjoint((here, there))
+            found[there] = found[here] - far if back else found[here] + far
         elif abs(found[there] - found[here]) != far:
             wrong.append(Unlike(mesh, far, mesh, abs(found[there] - found[here])))
     return {link: found.get(axes[link], Fraction(0)) for link in raw.links}, wrong
-
-
-def _height(found: Mapping[str, Fraction], here: str, far: Fraction, planet: bool) -> Fraction:
-    """Give the height of an axis so far above a known one: on the other side where an axis is there."""
-    up, down = found[here] + far, found[here] - far
-    return down if not planet and far > 0 and down in found.values() else up

@@ -33,7 +33,12 @@ class CrankTrain(NamedTuple):
     def fits(self) -> bool:
         """Whether the crank has one speed for one of the drive."""
         train = self.train
-        return len(train.gears) == 1 and train.single and shares(train, train.gears[0])[train.output][0] != 0
+        return (
+            len(train.gears) == 1
+            and train.single
+            and not train.driven
+            and shares(train, train.gears[0])[train.output][0] != 0
+        )
 
     def turns(self, link: str) -> Decimal:
         """Give the turns of a link for one of the crank."""
@@ -66,7 +71,7 @@ class CrankTrain(NamedTuple):
         """Give what of the crank is another one's: its ratio, its speed, its wheel."""
         output, forces = self.train.output, scene.part("forces")
         if not self.fits:
-            yield scene.fault(("drive", "train"), "no_one_ratio", link=output)
+            yield scene.fault(("drive", "train"), "no_one_ratio", link=self.train.driven or output)
             return
         yield from self.unlike(scene, ("drive", "speed"), scene.of(LinkageForm).drive.speed)
         gear = forces.drive.gear if isinstance(forces, ForceForm) else None

@@ -7,35 +7,23 @@ it. On the plan the mesh point is moved along the line of centres until it divid
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from plans.model.gears import BoxGear, Train, centre_of
-from plans.model.trains import Row, matrix, reduced
+from plans.model.gears import BoxGear, Train
+from plans.model.trains import equations, solved
 
 
 def lossy(train: Train, gear: BoxGear) -> Train:
     """Give the train whose speeds are to each other as moments are with friction, x by differentiating those of it."""
-    speeds, slips = _speeds(train, gear, ()), list[Fraction]()
-    for mesh, (one, other) in zip(train.meshes, train.pairs, strict=True):
+    driving = *equations(train, gear), *({link: Fraction(1), "": Fraction(speed)} for link, speed in train.drives)
+    speeds, rows = solved(train, driving, [""]), [*map(dict, driving)]
+    changes = [f"d {one}-{other}" for one, other in train.meshes]
+    for row, change, (one, other), mesh in zip(rows, changes, train.pairs, train.meshes, strict=False):
         carrier = "" if other.link in train.crossing else train.carrier_between(one, other)
-        slips.append((speeds[other.link][0] - speeds.get(carrier, [Fraction(0)])[0]) * train.rolling(mesh)[1])
-    driven, *changes = _speeds(train, gear, slips)[train.output]
-    powers = [(change * driven < 0) - (change * driven > 0) for change in changes]
+        slip = speeds[other.link][0] - speeds.get(carrier, (Fraction(0),))[0]
+        row[change] = -slip * train.rolling(mesh)[1]
+    driven, *changed = solved(train, rows, ["", *changes])[train.output]
+    powers = [(change * driven < 0) - (change * driven > 0) for change in changed]
     factors = {mesh: train.efficiency[mesh] ** power for mesh, power in zip(train.meshes, powers, strict=True)}
-    made = replace(train, gears=(gear,), factors=factors)
-    centres = {link: made.heights[rows[0].level.link] + centre_of(rows) for link, rows in made.crossing.items()}
-    return replace(made, heights={**made.heights, **centres})
-
-
-def _speeds(train: Train, gear: BoxGear, slips: Sequence[Fraction]) -> Mapping[str, Row]:
-    """Give the speed of each link, and by how much it changes where the ratio of each mesh does."""
-    count, more = len(train.links), 1 + len(slips)
-    rows = matrix(train, gear, more)
-    for k, slip in enumerate(slips):
-        rows[k][count + 1 + k] = -slip
-    for link, speed in train.drives:
-        rows.append([Fraction(one == link) for one in train.links] + [Fraction(0)] * more)
-        rows[-1][count] = Fraction(speed)
-    return {link: row[count:] for link, row in zip(train.links, reduced(rows, count), strict=True)}
+    return replace(train, gears=(gear,), factors=factors)

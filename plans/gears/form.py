@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 
-from plans.gears.wanted import EFFICIENCY, WantedTable
+from plans.gears.wanted import EFFICIENCY, WantedTable, teeth
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -27,13 +27,6 @@ def check_part(value: object) -> str:
     return value.replace("′", "'")
 
 
-def check_teeth(value: object) -> int:
-    """Read a number of teeth."""
-    if f.whole(value, LEAST_TEETH) > MOST_TEETH:
-        raise wrong("many_teeth", most=MOST_TEETH)
-    return int(str(value))
-
-
 def check_mesh(value: object) -> tuple[str, str]:
     """Read two wheels that mesh: "1-2"."""
     found = PAIR.fullmatch(value) if isinstance(value, str) else None
@@ -43,7 +36,7 @@ def check_mesh(value: object) -> tuple[str, str]:
 
 
 PART = one(check_part, lambda: forms.text(f"^{WHEEL.pattern}$", 8), "name")
-TEETH = one(check_teeth, lambda: {**forms.whole(LEAST_TEETH), "maximum": MOST_TEETH}, "number")
+TEETH = teeth(LEAST_TEETH, MOST_TEETH)
 MESH = one(check_mesh, lambda: forms.text(r"^[^\s-]+\s*-\s*[^\s-]+$"), '"1-2"')
 SIDES = ("left", "right", "up", "down")
 SIDE = one(lambda value: f.choice(value, SIDES), lambda: forms.choice(SIDES), "name")

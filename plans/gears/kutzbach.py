@@ -73,9 +73,6 @@ class _KnownMotion:
     lines: dict[str, Mark]
     misfits: list[tuple[str, Mark, Mark]] = field(default_factory=list)
 
-    def copy(self) -> _KnownMotion:
-        return _KnownMotion({**self.velocities}, {**self.lines})
-
 
 class KutzbachPlan(NamedTuple):
     """The plan of one gear: images of points and lines of links on one board, ends of angular velocities on another.
@@ -219,7 +216,9 @@ class _Drafter:
     def solve(self, drawing: _KnownMotion, suffix: str = "", depth: int = 0) -> _KnownMotion:
         """Draw all lines; where none can be drawn on, assume the speed of a link, twice, and find the true one."""
         self.run(drawing, suffix)
-        left = [link for link in self._assumable() if self.body[link] not in drawing.lines]
+        left = [link for link in self.train.links if self.body[link] not in drawing.lines]
+        left = [link for link in left if link not in self.train.carrier_of]
+        left.sort(key=lambda link: link not in self.train.carriers)  # carriers first
         if all(body in drawing.lines for body in self.body.values()):
             return drawing
         if depth < DEEPEST:
@@ -230,17 +229,12 @@ class _Drafter:
                     return self.solve(drawing, suffix, depth)
         raise DraftError(message("gears.no_plan", links=", ".join(left)))
 
-    def _assumable(self) -> Iterator[str]:
-        """Give the links with fixed axes, carriers first."""
-        central = [link for link in self.train.links if link not in self.train.carrier_of]
-        return (link for link in sorted(central, key=lambda link: link not in self.train.carriers))
-
     def _false_position(self, drawing: _KnownMotion, link: str, suffix: str, depth: int) -> Mark | None:
         """Assume that a link rests, then that it moves as fast as what is fastest; nothing where no misfit tells."""
         spot, tried, ends = self.farthest(link), list[_KnownMotion](), list[Mark]()
         largest = max(abs(complex(mark.point).real) for mark in drawing.velocities.values())
         for k, length in enumerate((0.0, largest), 1):
-            mine, trial = f"{suffix}{'°' * k}", drawing.copy()
+            mine, trial = f"{suffix}{'°' * k}", _KnownMotion({**drawing.velocities}, {**drawing.lines})
             vector = self.board.given(f"v_{spot.letter}{mine}", complex(length, 0), because("gear_assumed", link=link))
             end = self.board.lay_off(f"{spot.image}{mine}", self.places[spot.letter], vector, because("gear_laid"))
             trial.velocities[spot.letter] = end
@@ -277,16 +271,10 @@ class _Drafter:
             length = self.board.join(f"{name}{spot.image}", *ends, because("gear_span"))
             velocities[name] = self.board.turn(f"v_{name}", length, 1 / self.tau, because("gear_velocity"))
         lines = {link: drawing.lines[self.body[link]] for link in self.train.links}
-        boards, found = (
-            (self.board, self.angular),
-            (drawing.velocities, lines, velocities, self._speeds(lines, drawing.velocities)),
-        )
-        racks = {
-            spot.rack: self.board.parallel(spot.rack, drawing.velocities[spot.letter], self.up, because("gear_rack"))
-            for spot in self.spots
-            if spot.rack
-        }
-        return KutzbachPlan(self.gear, *boards, *found, self.tau, tuple(self.assumed), racks)
+        images, slides, why = drawing.velocities, [spot for spot in self.spots if spot.rack], because("gear_rack")
+        found = images, lines, velocities, self._speeds(lines, images)
+        racks = {one.rack: self.board.parallel(one.rack, images[one.letter], self.up, why) for one in slides}
+        return KutzbachPlan(self.gear, self.board, self.angular, *found, self.tau, tuple(self.assumed), racks)
 
     def _relative(self, link: str, lines: Mapping[str, Mark], images: Mapping[str, Mark]) -> Mark:
         """Read the speed of a link that turns across: the velocity of its mesh point over the carrier there, by r."""

@@ -79,10 +79,9 @@ def _inertia(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error])
         parts += [(mass, plan.velocities[f"{AXIS}{one}"], one) for one, mass in train.masses.items()]
         total, off = 0.0, 0.0
         for size, mark, one in parts:
-            ratio = (complex(mark.point) / complex(over.point)).real
-            out = bound[mark].place.max() + abs(ratio) * bound[over].place.max()
+            ratio, out = _quotient(mark, over, bound)
             total += train.count(one) * size * ratio**2
-            off += train.count(one) * size * 2 * abs(ratio) * float(out) / abs(complex(over.point))
+            off += train.count(one) * size * 2 * abs(ratio) * out
         named = ANGULAR, of_gear(f"J_red,{link}", plan.gear), "kg*m2"
         yield Quantity.of(named, (total, true), DATA * off + ROUNDED * true, true)
 
@@ -97,12 +96,11 @@ def _moments(study: GearsStudy, plan: KutzbachPlan, train: Train, true: Mapping[
         if len(links) > 1:  # the shafts of a joint turn against each other
             first, last = (one.angular[link] for link in links)
             over = one.angular.join(f"ω_{name}", last, first, because("gear_apart"))
-        bound, size = errors(over, driven), abs(complex(over.point))
-        ratio = (complex(driven.point) / complex(over.point)).real
-        off = abs(load) * float((bound[driven].place + abs(ratio) * bound[over].place).max()) / size
+        ratio, off = _quotient(driven, over, errors(over, driven))
         named = ANGULAR, of_gear(f"M_{sign}{name}", plan.gear), "N*m"
         turned = one.angular.turn(f"M{name}", driven, -load * 1j, because("gear_virtual", link=name))
-        yield Quantity.of(named, (-load * ratio, true[name]), DATA * off + ROUNDED * most, most, Reading(over, turned))
+        off = DATA * abs(load) * off + ROUNDED * most
+        yield Quantity.of(named, (-load * ratio, true[name]), off, most, Reading(over, turned))
 
 
 def _friction(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
@@ -121,9 +119,8 @@ def _friction(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]
     put = sum(power for power in powers if power > 0)
     off = sum(abs(m) * bound[one].place.max() + out * abs(complex(one.point)) for m, out, one in rows)
     named, ratio = (ANGULAR, of_gear(study.efficiency_name, plan.gear), ""), train.slides * (1 - sum(powers) / put)
-    yield Quantity.of(
-        named, (ratio, found.efficiency), DATA * float(off) / put, 1.0, next(iter(moments.values())).shown
-    )
+    shown = next(iter(moments.values())).shown
+    yield Quantity.of(named, (ratio, found.efficiency), DATA * float(off) / put, 1.0, shown)
 
 
 def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -> Iterator[Quantity]:
@@ -132,13 +129,17 @@ def _ratio(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -
     if true is None:
         return
     driving, driven = (plan.speeds[link] for link in (study.train.drives[0][0], study.train.output))
-    ratio = (complex(driving.point) / complex(driven.point)).real
-    off = (float(bound[mark].place.max() / abs(complex(mark.point))) for mark in (driving, driven))
+    ratio, off = _quotient(driving, driven, bound)
     turned = plan.angular.turn(f"j{driving.name}", driving, 1j, because("gear_quotient"))
     named = ANGULAR, of_gear(study.ratio_name, plan.gear), ""
-    yield Quantity.of(
-        named, (ratio, float(true)), DATA * abs(ratio) * sum(off), abs(float(true)), Reading(driven, turned)
-    )
+    yield Quantity.of(named, (ratio, float(true)), DATA * off, abs(float(true)), Reading(driven, turned))
+
+
+def _quotient(top: Mark, under: Mark, bound: Mapping[Mark, Error]) -> tuple[float, float]:
+    """Give the quotient of two lengths of a plan, and how far the errors of both put it off."""
+    ratio = (complex(top.point) / complex(under.point)).real
+    off = bound[top].place.max() + abs(ratio) * bound[under].place.max()
+    return ratio, float(off) / abs(complex(under.point))
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
@@ -170,15 +171,13 @@ def _racks(study: GearsStudy, plan: KutzbachPlan, bound: Mapping[Mark, Error]) -
     found, drive = TrainSpeeds(study.train), study.train.drives[0][0]
     for spot in (spot for spot in study.spots if spot.rack):
         mark, true = plan.velocities[spot.letter], found.rack(plan.gear, spot.rack)
-        off = DATA * float(bound[mark].place.max())
-        pair = complex(mark.point).real, true
-        yield Quantity.of((LINEAR, of_gear(f"v_{spot.rack}", plan.gear), "m/s"), pair, off, abs(true), mark)
+        named, pair = (LINEAR, of_gear(f"v_{spot.rack}", plan.gear), "m/s"), (complex(mark.point).real, true)
+        yield Quantity.of(named, pair, DATA * float(bound[mark].place.max()), abs(true), mark)
         if (travel := found.travel(plan.gear, spot.rack)) is not None:
             over, turned = plan.speeds[drive], plan.linear.turn(f"h_{spot.rack}", mark, 1j * TURN, because("gear_turn"))
-            speed = complex(over.point).real
-            off = TURN * (off + abs(pair[0] / speed) * DATA * float(bound[over].place.max())) / abs(speed)
-            named = LINEAR, of_gear(f"h_{spot.rack}", plan.gear), "mm"
-            yield Quantity.of(named, (TURN * pair[0] / speed, travel), off, abs(travel), Reading(over, turned))
+            ratio, off = _quotient(mark, over, bound)
+            named, pair = (LINEAR, of_gear(f"h_{spot.rack}", plan.gear), "mm"), (TURN * ratio, travel)
+            yield Quantity.of(named, pair, DATA * TURN * off, abs(travel), Reading(over, turned))
 
 
 def tabled(found: GearsComparison) -> list[Quantity]:

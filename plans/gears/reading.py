@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from plans.gears.assignment import lack, wanted_of
@@ -15,7 +15,7 @@ from plans.gears.crank import CrankTrain
 from plans.gears.form import LEAST_TEETH, DrivingLinkTable, GearsForm, GearsTable, WheelTable, geared
 from plans.gears.synthesis import TIP, Searched, clear_of, search
 from plans.linkage.reading.form import LinkageForm
-from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, centre_of, link_of
+from plans.model.gears import ACROSS, FRAME, BoxGear, ToothedWheel, Train, assembly, link_of
 from plans.model.trains import determined, mobility
 from plans.scene.faults import Fault, Path, suggestion
 from plans.scene.scene import Meaning, Scene
@@ -25,7 +25,7 @@ HALF_TURN = 180
 
 
 class GearsSurvey(NamedTuple):
-    """What the examination of a train found: the train where it is sound, or its faults."""
+    """What the examination of a train found: the train where it is sound, and faults."""
 
     train: Train | None
     faults: list[Fault]
@@ -37,18 +37,19 @@ def survey_of(meaning: Meaning) -> GearsSurvey:
     if any(path[:2] == ("gears", table) for path in meaning.doubts for table in ("wheels", "carriers", "module")):
         return GearsSurvey(None, [])  # what is not read well is there for all that
     reading = _TrainReading(meaning.scene, meaning.scene.of(GearsForm).gears, [])
-    steps = reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities
-    for step in (*steps, reading.crank):
+    for step in (reading.names, reading.rings, reading.synthesis, reading.axes, reading.room, reading.mobilities):
         step()
         if reading.faults:
             return GearsSurvey(None, reading.faults)
-    return GearsSurvey(reading.train, [], reading.searched)
+    reading.crank()
+    return GearsSurvey(reading.train, reading.faults, reading.searched)
 
 
 def crank_train(scene: Scene) -> CrankTrain | None:
-    """Give the train before the crank of a scene; nothing where there is none, or it has faults."""
-    train = survey_of(Meaning(scene)).train if geared(scene) else None
-    return None if train is None else CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed)
+    """Give the train before the crank of a scene; nothing where there is none, or it gives that no one speed."""
+    train = scene.meaning.of(GearsSurvey).train if geared(scene) else None
+    found = CrankTrain(train, scene.of(GearsForm).gears.drives[0].speed) if train is not None else None
+    return found if found is not None and found.fits else None
 
 
 def with_speed(scene: Scene) -> Scene:
@@ -56,8 +57,15 @@ def with_speed(scene: Scene) -> Scene:
     if not geared(scene):
         return scene
     train, linkage = crank_train(scene), scene.of(LinkageForm)
-    speed = train.speed if train is not None else linkage.drive.speed or Decimal(1)
+    given = train.speed if train is not None else Decimal(1)
+    speed = given if linkage.drive.speed is None else linkage.drive.speed
     return scene.changed(linkage.changed(drive=linkage.drive.changed(speed=speed)))
+
+
+def unknown(name: str, known: Collection[str]) -> dict[str, object]:
+    """Give the parts of a fault at a name that is not among those that are known."""
+    there = message("gears.there_are", names=", ".join(known)) if known else ""
+    return {"name": name, "known": there, "suggestion": suggestion(name, known)}
 
 
 def millimetres(length: Fraction) -> str:
@@ -80,9 +88,8 @@ class _TrainReading:
     def names(self) -> None:
         """See that what is named is there: wheels, links, brakes, clutches."""
         form = self.form
-        racks = {name for name, wheel in self.wheels.items() if wheel.rack}
-        links = [*dict.fromkeys((*(link_of(name) for name in self.wheels if name not in racks), *form.carriers))]
-        central = [link for link in links if link not in {p for some in form.carriers.values() for p in some}]
+        links, planets = self.raw.links, self.raw.planets
+        central = [link for link in links if link not in planets]
         for k, mesh in enumerate(form.meshes):
             self._know(("meshes", k), mesh, self.wheels, "no_wheel")
         for carrier, some in form.carriers.items():
@@ -91,7 +98,7 @@ class _TrainReading:
                 if carrier != (first := next(one for one, of in form.carriers.items() if link in of)):
                     self.report(("carriers", carrier), "planet_twice", name=link, first=first)
         rows: list[tuple[Path, Collection[str]]] = [(("fixed",), form.fixed)]
-        rows += [(("output",), (form.output,))] if form.output not in racks else []
+        rows += [(("output",), (form.output,))] if form.output not in self.slides else []
         rows += [(("joined", k), some) for k, some in enumerate(form.joined)]
         rows += [(("brakes", name), (link,)) for name, link in form.brakes.items()]
         rows += [(("clutches", name), pair) for name, pair in form.clutches.items()]
@@ -103,7 +110,7 @@ class _TrainReading:
         for name in form.inertia:
             self._know(("inertia", name), (name,), links, "no_link")
         for name in form.masses:
-            self._know(("masses", name), (name,), [link for link in links if link not in central], "no_planet")
+            self._know(("masses", name), (name,), [link for link in links if link in planets], "no_planet")
         for name, some in form.engaged.items():
             self._know(("engaged", name), some, (*form.brakes, *form.clutches), "no_brake")
 
@@ -113,27 +120,29 @@ class _TrainReading:
     def _know(self, path: Path, names: Collection[str], known: Collection[str], kind: str) -> None:
         for name in names:
             if name not in known:
-                advice = suggestion(name, known)
-                self.report(path, kind, name=name, known=", ".join(known) or "-", suggestion=advice)
+                self.report(path, kind, **unknown(name, known))
+
+    @cached_property
+    def slides(self) -> frozenset[str]:
+        """The names of the racks."""
+        return frozenset(name for name, wheel in self.wheels.items() if wheel.rack)
 
     @property
     def racks(self) -> Mapping[str, str]:
         """The racks, each with the wheel that it meshes with."""
         meshes = [*self.form.meshes, *(mesh[::-1] for mesh in self.form.meshes)]
-        return {one: other for one, other in meshes if self.wheels[one].rack}
+        return {one: other for one, other in meshes if one in self.slides}
 
     def _slide(self) -> None:
         """See that each rack meshes with one wheel of a fixed axis, and is loaded by a force."""
-        planets = {link for some in self.form.carriers.values() for link in some}
-        for name in (name for name, wheel in self.wheels.items() if wheel.rack):
+        round_it = {one for one, wheel in self.wheels.items() if not wheel.internal and not wheel.rack}
+        for name in (name for name in self.wheels if name in self.slides):
             others = [one for mesh in self.form.meshes if name in mesh for one in mesh if one != name]
-            free = [
-                one for one in others if self.wheels[one].internal or self.wheels[one].rack or link_of(one) in planets
-            ]
+            free = [one for one in others if one not in round_it or link_of(one) in self.raw.planets]
             same = [one for one in self.wheels if one != name and link_of(one) == link_of(name)]
             if len(others) > 1 or free or same:
                 self.report(("wheels", name), "rack_mesh", rack=name, others=", ".join(dict.fromkeys(others + same)))
-        slides = self.wheels[self.form.output].rack if self.form.output in self.wheels else False
+        slides = self.form.output in self.slides
         for key, given in (("load", self.form.load), ("force", self.form.force)):
             if given is not None and slides == (key == "load"):
                 self.report((key,), "load_of_rack" if slides else "force_of_wheel", output=self.form.output)
@@ -146,26 +155,20 @@ class _TrainReading:
             if not sides.keys().isdisjoint(mesh) and (len(across) != 1 or not sides.keys() >= {*mesh}):
                 self.report(("meshes", k), "bevel_mesh", first=mesh[0], second=mesh[1])
             elif across:
-                rows.setdefault(link_of(across[0]), []).append(
-                    (next(one for one in mesh if one not in across), across[0])
-                )
-        planets = {link: name for name, some in form.carriers.items() for link in some}
+                (level,) = {*mesh} - {*across}
+                rows.setdefault(link_of(across[0]), []).append((level, across[0]))
+        planets = self.raw.planets
         coaxial = {link for group in (*self.raw.coaxial, form.fixed, form.brakes.values()) for link in group}
         for link, pairs in rows.items():
             own = {self.wheels[name].bevel for name in self.wheels if link_of(name) == link}
-            most, level = (2 if link in planets else 1), [self.wheels[one] for one, _ in pairs]
-            away = (
-                len(own) > 1
-                or link in coaxial
-                or (link in planets and "down" in own)
-                or any(link_of(one) in planets for one, _ in pairs)
-            )
-            if away or len(pairs) > most:
+            away = len(own) > 1 or link in coaxial or any(link_of(one) in planets for one, _ in pairs)
+            if away or (link in planets and "down" in own) or len(pairs) > (2 if link in planets else 1):
                 self.report(("wheels", pairs[0][1]), "bevel_axis", name=link)
             elif len(pairs) > 1:
                 (first, one), (second, other) = pairs
-                alike = level[0].bevel == level[1].bevel and self.raw.teeth[one] == self.raw.teeth[other]
-                if alike or (one == other and level[0].teeth != level[1].teeth):
+                beside = self.wheels[first].bevel == self.wheels[second].bevel
+                alike = beside and self.raw.teeth[one] == self.raw.teeth[other]
+                if alike or (one == other and self.raw.teeth[first] != self.raw.teeth[second]):
                     self.report(("wheels", one), "bevel_cone", name=link, first=first, second=second)
         for key, given in (("inertia", form.inertia), ("masses", form.masses)):
             for name in given.keys() & rows.keys() & planets.keys():
@@ -193,13 +196,13 @@ class _TrainReading:
         own = self.wheels[name].module
         return Fraction(own if own is not None else self.form.module)
 
-    @property
+    @cached_property
     def raw(self) -> RawTrain:
         """The train with the teeth that it is given."""
-        form, turning = self.form, {name: wheel for name, wheel in self.wheels.items() if not wheel.rack}
+        form, turning = self.form, {name: w for name, w in self.wheels.items() if name not in self.slides}
         return RawTrain(
             {name: -w.teeth if w.teeth and w.internal else w.teeth for name, w in turning.items()},
-            frozenset(name for name, wheel in self.wheels.items() if wheel.internal),
+            frozenset(name for name, wheel in turning.items() if wheel.internal),
             {name: self._module(name) for name in turning},
             tuple(mesh for mesh in form.meshes if turning.keys() >= {*mesh}),
             form.carriers,
@@ -247,9 +250,8 @@ class _TrainReading:
             found, wrong_axes = heights(whole)
             for mesh, far, _, wanted in wrong_axes:
                 sizes = {"distance": millimetres(far), "wanted": millimetres(wanted)}
-                self.report(
-                    ("meshes", self.form.meshes.index(mesh)), "not_in_plane", first=mesh[0], second=mesh[1], **sizes
-                )
+                path = "meshes", self.form.meshes.index(mesh)
+                self.report(path, "not_in_plane", first=mesh[0], second=mesh[1], **sizes)
             self.train = self._train(whole, found)
 
     def _not_coaxial(
@@ -267,7 +269,7 @@ class _TrainReading:
         form, driving = self.form, self.racks.get(self.form.output, "")  # the wheel that moves the driven rack
         load = form.load if form.force is None else Fraction(form.force) * raw.wheel(driving).radius
         engaged: Mapping[str, tuple[str, ...]] = form.engaged or {"": (*form.brakes, *form.clutches)}
-        train = Train(
+        return Train(
             wheels={name: raw.wheel(name) for name in raw.teeth},
             meshes=raw.meshes,
             carriers=form.carriers,
@@ -275,7 +277,7 @@ class _TrainReading:
             gears=tuple(self._gear(name, some) for name, some in engaged.items()),
             drives=tuple((drive.link, float(drive.speed)) for drive in form.drives),
             output=link_of(driving) if driving else form.output,
-            heights=found,
+            axes=found,
             brakes=form.brakes,
             clutches=form.clutches,
             planets=self.searched.solutions[0].planets if self.searched else form.planets,
@@ -286,8 +288,6 @@ class _TrainReading:
             racks=self.racks,
             driven=form.output if driving else "",
         )
-        across = {link: found[rows[0].level.link] + centre_of(rows) for link, rows in train.crossing.items()}
-        return replace(train, heights={**found, **across})
 
     def _efficiency(self) -> Mapping[tuple[str, str], Fraction]:
         """Give the efficiency of each mesh, if any is given: its own one, or that of all; of what is not told 1."""
@@ -343,11 +343,15 @@ class _TrainReading:
                 self.report(path, "locked_train" if not found else "too_held", **parts)
             elif not determined(train, gear):
                 self.report(path, "drive_held", **parts, link=", ".join(link for link, _ in train.drives))
+        if all(train.output in gear.held for gear in train.gears):
+            self.report(("output",), "output_held", name=train.output)
 
     def crank(self) -> None:
         """See that the train fits the crank that it is before."""
         if geared(self.scene):
             self.faults += CrankTrain(self.train, self.form.drives[0].speed).faults(self.scene)
+            if self.form.load is not None and self.scene.part("dynamics") is not None:
+                self.report(("load",), "load_of_machine")
 
     def _freed(self, gear: BoxGear, wanted: int) -> str:
         """Name the links that, held too, leave the mobility that is wanted."""

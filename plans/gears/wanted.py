@@ -7,7 +7,7 @@ from decimal import Decimal
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
-from plans.scene.readers import one
+from plans.scene.readers import FieldReader, one
 from plans.scene.tables import Missing, Table, key
 
 MOST_SOUGHT = 300  # teeth of a wheel that is sought: beyond it a search takes minutes
@@ -38,15 +38,20 @@ def check_ratio(value: object) -> Decimal:
     return found
 
 
-def check_sought(value: object) -> int:
-    """Read a bound of the teeth that are sought."""
-    if f.whole(value, LEAST_SOUGHT) > MOST_SOUGHT:
-        raise wrong("many_teeth", most=MOST_SOUGHT)
-    return int(str(value))
+def teeth(least: int, most: int) -> FieldReader:
+    """Give the reader of a number of teeth between bounds."""
+
+    def check(value: object) -> int:
+        found = f.whole(value, least)
+        if found > most:
+            raise wrong("many_teeth", most=most)
+        return found
+
+    return one(check, lambda: {**forms.whole(least), "maximum": most}, "number")
 
 
 RATIO = one(check_ratio, lambda: {"type": "number"}, "number")
-SOUGHT = one(check_sought, lambda: {**forms.whole(LEAST_SOUGHT), "maximum": MOST_SOUGHT}, "number")
+SOUGHT = teeth(LEAST_SOUGHT, MOST_SOUGHT)
 TOLERANCE, EFFICIENCY = (
     one(check, lambda: {"anyOf": [{"type": "number"}, {"type": "string"}]}, shown)
     for check, shown in ((check_tolerance, '"3 %"'), (check_efficiency, "0.98"))

@@ -51,22 +51,24 @@ def closing(pair: InvolutePair) -> float:
     return (halves - (math.pi if pair.sense > 0 else 0.0)) / (second.teeth + pair.sense * first.teeth)
 
 
-def touching(pair: InvolutePair) -> float:
-    """Give the angle of action, rad, at which the flanks of a pair touch on both sides."""
-    return math.atan(rolled(closing(pair)))
+def string(wheel: GearWheel, radius: float) -> float:
+    """Give how many base radii the string is long whose end is so far from the centre, m."""
+    return math.sqrt(max((radius / wheel.base) ** 2 - 1, 0.0))
+
+
+def apart(first: Mark, last: Mark) -> float:
+    """Measure the distance of two marks, m."""
+    return abs(complex(last.point) - complex(first.point))
 
 
 class LineOfAction:
     """The line of action of a pair, on a board: P is the origin, the line of centres upright, wheel 1 below."""
 
     def __init__(self, pair: InvolutePair) -> None:
-        self.pair, self.board, angle = pair, Board(MESH), touching(pair)
-        first, second = pair.wheels
-        self.distance = (second.base + pair.sense * first.base) / math.cos(angle)
-        self._draw(first, second)
-
-    def _draw(self, first: GearWheel, second: GearWheel) -> None:
-        board, sense, distance = self.board, self.pair.sense, self.distance
+        self.pair, self.board = pair, Board(MESH)
+        (first, second), board, sense = pair.wheels, self.board, pair.sense
+        angle = math.atan(rolled(closing(pair)))  # at which flanks touch on both sides
+        self.distance = distance = (second.base + sense * first.base) / math.cos(angle)
         share = first.teeth / (second.teeth + sense * first.teeth)
         down = board.given("O_1", -1j * distance * share, because("involute_centre", wheel=1))
         up = board.given("O_2", 1j * distance * (sense - share), because("involute_apart"))
@@ -81,10 +83,9 @@ class LineOfAction:
             )
             for wheel, side in zip((first, second), (1, -sense), strict=True)
         )
-        names = "N_1", "N_2"
         self.ends = tuple(
-            board.lay_off(name, centre, radius, because("involute_touch"))
-            for name, centre, radius in zip(names, self.centres, self.normals, strict=True)
+            board.lay_off(f"N_{number}", centre, radius, because("involute_touch"))
+            for number, (centre, radius) in enumerate(zip(self.centres, self.normals, strict=True), 1)
         )
         self.line = board.parallel("N_1N_2", self.ends[0], self.way, because("involute_line"))
         upright = board.parallel(
@@ -124,12 +125,12 @@ class LineOfAction:
     @cached_property
     def active(self) -> tuple[Mark, Mark]:
         """B_1 and B_2: where the tip circles of wheel 2 and of wheel 1 cut the line."""
-        board, marks = self.board, list[Mark]()
-        for name, number, side in (("B_1", 1, -self.pair.sense), ("B_2", 0, 1)):
-            why = because("involute_tip", wheel=number + 1)
-            tip = board.arc(f"d_a{number + 1}", self.centres[number], self.tips[number], why)
-            marks.append(board.meet(name, self.line, tip, float(side), because("involute_active", wheel=number + 1)))
-        return marks[0], marks[1]
+        return self._tip("B_1", 2, -self.pair.sense), self._tip("B_2", 1, 1)
+
+    def _tip(self, name: str, number: int, side: int) -> Mark:
+        centre, radius = self.centres[number - 1], self.tips[number - 1]
+        tip = self.board.arc(f"d_a{number}", centre, radius, because("involute_tip", wheel=number))
+        return self.board.meet(name, self.line, tip, float(side), because("involute_active", wheel=number))
 
     @cached_property
     def strings(self) -> tuple[float, float]:
@@ -140,10 +141,9 @@ class LineOfAction:
     @property
     def length(self) -> float:
         """The length of the active part, measured, m."""
-        start, end = self.active
-        return self._to(0, end) - self._to(0, start)
+        return self.strings[0] - self.feet[0]
 
-    @property
+    @cached_property
     def feet(self) -> tuple[float, float]:
         """How long the string is where the other's tip meets each flank, m."""
         start, end = self.active
@@ -152,10 +152,8 @@ class LineOfAction:
     @property
     def sliding(self) -> tuple[float, float]:
         """The specific sliding at the foot of each flank, by segments of the line: 1 - u N2B/N1B."""
-        start, end = self.active
         ratio = self.pair.teeth[0] / self.pair.teeth[1]
-        first = 1 - ratio * -self.pair.sense * self._to(1, start) / self._to(0, start)
-        return first, 1 - self._to(0, end) / (ratio * -self.pair.sense * self._to(1, end))
+        return 1 - ratio * self.strings[1] / self.feet[0], 1 - self.strings[0] / (ratio * self.feet[1])
 
     def slid(self, end: int) -> Reading:
         """What 1 less the sliding at the foot of a flank is read from: u N2B square to the line, over N1B."""

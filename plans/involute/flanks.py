@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from geometry.board import Mark
-from plans.involute.action import LineOfAction, half_at_base, rolled
+from plans.involute.action import LineOfAction, apart, half_at_base, rolled, string
 from plans.involute.limits import lowest
 from plans.model.involute import GearWheel
 from plans.words.words import because
@@ -30,9 +30,9 @@ class Flanks:
         self.action, self.wheel, self.board = action, wheel, action.board
         k = wheel.number - 1
         self.centre, self.tip, self.root = action.centres[k], action.tips[k], action.roots[k]
-        self.operating = abs(complex(action.pole.point) - complex(self.centre.point))
+        self.operating = apart(self.centre, action.pole)
         self.half = half_at_base(wheel)
-        turned = cmath.exp(-1j * abs(complex(action.pole.point) - complex(action.ends[k].point)) / wheel.base)
+        turned = cmath.exp(-1j * apart(action.ends[k], action.pole) / wheel.base)
         self.start = self.board.turn(f"O_{wheel.number}E", action.normals[k], turned, because("involute_start"))
         far = cmath.exp(2j * self.half)
         self.other = self.board.turn(f"O_{wheel.number}E'", self.start, far, because("involute_other"))
@@ -43,33 +43,28 @@ class Flanks:
         begin = start or (self.start if side > 0 else self.other)
         arm = board.turn(f"{name}:r", begin, cmath.exp(1j * side * slope), because("involute_arc"))
         leaves = board.lay_off(f"{name}:K", self.centre, arm, because("involute_leaves", wheel=number))
-        string = board.turn(f"{name}:s", arm, -1j * side * slope, because("involute_string"))
-        return Unrolled(leaves, board.lay_off(name, leaves, string, because("involute_end")))
+        line = board.turn(f"{name}:s", arm, -1j * side * slope, because("involute_string"))
+        return Unrolled(leaves, board.lay_off(name, leaves, line, because("involute_end")))
 
-    def slope(self, radius: float) -> float:
-        """Give how many base radii the string is long at a distance from the centre, m."""
-        return math.sqrt(max((radius / self.wheel.base) ** 2 - 1, 0.0))
+    def _both(self, name: str, slope: float) -> tuple[Mark, Mark]:
+        """Unroll a string on either side."""
+        return self.at(name, slope).end, self.at(f"{name}'", slope, -1).end
 
-    def holds(self, string: float) -> bool:
+    def holds(self, long: float) -> bool:
         """Tell whether the end of a string, m, lies on the involute: between the fillet and the tip."""
-        return (string - lowest(self.wheel, self.root)) * (string - self.wheel.base * self.slope(self.tip)) <= 0
+        return (long - lowest(self.wheel, self.root)) * (long - self.wheel.base * string(self.wheel, self.tip)) <= 0
 
     @cached_property
     def points(self) -> tuple[Unrolled, ...]:
         """The points of the flank that touches in P, by equal arcs to the tip."""
-        last, name = self.slope(self.tip), f"E_{self.wheel.number}"
+        last, name = string(self.wheel, self.tip), f"E_{self.wheel.number}"
         return tuple(self.at(f"{name},{k}", last * k / DIVISIONS) for k in range(1, DIVISIONS + 1))
-
-    def thick(self, name: str, radius: float) -> tuple[Mark, Mark, float]:
-        """Measure the arc between both flanks on a circle: its ends, and its length m."""
-        slope = self.slope(radius)
-        ends = [self.at(f"{name}{prime}", slope, side).end for side, prime in ((1, ""), (-1, "'"))]
-        first, last = (complex(end.point) - complex(self.centre.point) for end in ends)
-        return ends[0], ends[1], radius * cmath.phase(last / first)
 
     def tooth(self, name: str, radius: float) -> float:
         """Measure the thickness of a tooth on a circle: of an internal wheel what the space leaves of the pitch, m."""
-        arc = self.thick(name, radius)[2]
+        ends = self._both(name, string(self.wheel, radius))
+        first, last = (complex(end.point) - complex(self.centre.point) for end in ends)
+        arc = radius * cmath.phase(last / first)
         return math.tau * radius / self.wheel.teeth - arc if self.wheel.internal else arc
 
     @property
@@ -80,8 +75,7 @@ class Flanks:
     @cached_property
     def chord(self) -> tuple[Mark, Mark]:
         """The ends of the constant chord: where normals through the tooth's middle on the pitch circle end."""
-        slope, number = self.half + self.wheel.rack.angle, self.wheel.number
-        return self.at(f"C_{number}", slope).end, self.at(f"C_{number}'", slope, -1).end
+        return self._both(f"C_{self.wheel.number}", self.half + self.wheel.rack.angle)
 
     @property
     def chord_height(self) -> float:
@@ -131,7 +125,4 @@ class Flanks:
     @property
     def over(self) -> float:
         """The size over the pins, of an internal wheel between them, m."""
-        if math.isnan(self.pin):
-            return math.nan
-        first, last = (complex(pin.point) for pin in self.pins)
-        return abs(last - first) + self.wheel.inward * self.pin
+        return math.nan if math.isnan(self.pin) else apart(*self.pins) + self.wheel.inward * self.pin

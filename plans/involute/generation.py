@@ -9,6 +9,8 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
+from plans.involute.action import string
+from plans.involute.limits import lowest
 from plans.model.involute import HALVINGS, GearWheel
 from plans.model.motion import Complexes, Floats
 from plans.words.words import because
@@ -31,10 +33,9 @@ class Generated(NamedTuple):
         return np.concatenate([np.atleast_1d(self.fillet.point), np.atleast_1d(self.involute.point)[1:]])
 
 
-def generated(wheel: GearWheel, tip: float, count: int, board: Board | None = None) -> Generated:
+def generated(wheel: GearWheel, tip: float, count: int, board: Board) -> Generated:
     """Let the rack roll on the wheel, and mark where it touches: on the normal through the pole P_0."""
     rack, m = wheel.rack, wheel.rack.module
-    board = board or Board(GENERATION)
     pole = board.given("P_0", 1j * wheel.radius, because("involute_machine_pole"))
     lean, depth = _joined(wheel)
     highest = wheel.radius * math.sin(rack.angle) - math.sqrt(tip**2 - wheel.base**2)
@@ -59,12 +60,12 @@ def _joined(wheel: GearWheel) -> tuple[float, float]:
         lean = (low + high) / 2
         centre = (leg - rack.rounding * m * sine) / math.sin(lean)
         spot = 1j * r + (centre + rack.rounding * m) * cmath.exp(-1j * lean)
-        string = math.sqrt(max(abs(spot) ** 2 - wheel.base**2, 0.0))
-        rolled = r * sine - string - math.pi * m / 4 * slant.real - wheel.shift * m * slant.imag
-        flank = (1j * r + (r * sine - string) * slant) * cmath.exp(1j * rolled / slant.real / r)
+        long = math.sqrt(max(abs(spot) ** 2 - wheel.base**2, 0.0))
+        rolled = r * sine - long - math.pi * m / 4 * slant.real - wheel.shift * m * slant.imag
+        flank = (1j * r + (r * sine - long) * slant) * cmath.exp(1j * rolled / slant.real / r)
         spot *= cmath.exp(1j * (centre * math.cos(lean) - rack.land * m) / r)
-        low, high = (lean, high) if string and cmath.phase(spot / flank) > 0 else (low, lean)
-        far = r * sine - string
+        low, high = (lean, high) if long and cmath.phase(spot / flank) > 0 else (low, lean)
+        far = r * sine - long
     return low, far
 
 
@@ -96,8 +97,8 @@ def ring(wheel: GearWheel, half: float, radii: tuple[float, float], count: int) 
     tip, root = radii
     corner = wheel.corner(root)
     start = 1j * cmath.exp(-1j * half) * wheel.base
-    last = (math.sqrt((root - corner) ** 2 - wheel.base**2) + corner) / wheel.base
-    slopes = np.linspace(last, math.sqrt((tip / wheel.base) ** 2 - 1), count)
+    last = lowest(wheel, root) / wheel.base
+    slopes = np.linspace(last, string(wheel, tip), count)
     flank = start * np.exp(1j * slopes) * (1 - 1j * slopes)
     arm = start * cmath.exp(1j * last)
     centre = arm * (1 - 1j * (last - corner / wheel.base))

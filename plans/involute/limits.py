@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from plans.involute.action import LineOfAction, closing, half_at_base, opened
+from plans.involute.action import LineOfAction, closing, half_at_base, opened, string
 from plans.involute.shift import SLIGHT, least_shift
 from plans.model.involute import GearWheel, InvolutePair
 
@@ -48,10 +48,8 @@ def limits(pair: InvolutePair) -> Iterator[PairLimit]:
         yield PairLimit("no_mesh", {"total": told(pair.total), "least": told(least)})
         return
     action = LineOfAction(pair)
-    undercut = [*_undercut(pair)]
-    yield from undercut
-    bodies = [*_bodies(action)]
-    yield from bodies
+    undercut, bodies = [*_undercut(pair)], [*_bodies(action)]
+    yield from (*undercut, *bodies)
     if not bodies:
         yield from _tips(action)
         yield from () if any(limit.broken for limit in undercut) else (*_interference(action), *_ratio(action))
@@ -85,8 +83,7 @@ def _bodies(action: LineOfAction) -> Iterator[PairLimit]:
 def _tips(action: LineOfAction) -> Iterator[PairLimit]:
     """See that no tooth is pointed."""
     for wheel, tip in zip(action.pair.wheels, action.tips, strict=True):
-        slope = math.sqrt(max((tip / wheel.base) ** 2 - 1, 0.0))
-        half = half_at_base(wheel) - opened(slope)
+        half = half_at_base(wheel) - opened(string(wheel, tip))
         thick = tip * (math.tau / wheel.teeth - 2 * half if wheel.internal else 2 * half) / wheel.rack.module
         if thick < THIN - ROUNDED:
             details = {"wheel": wheel.number, "thick": told(thick), "least": THIN, "shift": told(wheel.shift)}
@@ -107,13 +104,12 @@ def _interference(action: LineOfAction) -> Iterator[PairLimit]:
     for wheel, foot, root in zip(action.pair.wheels, action.feet, action.roots, strict=True):
         end = max(lowest(wheel, root), 0.0)
         if (foot - end) * wheel.inward < -ROUNDED * wheel.rack.module:
-            radii = [1e3 * abs(complex(wheel.base, max(string, 0.0))) for string in (foot, end)]
-            details = {"wheel": wheel.number, "other": 3 - wheel.number}
-            yield PairLimit("interference", {**details, "foot": f"{radii[0]:.3f}", "end": f"{radii[1]:.3f}"})
+            ends = (f"{1e3 * abs(complex(wheel.base, max(long, 0.0))):.3f}" for long in (foot, end))
+            radii = dict(zip(("foot", "end"), ends, strict=True))
+            yield PairLimit("interference", {"wheel": wheel.number, "other": 3 - wheel.number, **radii})
     if action.pair.internal and (gap := _passing(action)) < -ROUNDED:
-        yield PairLimit(
-            "tips_meet", {"gap": told(math.degrees(gap)), "teeth": action.pair.teeth[1] - action.pair.teeth[0]}
-        )
+        first, second = action.pair.teeth
+        yield PairLimit("tips_meet", {"gap": told(math.degrees(gap)), "teeth": second - first})
 
 
 def _passing(action: LineOfAction) -> float:
@@ -124,8 +120,7 @@ def _passing(action: LineOfAction) -> float:
         return math.inf
     meeting = far + tip * cmath.exp(1j * math.acos(share))  # seen from the ring's centre, the pinion's to the right
     turned, other = math.acos(share), cmath.phase(meeting)
-    away = [opened(math.sqrt((radius / wheel.base) ** 2 - 1))
-            for wheel, radius in zip((first, second), (tip, edge), strict=True)]  # fmt: skip
+    away = opened(string(first, tip)), opened(string(second, edge))
     at_pole = opened(math.tan(action.angle))
     return (first.teeth * (turned + away[0] - at_pole)) / second.teeth - (other + away[1] - at_pole)
 

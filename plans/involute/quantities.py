@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from geometry.board import Mark, Reading, Span, behind
+from geometry.board import Reading, Span, behind
 from plans.analytic.involute import flank, foot, solve
 from plans.explanation import Explanation, NoMark, explained_by
 from plans.involute.action import MESH, slack
@@ -62,7 +62,8 @@ class _ComparedPair(NamedTuple):
     def wheels(self) -> Iterator[Quantity]:
         """Compare the sizes of each wheel."""
         for flanks, ours, theirs in zip(self.study.flanks, self.ours.wheels, self.theirs.wheels, strict=True):
-            n, ends = flanks.wheel.number, self._ends(flanks)
+            n, ends = flanks.wheel.number, {"span": Span(*flanks.span)}
+            ends |= {"chord": Span(*flanks.chord)} if flanks.has_chord else {}
             for letter, name, times in SIZES:
                 values = times * getattr(ours, name), times * getattr(theirs, name)
                 if not math.isnan(values[1]):
@@ -71,13 +72,6 @@ class _ComparedPair(NamedTuple):
             share = self.slack * (1 / strings + 1 / abs(strings - self.theirs.distance * math.sin(self.theirs.angle)))
             off = abs(1 - theirs.sliding) * share
             yield self._of(f"λ_B{n}", "1", (ours.sliding, theirs.sliding), off, self.study.action.slid(n - 1))
-
-    def _ends(self, flanks: Flanks) -> dict[str, Span]:
-        """Give the marks between which sizes are measured."""
-        ends: dict[str, tuple[Mark, Mark]] = {"span": flanks.span}
-        if flanks.has_chord:
-            ends["chord"] = flanks.chord
-        return {name: Span(*both) for name, both in ends.items()}
 
     def generated(self) -> Iterator[Quantity]:
         """Compare what the rack leaves: the root circle, and where the involute begins."""
@@ -122,4 +116,4 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     found, board = explained_by(study.comparison(MESH).findings, position, name), study.of(InvoluteStudy).action.board
     if isinstance(found, NoMark) and name in board and name not in found.names:
         return Explanation(message("explain.name", mark=name), tuple(behind(board[name])), {MESH: "m"})
-    return found._replace(units={MESH: "m"}) if isinstance(found, Explanation) else found
+    return found._replace(units={MESH: "m", "ε_α": ""}) if isinstance(found, Explanation) else found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import Any, NamedTuple
 
@@ -12,9 +12,9 @@ from plans.involute.shift import AIMS, NO_UNDERCUT, NoShift, aimed
 from plans.model.involute import MODULES, SECOND, InvolutePair, Rack
 from plans.scene import fields as f
 from plans.scene import forms, units
-from plans.scene.faults import Fault, Path, SceneError, Wrong, wrong
+from plans.scene.faults import Fault, SceneError, Wrong, wrong
 from plans.scene.forms import Form
-from plans.scene.readers import Check, many, one
+from plans.scene.readers import one
 from plans.scene.scene import Meaning, Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
@@ -49,7 +49,7 @@ TEETH = one(_teeth, lambda: {"type": "integer", "minimum": LEAST_TEETH, "maximum
 
 
 def _two(entry: Any, what: str) -> Any:
-    return many(entry, first=Check(lambda value: f.check_pair(value, what), least=2, most=2))._replace(shown=what)
+    return f.pair(entry, what)._replace(shown=what)
 
 
 class InvoluteTable(Table):
@@ -107,7 +107,7 @@ class InvoluteSurvey(NamedTuple):
 
     pair: InvolutePair | None
     faults: list[Fault]
-    near: tuple[PairLimit, ...] = ()
+    near: Sequence[Fault] = ()
 
 
 def survey_of(meaning: Meaning) -> InvoluteSurvey:
@@ -115,17 +115,15 @@ def survey_of(meaning: Meaning) -> InvoluteSurvey:
     scene, form = meaning.scene, meaning.scene.of(InvoluteForm).involute
     rack = Rack(float(form.module), math.radians(form.angle), float(form.head), float(form.clearance))
     plain = InvolutePair(rack, form.teeth, (0.0, 0.0), form.internal)
-    early = [*shifts_within(plain)]
-    if early:
+    if early := [*shifts_within(plain)]:
         return InvoluteSurvey(None, [_fault(scene, limit) for limit in early])
     try:
         pair = _shifted(plain, form)
     except NoShift as none:
-        return InvoluteSurvey(None, [_fault(scene, PairLimit(none.kind, none.details, none.at))])
+        return InvoluteSurvey(None, [_fault(scene, none)])
     found = [*limits(pair)]
-    broken = [limit for limit in found if limit.broken]
-    near = tuple(limit for limit in found if not limit.broken)
-    return InvoluteSurvey(None if broken else pair, [_fault(scene, limit) for limit in broken], near)
+    broken, near = ([_fault(scene, limit) for limit in found if limit.broken is kind] for kind in (True, False))
+    return InvoluteSurvey(None if broken else pair, broken, near)
 
 
 def _shifted(plain: InvolutePair, form: InvoluteTable) -> InvolutePair:
@@ -136,13 +134,10 @@ def _shifted(plain: InvolutePair, form: InvoluteTable) -> InvolutePair:
     return InvolutePair(plain.rack, plain.teeth, (float(first), float(second)), plain.internal)
 
 
-def _fault(scene: Scene, limit: PairLimit) -> Fault:
+def _fault(scene: Scene, limit: PairLimit | NoShift) -> Fault:
     """Tell a breach at the key that would mend it, or at the table where the scene has none."""
-    return scene.fault(_path(scene, limit.at), limit.kind, **limit.details)
-
-
-def _path(scene: Scene, names: Iterable[str]) -> Path:
-    return next(((INVOLUTE, name) for name in names if scene.has((INVOLUTE, name))), (INVOLUTE,))
+    paths = ((INVOLUTE, name) for name in limit.at if scene.has((INVOLUTE, name)))
+    return scene.fault(next(paths, (INVOLUTE,)), limit.kind, **limit.details)
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
@@ -152,7 +147,7 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     if size not in MODULES and size not in SECOND:
         near = min((*MODULES, *SECOND), key=lambda known: abs(known - size))
         yield scene.fault((INVOLUTE, "module"), "odd_module", module=f"{size:g}", near=f"{near:g}")
-    yield from (_fault(scene, limit) for limit in survey.near)
+    yield from survey.near
 
 
 def pair_of(scene: Scene) -> InvolutePair:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from functools import cached_property
 
-from geometry.board import Board, Mark
-from plans.involute.action import MESH, LineOfAction
+from geometry.board import Board
+from plans.involute.action import MESH, LineOfAction, apart
 from plans.involute.flanks import Flanks
 from plans.involute.generation import GENERATION, Generated, generated, ring
 from plans.model.involute import InvolutePair, PairSizes, WheelSizes
@@ -16,17 +16,11 @@ CONSTRUCTION = "construction"
 POINTS = 41  # of a flank, and of the fillet below it
 
 
-def apart(first: Mark, last: Mark) -> float:
-    """Measure the distance of two marks, m."""
-    return abs(complex(last.point) - complex(first.point))
-
-
 class InvoluteStudy:
     """A pair drawn."""
 
     def __init__(self, pair: InvolutePair) -> None:
-        self.pair = pair
-        self.made: set[str] = set()
+        self.pair, self.made = pair, set[str]()
 
     def construct(self, plans: Collection[str]) -> None:
         """Draw what is asked for."""
@@ -62,9 +56,8 @@ class InvoluteStudy:
     @cached_property
     def sizes(self) -> PairSizes:
         """All sizes as they are measured."""
-        action, (first, second) = self.action, self.flanks
-        ratio = action.length / self.pair.rack.base_pitch
-        wheels = self._wheel(first), self._wheel(second)
+        action, ratio = self.action, self.action.length / self.pair.rack.base_pitch
+        wheels = self._wheel(self.flanks[0]), self._wheel(self.flanks[1])
         return PairSizes(CONSTRUCTION, action.angle, apart(*action.centres), action.length, ratio, wheels)
 
     def _wheel(self, flanks: Flanks) -> WheelSizes:

@@ -69,7 +69,8 @@ def length_of(mechanism: Mechanism, motion: Motion, order: int) -> list[Floats]:
     """Give the cylinder's length m over a motion, and as far as the order goes what it grows by, (N,) each."""
     rows = [apart(mechanism, motion, k) for k in range(order + 1)]
     length = np.abs(rows[0])
-    along = np.conj(rows[0] / length)
+    with np.errstate(invalid="ignore"):  # one of no length has no direction
+        along = np.conj(rows[0] / length)
     slope = [(along * rows[1]).real] if order > 0 else []
     bend = [(along * rows[2]).real + (along * rows[1]).imag ** 2 / length] if order > 1 else []
     return [length, *slope, *bend]

@@ -154,7 +154,7 @@ class Train:
     gears: tuple[BoxGear, ...]
     drives: tuple[tuple[str, float], ...]  # links and their speeds rad/s
     output: str
-    heights: Mapping[str, Fraction]  # of the axis of each link
+    axes: Mapping[str, Fraction]  # heights of the axes of links, of those across of their apexes
     brakes: Mapping[str, str]
     clutches: Mapping[str, tuple[str, str]]
     planets: int | None = None  # of each carrier, if it is given
@@ -200,7 +200,7 @@ class Train:
     def bevels(self) -> Mapping[tuple[str, str], BevelMesh]:
         """The meshes of bevel wheels (конические колёса), with friction their points moved across."""
         rows = zip(self.meshes, self.pairs, strict=True)
-        found = {mesh: bevel_mesh(*pair, bool(self.planet_of(*pair))) for mesh, pair in rows if pair[0].side}
+        found = {mesh: bevel_mesh(*pair, self.carrier_between(*pair) != FRAME) for mesh, pair in rows if pair[0].side}
         powers = {mesh: 1 if row.cross.name == mesh[1] else -1 for mesh, row in found.items()}
         return {mesh: row.moved(self.factors.get(mesh, Fraction(1)) ** powers[mesh]) for mesh, row in found.items()}
 
@@ -209,6 +209,12 @@ class Train:
         """The links whose axes lie across, with their meshes."""
         links = dict.fromkeys(one.cross.link for one in self.bevels.values())
         return {link: tuple(one for one in self.bevels.values() if one.cross.link == link) for link in links}
+
+    @cached_property
+    def heights(self) -> Mapping[str, Fraction]:
+        """The height of the axis of each link; of one across of its centre, which friction moves with its meshes."""
+        centres = {link: self.axes[rows[0].level.link] + centre_of(rows) for link, rows in self.crossing.items()}
+        return {**self.axes, **centres}
 
     def rolling(self, mesh: tuple[str, str]) -> tuple[Fraction, Fraction]:
         """Give the signed teeth of two wheels that mesh, of the second times what friction makes of their ratio."""
@@ -251,13 +257,9 @@ class Train:
             elif other.link == link:
                 yield other, one
 
-    def planet_of(self, one: ToothedWheel, other: ToothedWheel) -> str:
-        """Give the carrier of the planet of a mesh, if either is one."""
-        return self.carrier_of.get(one.link) or self.carrier_of.get(other.link) or ""
-
     def carrier_between(self, one: ToothedWheel, other: ToothedWheel) -> str:
         """Give the carrier of the planet of a mesh; the frame where both axes are fixed."""
-        return self.planet_of(one, other) or FRAME
+        return self.carrier_of.get(one.link) or self.carrier_of.get(other.link) or FRAME
 
     def signed(self, one: ToothedWheel, other: ToothedWheel) -> tuple[ToothedWheel, ToothedWheel]:
         """Give two wheels that mesh with the signs of their teeth there: w_one/w_other = -z_other/z_one."""

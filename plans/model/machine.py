@@ -99,6 +99,13 @@ class Force(NamedTuple):
         fixed = (self.direction is not None or self.line is not None) and not self.resists and not any(self.overrun)
         return self.piston if self.diagram is not None and fixed else None
 
+    @property
+    def one_sided(self) -> bool:
+        """Whether a pressure against the motion takes one side of its piston on both strokes, though a rod is there."""
+        turns = self.resists or (self.direction is None and self.line is None)
+        both, piston = turns and self.during == ALWAYS and self.diagram is None, self.piston
+        return both and piston is not None and piston.area != piston.other
+
 
 class Moment(NamedTuple):
     """A moment on a link, N*m: constant, or of a size against the link's rotation."""

@@ -47,10 +47,10 @@ class PlacedWheel(NamedTuple):
         """Give its circles as far as they are shown; the base circle to where its involute is unrolled from."""
         sizes, n, reach = self.sizes, self.wheel.number, (SHOWN + PAST) * self.step
         radii = {"d_a": sizes.tip, "d_w": sizes.operating, "d": self.wheel.radius, "d_f": sizes.root}
-        radii |= {} if abs(sizes.operating / self.wheel.radius - 1) > 1e-9 else {"d_w": 0.0}
-        spans = {f"{name}{n}": (radius, -reach, reach) for name, radius in radii.items() if radius}
-        spans[f"d_b{n}"] = (self.wheel.base, -reach, max(reach, last))
-        return {name: self.arc(*span) for name, span in spans.items()}
+        if abs(sizes.operating / self.wheel.radius - 1) <= 1e-9:
+            del radii["d_w"]
+        found = {f"{name}{n}": self.arc(radius, -reach, reach) for name, radius in radii.items()}
+        return found | {f"d_b{n}": self.arc(self.wheel.base, -reach, max(reach, last))}
 
     def arc(self, radius: float, low: float, high: float) -> Complexes:
         """Give a part of a circle about the centre."""
@@ -60,10 +60,10 @@ class PlacedWheel(NamedTuple):
         """Give the outline of three teeth, of a ring of three spaces, from the right side of a space, m."""
         inner = self.wheel.internal
         axes = [self.turned + (k if inner else k + 0.5) * self.step for k in range(-1 if inner else -2, 2)]
-        ends = [cmath.exp(1j * (self.turned + sign * SHOWN * self.step)) for sign in (-1, 1)] if inner else []
         parts = spaces(side, axes)
         if inner:
-            first, last = (np.array([self.sizes.tip * end]) for end in ends)
+            ends = (self.turned + sign * SHOWN * self.step for sign in (-1, 1))
+            first, last = (np.array([self.sizes.tip * cmath.exp(1j * end)]) for end in ends)
             return np.asarray(self.centre + self.up * bridged([first, *parts, last]))
         half = len(parts[0]) // 2
         return np.asarray(self.centre + self.up * bridged([parts[0][half:], *parts[1:-1], parts[-1][: half + 1]]))
@@ -92,23 +92,15 @@ def bridged(parts: list[Complexes]) -> Complexes:
 
 def placed(pair: InvolutePair, sizes: PairSizes) -> tuple[PlacedWheel, PlacedWheel]:
     """Place both wheels: a tooth of wheel 1 touches in P, with its flank on the right."""
-    first, second = (
-        PlacedWheel(wheel, found, centre, up, _axis(wheel, found))
-        for wheel, found, centre, up in zip(pair.wheels, sizes.wheels, *_places(pair, sizes), strict=True)
-    )
-    return first, second
+    (first, second), ups = pair.wheels, (1j, -1j * pair.sense)
+    return _placed(first, sizes.wheels[0], ups[0]), _placed(second, sizes.wheels[1], ups[1])
 
 
-def _places(pair: InvolutePair, sizes: PairSizes) -> tuple[tuple[complex, complex], tuple[complex, complex]]:
-    first, second = (found.operating for found in sizes.wheels)
-    return (-1j * first, 1j * pair.sense * second), (1j, -1j * pair.sense)
-
-
-def _axis(wheel: GearWheel, sizes: WheelSizes) -> float:
-    """Give the angle from P to the middle of the tooth there, of a ring to that of its space."""
+def _placed(wheel: GearWheel, sizes: WheelSizes, up: complex) -> PlacedWheel:
+    """Turn a wheel by half of the arc of the tooth at P, of a ring of its space."""
     arc = sizes.operating_thickness
     arc = math.tau * sizes.operating / wheel.teeth - arc if wheel.internal else arc
-    return arc / 2 / sizes.operating
+    return PlacedWheel(wheel, sizes, -up * sizes.operating, up, arc / 2 / sizes.operating)
 
 
 RACK = 8  # positions of a rack to a pitch

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
-from plans.model.gears import FRAME, BoxGear, Train
+from plans.model.gears import BoxGear, Train
 
 Row: TypeAlias = list[Fraction]
 
@@ -27,25 +27,18 @@ def equations(train: Train, gear: BoxGear) -> Iterator[Mapping[str, Fraction]]:
 
 def mobility(train: Train, gear: BoxGear) -> int:
     """Give the mobility of a train in a gear: its links less the equations that are independent."""
-    return len(train.links) - len(reduced(matrix(train, gear, 0), len(train.links)))
+    return len(train.links) - len(reduced(table(equations(train, gear), train.links), len(train.links)))
 
 
 def determined(train: Train, gear: BoxGear) -> bool:
     """Tell whether the speeds of the drives give all links theirs."""
-    rows = [*matrix(train, gear, 0), *([Fraction(link == one) for link in train.links] for one, _ in train.drives)]
-    return len(reduced(rows, len(train.links))) == len(train.links)
+    rows = *equations(train, gear), *({link: Fraction(1)} for link, _ in train.drives)
+    return len(reduced(table(rows, train.links), len(train.links))) == len(train.links)
 
 
-def matrix(train: Train, gear: BoxGear, more: int) -> list[Row]:
-    """Put the equations in rows, a column a link, and more columns of zeros for what stands on the right."""
-    found = []
-    for factors in equations(train, gear):
-        row = [Fraction(0)] * (len(train.links) + more)
-        for link, factor in factors.items():
-            if link != FRAME:
-                row[train.links.index(link)] += factor
-        found.append(row)
-    return found
+def table(rows: Iterable[Mapping[str, Fraction]], columns: Sequence[str]) -> list[Row]:
+    """Put equations in rows, a column for each unknown, then for what stands on the right; the frame has none."""
+    return [[row.get(name, Fraction(0)) for name in columns] for row in rows]
 
 
 def reduced(matrix: Sequence[Row], columns: int) -> list[Row]:
@@ -66,21 +59,19 @@ def _less(row: Row, unit: Row, column: int) -> Row:
     return [value - row[column] * part for value, part in zip(row, unit, strict=True)] if row[column] else row
 
 
+def solved(
+    train: Train, rows: Iterable[Mapping[str, Fraction]], right: Sequence[str]
+) -> Mapping[str, tuple[Fraction, ...]]:
+    """Give the speed of each link as shares of what stands on the right."""
+    count, found = len(train.links), reduced(table(rows, (*train.links, *right)), len(train.links))
+    return {link: tuple(row[count:]) for link, row in zip(train.links, found, strict=True)}
+
+
 def shares(train: Train, gear: BoxGear) -> Mapping[str, tuple[Fraction, ...]]:
     """Give the speed of each link as shares of those of the drives."""
-    count, links = len(train.drives), train.links
-    rows = [*matrix(train, gear, count), *_drives(train)]
-    return {link: tuple(row[len(links) :]) for link, row in zip(links, reduced(rows, len(links)), strict=True)}
-
-
-def _drives(train: Train) -> list[Row]:
-    """Give the equation of each drive: its link has its own speed."""
-    found = []
-    for k, (link, _) in enumerate(train.drives):
-        row = [Fraction(0)] * (len(train.links) + len(train.drives))
-        row[train.links.index(link)] = row[len(train.links) + k] = Fraction(1)
-        found.append(row)
-    return found
+    given = {link: f"given {link}" for link, _ in train.drives}
+    drives = ({link: Fraction(1), name: Fraction(1)} for link, name in given.items())
+    return solved(train, (*equations(train, gear), *drives), (*given.values(),))
 
 
 def inertia(train: Train, gear: BoxGear, link: str) -> float | None:

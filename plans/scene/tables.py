@@ -79,7 +79,7 @@ class Table:
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterable[Wrong]:
-        """Give what is wrong with the keys that a table has or lacks, whatever their values are."""
+        """Give what is wrong with the keys that a table has or lacks; its words are as they are read."""
         return ()
 
     @classmethod
@@ -206,7 +206,8 @@ def _parts(kinds: Kinds, value: object, path: Path, refused: Refusals) -> Any:
         elif _required(parts, name):
             refused.append(Refusal((*path, name), "missing", {}, value))
     refused += [Refusal((*path, name), "unknown_key", {}, value[name]) for name in value if name not in holders]
-    refused += [refusal(wrong, value, path) for kind in kinds for wrong in kind.misfits(value)]
+    said = {name: found for read in values.values() for name, found in read.items() if isinstance(found, str)}
+    refused += [refusal(wrong, value, path) for kind in kinds for wrong in kind.misfits({**value, **said})]
     if len(refused) > before:
         return REFUSED
     made = {kind: kind(**values[kind]) for kind in kinds}

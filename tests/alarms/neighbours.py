@@ -16,7 +16,8 @@ from tests.gallery import SCENES
 CHANGE = 0.2  # the share by which a number differs at the most
 KEPT = {  # keys whose numbers count, name or choose
     "breakdown", "centre", "divisions", "diagram", "ends", "first", "forces", "hodographs", "link", "links", "orders",
-    "order", "on", "plans", "points", "positions", "shafts", "slider", "strokes", "travel", "turns", "working",
+    "order", "on", "planets", "plans", "points", "positions", "shafts", "slider", "strokes", "travel", "turns",
+    "working",
 }  # fmt: skip
 DIGITS = 4
 _NUMBER = re.compile(r"(?<![\w.\"'-])-?\d+(?:\.\d+)?(?![\w.\"'])|(?<=\")-?\d+(?:[.,]\d+)?(?=\s)")
@@ -33,7 +34,7 @@ def neighbour(seed: int, number: int) -> str:
 def _changed(chance: Random, line: str) -> str:
     """Change the numbers of a line, but those after a key that counts or names, and all after a comment's mark."""
     bare, mark, comment = line.partition("#")
-    if line.startswith(("title", "sheets", "angle")):  # the angles of phases make a turn together
+    if line.startswith(("title", "sheets", "angle", "wheels")):  # angles of phases make a turn, teeth are whole
         return line
     return _NUMBER.sub(lambda found: _other(chance, bare, found), bare) + mark + comment
 

@@ -92,8 +92,7 @@ def told(**table: str) -> list[str]:
     scene = parse_scene(text)
     page = page_of(scene)
     entries = {"title": scene.title, "subtitle": "Balancing of a rotor", **table}
-    block = page.title_block(entries, "en")
-    sheet = Leaf(*page.size, (page.frame(), block), title="", description="", metadata={})
+    sheet = Leaf(*page.size, (page.frame(), page.title_block(entries, "en")), title="", description="", metadata={})
     return [fault.worded("en") for fault in cuts({"rotor": (sheet,)}, scene)]
 
 
@@ -103,7 +102,8 @@ def test_what_is_cut_all_the_same_is_told_at_its_line_with_the_letters_that_fit(
     assert note.startswith("scene.toml:1:1: title = ")
     fitting = int(note.rpartition("about ")[2].split()[0])
     assert 2 * 25 < fitting < 8 * len(LONG)
-    assert told(title=" ".join([LONG] * 8)[: fitting - 20], standard=standard) == []
+    assert told(title=" ".join([LONG] * 8)[: fitting - 20], date="2026-11-21", standard=standard) == []
+    assert "sheet.date = " in told(date="November-2026-" * 3, standard=standard)[0]
 
 
 @pytest.mark.parametrize("standard", ["GOST", "ISO"])

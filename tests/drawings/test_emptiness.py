@@ -27,7 +27,7 @@ LARGEST, LAST, SMALLEST = 0.15, 0.25, 0.30  # shares that an empty rectangle may
 # scale that was asked for the plan alone is shown. Beside the loop in projection a pump has two tables (0.201). Beside
 # turned plans a strip is left: of a slider-crank (0.155), a tangent mechanism (0.169), a slotted link upright (0.180).
 # Of a box of gears each plan of velocities stands alone with its plan of angular ones (0.231), of an axle and a rack
-# press the scheme and its triangles (0.158, 0.176).
+# press the scheme and its triangles (0.158, 0.176). Of a boxer's bank two views have a strip beside them (0.175).
 NARROW, ALONE, SMALL, FEW = 0.17, 0.22, 0.24, 0.31
 STRIPS = {
     ("automaton", "A3"): NARROW,
@@ -40,6 +40,7 @@ STRIPS = {
     ("gear-box", "A4"): SMALL,
     ("axle-differential", "A4"): NARROW,
     ("press-rack", "A4"): ALONE,
+    ("boxer", "A4"): ALONE,
     ("reciprocating-pump", "A3"): ALONE,
     ("turned-slider-crank", "A3"): NARROW,
     ("turned-tangent", "A1"): NARROW,

@@ -99,6 +99,7 @@ def test_what_a_table_tells_is_explained_by_what_shows_it_and_by_both_roads(run:
 
 def test_steps_and_results_by_strips_are_told_as_the_sheet_of_the_language_does(run: Run) -> None:
     assert "R^τ_12 [силы]" in (out := run("explain", GALLERY / "pumping-jack.toml", "M_ур")[1]) and "R^t" not in out
+    assert re.search(r"\d\)\. активная часть", run("explain", GALLERY / "involute-pair.toml", "ε_α")[1])  # no unit
     last = run("explain", GALLERY / "compressor.toml", "J_мах")[1].splitlines()[-1]
     assert re.search(r"J_мах = 120,99 кг·м² по .* участках, 120,84 кг·м² .* без погрешности", last)
 

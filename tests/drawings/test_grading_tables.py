@@ -133,3 +133,11 @@ def test_what_an_editor_draws_in_a_cell_is_not_marked_down() -> None:
     graded = grade(source, SheetTask(tables=own.tables), HAND)
     assert [(one.name, one.kind) for one in graded.verdicts if not one.good] == [("v_B (by plan)", "illegible")]
     assert graded.outcome == UNREAD
+
+
+def test_the_zero_of_a_whole_column_of_varying_inertia_is_a_choice() -> None:
+    own, table = task("press"), task("press").table("positions")
+    new = {key: f"{cell.true + 0.03:.4f}" for key, cell in table.cells.items() if cell.quantity == "ΔJ"}
+    assert not said(own, written(tables_of(own.sheet(table.sheets[0])), table, new))
+    new.popitem()
+    assert said(own, written(tables_of(own.sheet(table.sheets[0])), table, new)) == ["ΔJ level"]

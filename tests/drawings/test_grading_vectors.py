@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import PlanAsked
+from drawings.grading.asked import Found, PlanAsked, VectorAsked
+from drawings.grading.drawn_plan import Arrow, DrawnPlan, open_sides
 from drawings.grading.graded import SheetTask, grade
 from drawings.grading.verdict import UNGROUPED
 from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
-from geometry.board import Mark
+from geometry.board import Board, Mark, Span
 from geometry.replay import redraw
 from tests.draughtsman import Draughtsman, copies
 from tests.drawings.students import Task, lettered, task
@@ -175,3 +176,17 @@ def test_the_arrows_of_a_scheme_that_was_taken_apart_are_not_graded() -> None:
     figures = {(one.plan, one.position) for one in own.plans if one.sheet == sheet.name and one.ways}
     assert graded.wrong == ()
     assert {(one.plan, one.position) for one in graded.verdicts if one.kind == UNGROUPED} == figures
+
+
+CORNERS = {"A": 0j, "B": 80 + 10j, "C": 50 + 70j, "D": 20 + 120j}  # mm
+
+
+@pytest.mark.parametrize(("drawn", "is_open"), [("BC AB CA", False), ("BC AB CA CD", True), ("BC AB CA DC", True)])
+def test_a_polygon_in_another_order_is_closed_where_no_end_is_left_over(drawn: str, is_open: bool) -> None:
+    names, board = drawn.split(), Board("forces")
+    marks = [board.given(name, 0j) for name in names]
+    sides = [Span(*ends) for ends in zip(marks, (*marks[1:], marks[0]), strict=True)]
+    own = tuple(VectorAsked(name, "", name, 0j, Found(name, one, one)) for name, one in zip(names, sides, strict=True))
+    arrows = {one.letters: Arrow(*(CORNERS[end] for end in one.end)) for one in own}
+    plan = DrawnPlan(PlanAsked("forces-2-3", 2, "forces", "N", own, {}), arrows, 1.0, {})
+    assert bool([*open_sides(plan, 0.5)]) == is_open

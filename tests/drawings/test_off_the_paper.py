@@ -10,13 +10,8 @@ from drawings.grading.drawing_faults import drawing_faults
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.paper.strokes import Leaf
 
-SPOTS = {
-    "": -50j,
-    "p": 10 + 10j,
-    "a": 190 + 10j,
-    "b": 210 + 10j,
-    "c": 10 - 5j,
-}  # mm on a paper of 200 by 200: the pole of positions, b and c lie off
+# mm on a paper of 200 by 200: the pole of positions, b and c lie off.
+SPOTS = {"": -50j, "p": 10 + 10j, "a": 190 + 10j, "b": 210 + 10j, "c": 10 - 5j}
 
 
 @pytest.mark.parametrize(

@@ -57,7 +57,7 @@ def _is_head(stroke: Stroke) -> bool:
 
 def _wrong(line: Line, head: Fill | Polyline, hand: Hand) -> str:
     """Say what is wrong with a head of a line that ends in its arrow."""
-    tip, back, half = _parts(head)
+    tip, back, half = parts_of(head)
     run = line.end - line.start
     if not abs(run) > FINE:
         return ""
@@ -71,11 +71,11 @@ def _wrong(line: Line, head: Fill | Polyline, hand: Hand) -> str:
     if long > min(LONG, most) + FINE and ((tip - back) * (tip - away).conjugate()).real > 0:
         return "is too large"
     small = abs(long - most) <= FINE
-    wide = min(hand.symbol * LONG * SHARP, long * BLUNT) if small else long * SHARP
-    return "" if abs(half - wide) <= 2 * FINE else "has another angle"
+    wide = [min(size * LONG * SHARP, long * BLUNT) for size in (hand.symbol, 1.0)] if small else [long * SHARP]
+    return "" if any(abs(half - one) <= 2 * FINE for one in wide) else "has another angle"
 
 
-def _parts(head: Fill | Polyline) -> tuple[complex, complex, float]:
+def parts_of(head: Fill | Polyline) -> tuple[complex, complex, float]:
     """Give the tip of a head, the middle of its back, and half its width."""
     points = head.points
     far = [abs(2 * one - sum(points) + one) for one in points]
@@ -87,6 +87,6 @@ def _parts(head: Fill | Polyline) -> tuple[complex, complex, float]:
 def _on(arc: Arc, head: Stroke) -> bool:
     """Tell whether a head goes on from an end of an arc, or ends there, along its circle."""
     assert isinstance(head, Fill | Polyline)
-    tip, back, _ = _parts(head)
+    tip, back, _ = parts_of(head)
     round_ = all(abs(abs(spot - arc.centre) - arc.radius) <= FINE for spot in (tip, back))
     return round_ and min(abs(spot - arc.at(share)) for spot in (tip, back) for share in (0.0, 1.0)) <= FINE

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Circle, Curve, Group, Kind, Leaf, Line, Polyline, Stroke
+from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Kind, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups
+from tests.laws.arrows import parts_of
 
 MAIN, MEDIUM, THIN, FINE = "main", "medium", "thin", "construction"  # pens, by their names in a hand
 LINES = Line | Polyline | Arc | Curve | Circle
@@ -48,9 +49,9 @@ CRANK = ("shaft", "r ")  # whose own outline states how long it is on the view a
 PLANS: Mapping[str, Role] = {
     "velocities": Role((MAIN, MEDIUM, THIN)),
     "accelerations": Role((MAIN, MEDIUM, THIN)),
-    "forces": Role((MAIN, MEDIUM, THIN)),
-    "couples": Role((MAIN, MEDIUM, THIN)),
-    "unbalances": Role((MAIN, MEDIUM, THIN)),
+    "forces": Role((MAIN, MEDIUM)),
+    "couples": Role((MAIN, MEDIUM)),
+    "unbalances": Role((MAIN, MEDIUM)),
     "loop": Role((MEDIUM, FINE)),
 }
 
@@ -61,7 +62,7 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
         if any(not _of_hand(stroke, hand) for stroke in flat((figure,)) if isinstance(stroke, LINES)):
             yield f"{figure.name}: a line by no pen of the hand"
         for group, role in _roles(figure):
-            if any(not _is(stroke, role, hand) for stroke in _drawn(group)):
+            if any(not _is(stroke, role, hand) for stroke in _drawn(group)) and not _is_fine(group, hand):
                 yield f"{figure.name}: {group.name or group.data.get('name') or group.states} by another pen"
     yield from _results(leaf, hand)
 
@@ -78,7 +79,7 @@ def _roles(figure: Group) -> Iterator[tuple[Group, Role]]:
 
 
 def _results(leaf: Leaf, hand: Hand) -> Iterator[str]:
-    """Name the figures whose only curve is no result, the polygons without a thick side, schemes of thin links."""
+    """Name the figures whose only curve is no result, and schemes of thin links."""
     for figure in leaf.groups:
         own = [one for one in groups((figure,)) if one.states is not None and one.states.kind is Kind.CURVE]
         widths = {stroke.style.width for one in own for stroke in flat((one,)) if isinstance(stroke, LINES)}
@@ -93,6 +94,13 @@ def _results(leaf: Leaf, hand: Hand) -> Iterator[str]:
 def _is(stroke: Stroke, role: Role, hand: Hand) -> bool:
     assert isinstance(stroke, LINES)
     return stroke.style.width in {getattr(hand, pen) for pen in role.pens} and len(stroke.style.dash) in role.dashes
+
+
+def _is_fine(group: Group, hand: Hand) -> bool:
+    """Tell whether it is a thin vector with a head so small that a thicker line would be half as wide as it."""
+    heads = (one for one in group.strokes if isinstance(one, Fill))
+    small = group.data.get("kind") == "vector" and all(half < hand.medium for *_, half in map(parts_of, heads))
+    return small and all(_is(line, Role((THIN,)), hand) for line in _drawn(group))
 
 
 def _of_hand(stroke: LINES, hand: Hand) -> bool:

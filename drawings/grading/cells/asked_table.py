@@ -191,9 +191,8 @@ class _Own:
             most[self._worded(key)] = max(abs(value), most.get(self._worded(key), 0.0))
         scales = {part.sheet.name: dict(self._scales(part.sheet)) for part in self.parts}
         sizes = {key: most.get(self._worded(key), abs(value)) for key, value in asked.items()}
-        sizes |= {
-            key: 0.0 for key in asked if isinstance(self.cells[key].expected.value, int)
-        }  # no slip alters a count
+        # No slip alters a count.
+        sizes |= {key: 0.0 for key in asked if isinstance(self.cells[key].expected.value, int)}
         cells = {key: self._cell(key, value, sizes[key]) for key, value in asked.items()}
         for key, cell in cells.items():
             cells[key] = cell._replace(coarse=scales[cell.sheet].get(folded(cell.unit), 0.0))

@@ -30,7 +30,6 @@ from geometry.replay import redraw
 from plans.model.motion import Complexes
 from plans.words.words import term
 
-ROUNDED = 1e-6  # of a value: two that are nearer are one
 FULL = 360.0  # degrees
 
 
@@ -102,6 +101,7 @@ SEVERAL, COURSE = 2, 3  # cells that must all be out alike for two or half, anot
 # Of which units a quantity may be told in degrees, and of which in turns a minute, in both languages.
 ANGLES = ("rad", "рад", "°", "rad/s", "рад/с", "rad/s²", "рад/с²")
 SPEEDS = ("rad/s", "рад/с")
+FREE = "ΔJ"  # whose zero is anybody's choice: what is constant of an inertia may be counted in
 ONCE = (verdict.DECADE, verdict.DEGREES, verdict.TURNS)  # mistakes that a whole table has for one reason
 Fault = tuple[str, str, int, Callable[[Key], float | None]]  # its kind, of what, in how many cells, the number by it
 
@@ -135,9 +135,8 @@ class CellJudge:
     @property
     def _keys(self) -> list[Key]:
         asked = [key for key in self.drawn.cells if key in self.asked.cells]
-        once = {
-            id(self.drawn.cells[key]): key for key in reversed(asked)
-        }  # one cell may be of plan and analysis together
+        # One cell may be of plan and analysis together.
+        once = {id(self.drawn.cells[key]): key for key in reversed(asked)}
         return sorted(once.values(), key=lambda key: (-self.drawn.cells[key].box.high, self.drawn.cells[key].box.left))
 
     @cached_property
@@ -225,7 +224,8 @@ class CellJudge:
         for step in (-1, 1):
             yield verdict.PLACE, "", COURSE, lambda key, step=step: self._beside(key, step)  # type: ignore[misc]
         away = float(np.median([self._numbers[key].value - cells[key].true for key in wrong]))
-        yield verdict.LEVEL, "", COURSE, lambda key: cells[key].true + away
+        free = len(wrong) == sum(cells[key].quantity == cells[wrong[0]].quantity == FREE for key in self._keys)
+        yield verdict.ZERO if free else verdict.LEVEL, "", COURSE, lambda key: cells[key].true + away
         for quantity in dict.fromkeys(cell.quantity for cell in cells.values()):
             if quantity != cells[wrong[0]].quantity:
                 yield verdict.ROW, quantity, SEVERAL, lambda key, quantity=quantity: self._other(key, quantity)  # type: ignore[misc]

@@ -85,10 +85,8 @@ def short_date(date: str) -> str:
     >>> short_date("2026-11-21"), short_date("21.11.2026"), short_date("November")
     ('21.11.26', '21.11.26', 'November')
     """
-    if match := _YEAR_FIRST.fullmatch(date):
-        return ".".join(reversed(match.groups()))
-    match = _YEAR_LAST.fullmatch(date)
-    return ".".join(match.groups()) if match else date
+    first, last = _YEAR_FIRST.fullmatch(date), _YEAR_LAST.fullmatch(date)
+    return ".".join(first.groups()[::-1] if first else last.groups() if last else [date])
 
 
 def repeated(field: Field, upright: bool) -> Field:

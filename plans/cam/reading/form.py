@@ -11,7 +11,7 @@ from plans.cam.reading.fields import Measure
 from plans.cam.reading.phase_form import PhaseTable
 from plans.model.cam import DWELL, FLAT, FORCE, GROOVE, POINTED, ROCKING, ROLLER, TRANSLATING
 from plans.scene import fields as f
-from plans.scene import units
+from plans.scene import forms, units
 from plans.scene.faults import SceneError, Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.readers import many
@@ -84,9 +84,9 @@ class FollowerTable(Table):
     @classmethod
     def rules(cls) -> Form:
         """Say that what its motion needs is given."""
-        rocking = {"properties": {"motion": {"const": ROCKING}}, "required": ["motion"]}
-        flat = {"properties": {"end": {"const": FLAT}}, "required": ["end"]}
-        translating = {"properties": {"motion": {"const": TRANSLATING}}, "required": ["motion"]}
+        rocking = {"properties": {"motion": forms.choice((ROCKING,))}, "required": ["motion"]}
+        flat = {"properties": {"end": forms.choice((FLAT,))}, "required": ["end"]}
+        translating = {"properties": {"motion": forms.choice((TRANSLATING,))}, "required": ["motion"]}
         return {
             "allOf": [
                 {"if": translating, "then": {"required": ["lift"]}},

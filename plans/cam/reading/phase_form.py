@@ -12,8 +12,9 @@ from plans.cam.reading import fields as c
 from plans.cam.reading.fields import Measure
 from plans.model.cam import CUBICS, DWELL, LAWS, LINES, RETURN, RISE, SHAPE, TABLE
 from plans.scene import fields as f
+from plans.scene import forms
 from plans.scene.faults import Wrong, wrong
-from plans.scene.forms import Form, called
+from plans.scene.forms import Form
 from plans.scene.readers import either, many
 from plans.scene.tables import Missing, Table, key, table
 
@@ -125,7 +126,7 @@ class LawTable(Table):
     @classmethod
     def rules(cls) -> Form:
         """Say that a law by points has them."""
-        by_points = {"properties": {"name": {"enum": [TABLE, SHAPE]}}, "required": ["name"]}
+        by_points = {"properties": {"name": forms.choice((TABLE, SHAPE))}, "required": ["name"]}
         return {"if": by_points, "then": {"required": ["points"]}}
 
 
@@ -166,12 +167,12 @@ class PhaseTable(Table):
             yield wrong("missing", at=("angle",))
         if {"angle", "travel"} <= value.keys():
             yield wrong("one_of_two", first="angle", second="travel", found="both", at=("travel",))
-        if called(value.get("kind"), (RISE, RETURN)) and "law" not in value:
+        if value.get("kind") in (RISE, RETURN) and "law" not in value:
             yield wrong("missing", at=("law",))
 
     @classmethod
     def rules(cls) -> Form:
         """Say that its angle or its travel is given, and the law of what moves."""
-        moves = {"properties": {"kind": {"enum": [RISE, RETURN]}}, "required": ["kind"]}
+        moves = {"properties": {"kind": forms.choice((RISE, RETURN))}, "required": ["kind"]}
         ways = [{"required": ["angle"]}, {"required": ["travel"]}]
         return {"oneOf": ways, "if": moves, "then": {"required": ["law"]}}
