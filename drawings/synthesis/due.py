@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from drawings.checks.expected import NOTES, Cell, Expected, by_hand, cells
-from drawings.lettering.words import with_index
+from drawings.checks.expected import NOTES, Cell, Expected, by_hand, cells, measured
+from drawings.lettering.words import Phrase, Slot, joined, with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from drawings.synthesis.due_shown import NAME, shown
+from drawings.synthesis.due_shown import NAME, ShownSynthesis, shown
 from plans.analytic.synthesis import analysed
 from plans.model.synthesis.design import unit_of
 from plans.quantity import Comparison, Quantity
@@ -20,13 +20,28 @@ from plans.synthesis.study import SynthesisStudy
 VALUES = "values"
 UNITS = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "°")}  # times which a quantity is told, in which
 FAR = 1e-9  # of a place: both roads agree far better
-TOLD = 6  # digits of a number of the notes
+TOLD, DIGITS = 6, 4  # digits of a number of the notes, of a dimension
+TURNED = 1e-3  # rad: the resolution of the paper over an arrow
 
 
 def told_in(name: str) -> tuple[float, str]:
     """Give how many times larger a size is told, and in which unit."""
     unit = unit_of(name)
     return UNITS.get(unit, (1.0, unit))
+
+
+def told(name: str, value: float, drafting: Drafting) -> Phrase:
+    """Tell a size with its letter and unit in the notes."""
+    unit = told_in(name)[1]
+    after = "" if not unit or unit == "°" else f" {drafting.word(unit)}"
+    return joined("", (dimensioned(name, value, drafting, TOLD), after))
+
+
+def dimensioned(name: str, value: float, drafting: Drafting, digits: int = DIGITS) -> Phrase:
+    """Tell a size with its letter beside a dimension: there mm have no unit."""
+    times, unit = told_in(name)
+    number = drafting.slot(Slot(name, times * value, digits))
+    return joined("", (f"{with_index(name)} = ", number, "°" if unit == "°" else ""))
 
 
 def rows(comparison: Comparison, drafting: Drafting) -> Iterator[tuple[str, Quantity]]:
@@ -69,6 +84,16 @@ def _figures(found: SynthesisStudy) -> Iterator[Expected]:
         # the pole is what the others are measured from
         spots = ((letter, spot) for letter, spot in due.places.items() if spot)
         yield from (Expected(Kind.POINT, one.name, letter, spot, off) for letter, spot in spots)
+        yield from _sizes(due)
         yield from (
             Expected(Kind.CURVE, one.name, letter, curve, off) for letter, curve in (due.circles | due.barred).items()
         )
+
+
+def _sizes(due: ShownSynthesis) -> Iterator[Expected]:
+    """Give the dimensions with their numbers."""
+    kinds = ((Kind.LENGTH, due.figure.lengths), (Kind.ANGLE, due.figure.angles))
+    for kind, letter in ((kind, letter) for kind, rows in kinds for letter, *_ in rows):
+        size, times = due.design.sizes[letter], told_in(letter)[0]
+        row = Expected(kind, due.name, letter, size, FAR * size + (TURNED if kind == Kind.ANGLE else 0.0))
+        yield from measured(row, times * size, digits=DIGITS, unit=times)
