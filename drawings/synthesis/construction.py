@@ -15,7 +15,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import ROOM, Dimension, Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import HEAD, TurnArrow, block, fit_dashes, hinge
+from drawings.symbols.symbols import HEAD, HINGE, TurnArrow, block, fit_dashes, fixed_hinge, hinge
 from drawings.synthesis.due import dimensioned
 from drawings.synthesis.due_shown import ShownSynthesis
 
@@ -73,15 +73,15 @@ class _DrawnSynthesis:
         yield self._chain([spots[name] for name in found.figure.first], hand.result)
         yield from (block(self.place.on(spots[name]), way, hand) for name, way in found.figure.blocks.items())
         yield from (stroke for size in self.sizes.values() for stroke in size.draw(hand))
-        for letter, arc in self.angles.items():
-            yield stating(Statement(Kind.ANGLE, found.name, letter), *_angle(arc, hand))
+        for letter, angle in self.angles.items():
+            yield stating(Statement(Kind.ANGLE, found.name, letter), *_angle(angle, hand))
         yield from self._points()
 
     @cached_property
     def sizes(self) -> dict[str, Dimension]:
         """The dimensioned lengths, each beside the mechanism where no point of it stands between."""
         found = self.found
-        pairs = ((letter, (self.spots[one], self.spots[other])) for letter, one, other in found.figure.lengths)
+        pairs = ((letter, (self.spots[one], self.spots[other])) for letter, one, other in found.lengths)
         scale = self.place.scale.mu
         return {
             letter: Dimension(
@@ -110,7 +110,7 @@ class _DrawnSynthesis:
     def angles(self) -> dict[str, TurnArrow]:
         """The dimensioned angles, each across the shorter of its legs."""
         found = {}
-        for letter, *corners in self.found.figure.angles:
+        for letter, *corners in self.found.angles:
             vertex, start, end = (self.spots[name] for name in corners)
             legs = start - vertex, end - vertex
             radius = SHARE * min(map(abs, legs))
@@ -126,6 +126,8 @@ class _DrawnSynthesis:
         for name, value in found.places.items():
             spot = self.spots[name]
             hinged = name in found.figure.hinges | found.figure.fixed
+            if name in found.figure.fixed:
+                yield from fixed_hinge(spot, hand, HINGE * hand.symbol)
             circle = hinge(spot, hand)[0] if hinged else Circle(spot, DOT * hand.symbol, INK)
             yield point(subject, name, value, self.place, circle, "point" if value else "pole")
 
@@ -171,6 +173,7 @@ def _angle(arc: TurnArrow, hand: Hand) -> Iterator[Stroke]:
         yield from arc.angle(hand)
         return
     tail = math.copysign(ROOM * head, arc.sweep)
-    yield Arc(arc.centre, arc.radius, *sorted((arc.start, arc.start + arc.sweep)), hand.drafted)
+    first, last = sorted((arc.start, arc.start + arc.sweep))
+    yield Arc(arc.centre, arc.radius, first, last, hand.drafted)
     for start, sweep in ((arc.start - tail, tail), (arc.start + arc.sweep + tail, -tail)):
         yield from TurnArrow(arc.centre, arc.radius, start, sweep).draw(hand, hand.drafted)

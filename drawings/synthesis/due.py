@@ -5,23 +5,31 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from drawings.checks.expected import NOTES, Cell, Expected, by_hand, cells, measured
+import numpy as np
+
+from drawings.checks.expected import NOTES, Cell, Expected, by_hand, cells, course, measured
 from drawings.lettering.words import Phrase, Slot, joined, with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
 from drawings.synthesis.due_shown import NAME, ShownSynthesis, shown
-from plans.analytic.synthesis import analysed
+from plans.analytic.synthesis import analysed, region_of
 from plans.model.synthesis.design import unit_of
 from plans.quantity import Comparison, Quantity
 from plans.quantity import by_hand as slipping
 from plans.study import Study
 from plans.synthesis.study import SynthesisStudy
 
-VALUES = "values"
+VALUES, BEST = "values", "O_0"
 UNITS = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "°")}  # times which a quantity is told, in which
+NEAR = 1e-6  # of a curve: as its best place is known
 FAR = 1e-9  # of a place: both roads agree far better
 TOLD, DIGITS = 6, 4  # digits of a number of the notes, of a dimension
 TURNED = 1e-3  # rad: the resolution of the paper over an arrow
+
+
+def region_name(letter: str) -> str:
+    """Name the graph of a size over the place of O."""
+    return f"region-{letter}"
 
 
 def told_in(name: str) -> tuple[float, str]:
@@ -70,6 +78,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         hand: Cell = None if error is None else by_hand(error, quantity.largest)
         value = float(quantity.analysis[0]), FAR
         yield from cells(VALUES, row, (value, value, hand), digits=TOLD)
+    yield from _region(found)
     for name, number in found.task.asked.items():
         told = told_in(name)[0] * number
         yield Expected(Kind.PHRASE, NOTES, name, told, FAR * max(told, 1.0), digits=TOLD)
@@ -92,8 +101,23 @@ def _figures(found: SynthesisStudy) -> Iterator[Expected]:
 
 def _sizes(due: ShownSynthesis) -> Iterator[Expected]:
     """Give the dimensions with their numbers."""
-    kinds = ((Kind.LENGTH, due.figure.lengths), (Kind.ANGLE, due.figure.angles))
+    kinds = ((Kind.LENGTH, due.lengths), (Kind.ANGLE, due.angles))
     for kind, letter in ((kind, letter) for kind, rows in kinds for letter, *_ in rows):
         size, times = due.design.sizes[letter], told_in(letter)[0]
         row = Expected(kind, due.name, letter, size, FAR * size + (TURNED if kind == Kind.ANGLE else 0.0))
         yield from measured(row, times * size, digits=DIGITS, unit=times)
+
+
+def _region(found: SynthesisStudy) -> Iterator[Expected]:
+    """Give the curves over the place of O, and the ordinates of O and of the best place."""
+    region = region_of(found.task, analysed(found.task).chosen)
+    if region is None:
+        return
+    x, marks = np.degrees(region.places), {"O": region.chosen, BEST: region.best[0]}
+    for letter, curve in region.curves.items():
+        name, values = region_name(letter), told_in(letter)[0] * curve
+        most = float(np.abs(values).max())
+        yield Expected(Kind.CURVE, name, letter, course(x, values), NEAR * most, ends=(float(x[0]), float(x[-1])))
+        for mark, place in marks.items():
+            value = float(np.interp(place, region.places, values))
+            yield Expected(Kind.VECTOR, name, mark, 1j * value, NEAR * most, may_lack=mark == BEST)

@@ -14,7 +14,7 @@ from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, exhibit, figures_facts
-from drawings.synthesis import construction
+from drawings.synthesis import construction, region
 from drawings.synthesis.due import VALUES, expected, rows, slips, told
 from drawings.synthesis.due_shown import NAME, shown
 from plans.study import Study
@@ -25,6 +25,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's task."""
     found, drafting = study.of(SynthesisStudy), drafting_of(study.scene)
     shows = tuple(exhibit(construction, one, drafting, weight=2.0 if one.name == NAME else 1.0) for one in shown(found))
+    shows += tuple(exhibit(region, one, drafting) for one in region.shown(found.region))
     title, said = drafting.word("synthesis sheet title"), tuple(_notes(found, drafting))
     later = partial(slips, study.comparison(NAME))
     draft = Draft(NAME, title, shows, (values(study, drafting),), said, figures_facts, NAME, later=later)
@@ -43,6 +44,8 @@ def _notes(study: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
     parts = [told(name, one, drafting) for name, one in study.task.asked.items()]
     yield drafting.phrase("synthesis asked", parts=joined(", ", parts))
     yield from map(drafting.word, study.family.notes(study.task))
+    if study.region is not None:
+        yield drafting.word("synthesis region")
 
 
 SCALES: Final = {NAME: "synthesis"}
