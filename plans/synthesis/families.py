@@ -33,5 +33,5 @@ def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Fam
 
 FAMILIES: Final[Mapping[str, Family]] = {
     "crank_rocker": _family(rocker.drawn, asked_rocker)._replace(region=rocker.region),
-    "slider_crank": _family(slider.drawn, asked_slider),
+    "slider_crank": _family(slider.drawn, asked_slider)._replace(region=slider.region),
 }

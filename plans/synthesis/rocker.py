@@ -19,10 +19,9 @@ from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, cross, read
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
-from plans.synthesis.search import best_of
+from plans.synthesis.search import PLACED, best_of
 from plans.words.words import because
 
-PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding
 KEPT = ("rocker", "swing", "overlap")
 
 
