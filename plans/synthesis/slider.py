@@ -143,7 +143,7 @@ def _similar(task: SliderTask) -> DrawnReading:
     ratio = 1 / sine if task.ratio is None else task.ratio
     unit = board.given("l_1:1", 1 + 0j, because("unit_crank"))
     pivot = board.given("O:1", 0j)
-    long = board.turn("l_2:1", unit, ratio, because("times_ratio", ratio=f"{ratio:.10g}"))
+    long = board.turn("l_2:1", unit, ratio, because("times_ratio", ratio=f"{ratio:.6g}"))
     height = 0.0 if task.ratio is None else ratio * sine - 1
     if height < 0:
         return DrawnReading(task.demands, board, ())
@@ -156,7 +156,7 @@ def _similar(task: SliderTask) -> DrawnReading:
     there = board.meet("B:1", guide, lean, 1.0, because("steep_rod"))
     crank = read(Chord.between(board, *places), pivot)
     scale = task.stroke / abs(complex(board.join("H:1", places[1], places[0], because("unit_stroke")).point))
-    why = because("times_stroke", times=f"{scale:.10g}")
+    why = because("times_stroke", times=f"{scale:.6g}")
     shown = {
         one.name.removesuffix(":1"): board.turn(one.name.removesuffix(":1"), one, scale, why)
         for one in (unit, long, up)

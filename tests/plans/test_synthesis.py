@@ -209,7 +209,7 @@ def test_the_best_place_is_best(swing, overlap) -> None:
 
 @pytest.mark.parametrize("degrees", [0.5, 3, 8.2, 20, 44])
 def test_the_best_slider_crank_of_an_overlap_is_best(degrees) -> None:
-    """None of slider-cranks of many offsets, with stroke and overlap as asked, has a larger least transmission angle."""
+    """None of many offsets with stroke and overlap as asked has a larger least transmission angle."""
     task = SliderTask(0.12, overlap=math.radians(degrees))
     one = study(with_best_slider(task))
     agree(one.task)
