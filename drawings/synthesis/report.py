@@ -12,7 +12,7 @@ from drawings.report.formula import Chapters, entry, plain
 from drawings.report.report import Report, TableSubject, chapter, ruled
 from drawings.synthesis.due import DIGITS, told
 from drawings.synthesis.due_shown import NAME
-from drawings.synthesis.sheet import family, notes, title, values
+from drawings.synthesis.sheet import family, notes, values
 from plans.study import Study
 from plans.synthesis.quantities import letter_of
 from plans.synthesis.study import SynthesisStudy
@@ -51,7 +51,7 @@ def _steps(found: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a task: what is asked, the construction, all sizes by both roads."""
     drafting, found = drafting_of(study.scene), study.of(SynthesisStudy)
-    said = [title(found, drafting), "", *map(entry, notes(found, drafting))]
+    said = map(entry, notes(found, drafting))
     return Chapters(
         values=[
             chapter(drafting.language, NAME),

@@ -30,7 +30,14 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     said = tuple(notes(found, drafting))
     later = partial(slips, study.comparison(NAME))
     draft = Draft(
-        NAME, title(found, drafting), shows, (values(study, drafting),), said, figures_facts, NAME, later=later
+        NAME,
+        drafting.word("synthesis sheet title"),
+        shows,
+        (values(study, drafting),),
+        said,
+        figures_facts,
+        NAME,
+        later=later,
     )
     return lay_out(study.scene, [draft])
 
@@ -38,11 +45,6 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def family(found: SynthesisStudy, language: str) -> str:
     """Name the mechanism that is asked for."""
     return term(language, "family", found.key)
-
-
-def title(found: SynthesisStudy, drafting: Drafting) -> str:
-    """Give the title of a sheet."""
-    return f"{drafting.word('synthesis sheet title')}: {family(found, drafting.language)}"
 
 
 def values(study: Study, drafting: Drafting) -> RuledTable:
@@ -55,7 +57,7 @@ def values(study: Study, drafting: Drafting) -> RuledTable:
 def notes(study: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
     """Say what was asked, and what the family says of how it is found."""
     parts = [told(name, one, drafting) for name, one in study.task.asked.items()]
-    yield drafting.phrase("synthesis asked", parts=joined(", ", parts))
+    yield drafting.phrase("synthesis asked", mechanism=family(study, drafting.language), parts=joined(", ", parts))
     yield from map(drafting.word, study.family.notes(study.task))
     if study.region is not None:
         yield drafting.word("synthesis region")
