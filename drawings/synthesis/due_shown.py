@@ -35,7 +35,7 @@ class ShownSynthesis(NamedTuple):
         """The places of the mechanism."""
         names = {*self.figure.first, *self.figure.fixed, *(name for chain in self.figure.others for name in chain)}
         return [self.design.places[name] for name in sorted(names)] + [
-            complex(spot) for curve in self.figure.curves.values() for spot in curve[::6]
+            complex(spot) for curve in self.design.curves.values() for spot in curve[::6]
         ]
 
     @property
