@@ -32,7 +32,7 @@ class Figure(NamedTuple):
 class Drawn(NamedTuple):
     """A mechanism drawn: as read off the board, from which marks, and over which arm m a length moves an angle.
 
-    A size that is known no better than within something, though drawn exactly, is `within` it.
+    A size that hangs on what is found by trial may be off `within` something more.
     """
 
     design: Design

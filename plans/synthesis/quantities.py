@@ -79,13 +79,10 @@ def _findings(board: Board, made: Drawn | None, known: Design | None, after: str
 
 def _allowed(name: str, made: Drawn, slack: float) -> float:
     """Give how far rounding may move a size: a length, an angle over its arm, a rate or a ratio by its share."""
-    if name in made.within:
-        return made.within[name]
-    if unit_of(name) == "m":
-        return slack
     arm = made.arms.get(name, next(iter(made.design.sizes.values())))
     turned = WEAR * EPS + slack / arm
-    return turned if unit_of(name) == "rad" else abs(made.design.sizes[name]) * turned
+    off = {"m": slack, "rad": turned}.get(unit_of(name), abs(made.design.sizes[name]) * turned)
+    return off + made.within.get(name, 0.0)
 
 
 def _slack(board: Board, made: Drawn) -> float:

@@ -5,21 +5,25 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
+from functools import partial
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from geometry.board import Board, Mark, Span, between
 from plans.model.motion import Floats
-from plans.model.synthesis.design import BarredArc, Design
+from plans.model.synthesis.design import EPS, QUARTER, BarredArc, Design, unit_of
 from plans.model.synthesis.extremes import SliderTask
 from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, read
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
-from plans.synthesis.search import PLACED, best_of
+from plans.synthesis.search import PLACED, best_of, crossed
 from plans.words.words import because
 
+FARTHEST = 0.9999  # share of the way to infinity: there a rod all but lies along the guide
+NEARBY, ROUNDED = 1e-7, 64 * EPS  # of a place, about which it is tried how steeply an angle changes; roundings of it
 FIGURE = Figure(
     ("O", "A_1", "B_1"),
     (("O", "A_2", "B_2"),),
@@ -33,13 +37,14 @@ FIGURE = Figure(
 
 def drawn(task: SliderTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of a task."""
-    return tuple(_similar(one) if one.pressure is not None else _met(one) for one in task.readings)
+    return tuple(_similar(one) if one.similar else _met(one) for one in task.readings)
 
 
 def _met(task: SliderTask) -> DrawnReading:
     chord = _chord(task)
     loci = dict(_loci(chord, task))
-    made = [_drawn(chord, read(chord, pivot), loci) for pivot in _pivots(chord, task, loci) if _admits(chord, pivot)]
+    pivots = (pair for pair in _pivots(chord, task, loci) if _admits(chord, pair[0]))
+    made = [_drawn(task, chord, read(chord, pivot), loci, place) for pivot, place in pivots]
     return DrawnReading(task.demands, chord.board, tuple(sorted(made, key=lambda one: -one.design.sizes["l_1"])))
 
 
@@ -50,19 +55,39 @@ def _chord(task: SliderTask) -> Chord:
     return Chord.between(board, board.lay_off("B_1", folded, along), folded)
 
 
-def _pivots(chord: Chord, task: SliderTask, loci: Mapping[str, Mark]) -> Iterator[Mark]:
+def _pivots(chord: Chord, task: SliderTask, loci: Mapping[str, Mark]) -> Iterator[tuple[Mark, float | None]]:
     """Put O where two loci meet, or at an angle on one."""
     first, *others = loci.values()
-    if task.turned is not None:
-        yield chord.board.divide("O", first, _ray(chord, task.turned), because("pivot_place"))
+    places = _leaning(task) if task.pressure is not None else () if task.turned is None else (task.turned,)
+    for name, place in zip(("O", "O'"), places, strict=False):
+        yield _at(chord, task, first, place, name), place
     for name, side in (("O", -1.0), ("O'", 1.0)) if others else ():
-        yield chord.board.meet(name, first, others[0], side, because("pivot_loci"))
+        yield chord.board.meet(name, first, others[0], side, because("pivot_loci")), None
 
 
-def _ray(chord: Chord, turned: Floats | float) -> Mark:
-    """Turn the ray from M to B2 on."""
-    near = complex(between(chord.board["M"], chord.folded))
-    return chord.board.given("O:r", np.exp(1j * (cmath.phase(near) + turned)), because("chosen_place"))
+def _at(chord: Chord, task: SliderTask, locus: Mark, place: Floats | float, name: str = "O") -> Mark:
+    """Put O on its only locus: an angle rad from B2 on the circle, or a share of the way along the parallel."""
+    board, why = chord.board, because("chosen_place")
+    if task.overlap:
+        near = complex(between(board["M"], chord.folded))
+        ray = board.given(f"{name}:r", np.exp(1j * (cmath.phase(near) + place)), why)
+        return board.divide(name, locus, ray, because("pivot_place"))
+    far = task.stroke / 2 + (task.stroke + (task.offset or 0.0)) * place / (1 - np.asarray(place))
+    return board.lay_off(
+        name, board["E_e"], board.turn(f"{name}:x", chord.along, -far + 0j, why), because("pivot_place")
+    )
+
+
+def _leaning(task: SliderTask) -> list[float]:
+    """Try where on its locus O has the pressure angle: on the circle before the best place and beyond it."""
+    asked = QUARTER - (task.pressure or 0.0)
+    ends = (0.0, _best(task)[0], math.pi - 2 * task.overlap) if task.overlap else (0.0, FARTHEST)
+    value = partial(_led, task, asked)
+    return [place for least, most in pairwise(ends) for place in crossed(value, least, most)]
+
+
+def _led(task: SliderTask, asked: float, places: Floats) -> Floats:
+    return _sizes_over(task, places)["μ_min"] - asked
 
 
 def _loci(chord: Chord, task: SliderTask) -> Iterator[tuple[str, Mark]]:
@@ -81,7 +106,7 @@ def _admits(chord: Chord, pivot: Mark) -> Any:
     return (from_folded.real > 0) & (from_folded.imag >= 0)  # no meeting is not a number, and no more than anything
 
 
-def _drawn(chord: Chord, crank: Crank, loci: dict[str, Mark]) -> Drawn:
+def _drawn(task: SliderTask, chord: Chord, crank: Crank, loci: dict[str, Mark], place: float | None) -> Drawn:
     """Read a mechanism; O is below the guide by the offset."""
     board = chord.board
     first, rod = (float(length) for length in crank.lengths)
@@ -102,12 +127,19 @@ def _drawn(chord: Chord, crank: Crank, loci: dict[str, Mark]) -> Drawn:
     lines = tuple((end, "M") for end in ("B_1", "B_2") if "M" in centres)
     sizes = _sizes(first, rod, offset, stroke, theta)
     figure = FIGURE._replace(lines=lines)
-    if len(loci) == 1 and centres:
+    within = dict[str, float]()
+    if place is not None and task.pressure is not None:
+        moved = _wear(task, place)
+        within = {
+            name: moved / (1.0 if unit_of(name) == "m" else arm) * (sizes["λ"] if name == "λ" else 1.0)
+            for name in sizes
+        }
+    elif len(loci) == 1 and centres:
         rays = [complex(between(board["M"], one)) for one in (chord.folded, crank.pivot)]
         sizes["γ"] = cmath.phase(rays[1] / rays[0]) % math.tau
         figure = figure._replace(lines=(*lines, ("O", "M")), angles=(("γ", "M", "B_2", "O"),))
     design = Design(sizes, crank.places | points, circles, _barred(chord, centres))
-    return _made(design, shown, arm, figure)
+    return _made(design, shown, arm, figure)._replace(within=within)
 
 
 def _barred(chord: Chord, centres: dict[str, Mark]) -> tuple[BarredArc, ...]:
@@ -203,10 +235,20 @@ def region(task: SliderTask, design: Design) -> Region | None:
 def _sizes_over(task: SliderTask, turned: Floats) -> dict[str, Floats]:
     """Give sizes with O at some angles rad from B2 on: the least transmission angle first; NaN where none is."""
     chord = _chord(task)
-    circle = dict(_loci(chord, task))["M"]
-    at = chord.board.divide("O", circle, _ray(chord, turned))
+    (locus,) = dict(_loci(chord, task)).values()
+    at = _at(chord, task, locus, turned)
     with np.errstate(invalid="ignore", divide="ignore"):
         crank, rod = read(chord, at).lengths
         offset = -np.asarray(at.point).imag
         rows = {"μ_min": np.arccos((offset + crank) / rod), "λ": rod / crank, "ε": offset / task.stroke}
     return {name: np.where(_admits(chord, at), row, np.nan) for name, row in rows.items()}
+
+
+def _wear(task: SliderTask, place: float) -> float:
+    """Give how far rounding may move O where it is tried for a pressure angle: far where that is all but the least."""
+    around = place + np.array([-NEARBY, NEARBY])
+    chord = _chord(task)
+    (locus,) = dict(_loci(chord, task)).values()
+    moved = abs(complex(np.ptp(np.asarray(_at(chord, task, locus, around).point))))
+    turned = abs(float(np.ptp(_sizes_over(task, around)["μ_min"])))
+    return ROUNDED * moved / max(turned, ROUNDED)

@@ -33,6 +33,10 @@ class SliderCrank(slider.SliderCrank):
         return math.asin(self.offset / near) - math.asin(self.offset / far)
 
     @property
+    def pressure(self) -> float:
+        return self.pressures[1]
+
+    @property
     def stroke(self) -> float:
         near, far = self.rod - self.crank, self.rod + self.crank
         return math.sqrt(far**2 - self.offset**2) - math.sqrt(near**2 - self.offset**2)
@@ -166,8 +170,9 @@ def slider_tasks(count: int):
         stroke, theta, ratio = random.uniform(0.02, 2), math.radians(random.uniform(0.5, 30)), random.uniform(1.5, 8)
         offset = stroke * random.uniform(0.01, 1)
         pair = [("offset", "overlap"), ("offset", "ratio"), ("overlap", "ratio"), ("ratio", "pressure")]
+        pair += [("offset", "pressure"), ("overlap", "pressure")]
         every = SliderTask(stroke, offset, theta, ratio, math.asin(min(random.uniform(1, 1.8) / ratio, 0.9)))
-        yield every.only(*pair[random.integers(4)])
+        yield every.only(*pair[random.integers(6)])
 
 
 @pytest.mark.parametrize("task", [*slider_tasks(100)])
@@ -187,6 +192,10 @@ def test_a_slider_crank_has_what_was_asked(task) -> None:
 def tried(task: SliderTask) -> list[SliderCrank]:
     """Find the mechanisms of a task by brute force: with the first demand met, where the other changes its sign."""
     named, other = task.demands
+    if task.demands == ("overlap", "pressure"):  # of all offsets with this overlap
+        offsets = task.stroke / math.tan(task.overlap) * np.linspace(0, 1, 4001)[1:-1]
+        made = [next(closed(task.only("overlap")._replace(offset=float(offset)))) for offset in offsets]
+        return _changes(made, [one.pressures[1] - task.pressure for one in made])
     far = np.geomspace(1e-7, 1e4, 200_001) * task.stroke  # beyond the foot of O, along the guide
     if named == "ratio":  # by the ratio the offset is free: that of the shape is sought
         offsets = np.linspace(0, 1, 400_001)[1:-1] * (task.ratio - 1)
@@ -264,7 +273,7 @@ REFUSED = [
     (("slider_crank", "stroke = 0.12\npressure = 10\nratio = 4"), "pressure", "14.4775"),  # asin(1/k)
     (("slider_crank", "stroke = 0.12\noffset = 0.08"), "slider_crank", "two of"),
     (("slider_crank", "stroke = 0.12\noffset = 0\noverlap = 3"), "offset", "agree"),
-    (("slider_crank", "stroke = 0.12\noffset = 0.02\npressure = 20"), "pressure", "beside no other"),
+    (("slider_crank", "stroke = 0.12\ntime_ratio = 1.2\npressure = 40"), "pressure", "42.79"),  # of the best
     (("crank_rocker", "rocker = 0.3\nswing = 40\noverlap = 15\nplace = 90"), "place", "105"),  # 90 + theta
     (("crank_rocker", "rocker = 0.3\nswing = 40\noverlap = 15\nframe = 4"), "frame", "300"),  # l4 = l3 at B2
     (("crank_rocker", "rocker = 0.3\nswing = 100\noverlap = 50\nbeyond = true"), "beyond", "100"),  # psi/2 + theta

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -47,7 +47,7 @@ def _design(task: SliderTask, made: SliderCrank) -> Design:
     sizes |= {"θ": theta, "λ": made.ratio, "α_max": most, "α_min": least}
     if task.turned is not None:
         sizes["γ"] = task.turned
-    if task.pressure is not None:  # a similar mechanism is drawn, from O
+    if task.similar:  # a similar mechanism is drawn, from O
         steep, away = complex(0, -made.crank), complex(0, made.offset)
         ends = complex(foot + half) + away, complex(foot - half) + away
         led = {"E": away, "A": steep, "B": steep + cmath.rect(made.rod, most)}
@@ -120,12 +120,45 @@ def _pressed(task: SliderTask) -> Iterator[SliderCrank]:
     if task.ratio is None:
         if not task.offset and not task.overlap:
             yield SliderCrank(task.stroke / 2, task.stroke / 2 / sine, 0.0)
+        else:
+            yield from _leaning(task, sine)
         return
     if task.ratio * sine >= 1:
         offset = task.ratio * sine - 1  # of a crank of length 1
         far, near = ((task.ratio + one - offset) * (task.ratio + one + offset) for one in (1, -1))
         crank = task.stroke * (math.sqrt(far) + math.sqrt(near)) / (far - near)
         yield SliderCrank(crank, task.ratio * crank, offset * crank)
+
+
+def _leaning(task: SliderTask, sine: float) -> Iterator[SliderCrank]:
+    """Meet a pressure angle beside an overlap or an offset by roots: that with the longer crank first."""
+    if task.overlap:
+        end = math.pi - 2 * task.overlap
+        top, most = largest(lambda turned: _led(turned_on(task, turned)) if turned else 0.0, 0.0, end)
+        asked = QUARTER - (task.pressure or 0.0)
+        made = [
+            turned_on(task, root(lambda turned: _led(turned_on(task, turned)) - asked if turned else -asked, side, top))
+            for side in (0.0, end)
+            if most > asked
+        ]
+        yield from sorted(made, reverse=True)
+    elif offset := task.offset:
+
+        def off(far: float) -> float:
+            """Give far (1 - sine) + 2 e - near (1 + sine): nothing where the rod leans as is asked."""
+            near = math.hypot(far, offset)
+            return near * (1 + sine) - math.hypot(far + task.stroke, offset) * (1 - sine) - 2 * offset
+
+        far = root(off, 0.0, (task.stroke + offset) * 1e4)
+        near, long = math.hypot(far, offset), math.hypot(far + task.stroke, offset)
+        yield SliderCrank((long - near) / 2, (long + near) / 2, offset)
+
+
+def root(value: Callable[[float], float], low: float, high: float) -> float:
+    """Give where a value that is less than 0 at the first end, and not at the other, is 0, by halving."""
+    while (middle := (low + high) / 2) not in (low, high):
+        low, high = (middle, high) if value(middle) < 0 else (low, middle)
+    return high
 
 
 def turned_on(task: SliderTask, turned: float) -> SliderCrank:

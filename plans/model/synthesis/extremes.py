@@ -91,6 +91,11 @@ class SliderTask(NamedTuple):
         """The demands by their letters."""
         return told(H=self.stroke, e=self.offset, θ=self.overlap, λ=self.ratio, α_max=self.pressure)
 
+    @property
+    def similar(self) -> bool:
+        """Whether a pressure angle is met by a similar figure: beside a ratio, or with O on the guide."""
+        return self.pressure is not None and (self.ratio is not None or not (self.offset or self.overlap))
+
     def only(self, *demands: str) -> SliderTask:
         """Give the task with these demands alone."""
         return SliderTask(self.stroke, **{name: getattr(self, name) for name in demands})

@@ -27,9 +27,7 @@ def task(table: SliderTable) -> SliderTask:
 def faults(scene: Scene, task: SliderTask) -> Iterator[Fault]:
     """Say what is too little, what contradicts, and by how much a demand is beyond what can be met."""
     known = frozenset(task.demands)
-    if "pressure" in known and known & {"offset", "overlap"} and (task.offset or task.overlap):
-        yield scene.fault((*PATH, "pressure"), "synthesis_pressure")
-    elif len(known) < PAIR and not (known & {"ratio", "pressure"} or task.turned):
+    if len(known) < PAIR and not (known & {"ratio", "pressure"} or task.turned):
         yield scene.fault(PATH, "synthesis_free")
     elif task.overlap is not None and task.offset is not None and bool(task.overlap) != bool(task.offset):
         yield scene.fault((*PATH, "offset"), "synthesis_axial")
@@ -42,6 +40,10 @@ def _beyond(scene: Scene, task: SliderTask) -> Fault:
     stroke, ratio = task.stroke, task.ratio
     if task.pressure is not None and ratio is not None:
         return scene.fault((*PATH, "pressure"), "synthesis_least_pressure", least=degrees(math.asin(1 / ratio)))
+    if task.pressure is not None and task.overlap:
+        best = with_best(task.only("overlap"))
+        least = drawn(best)[0].found[0].design.sizes["α_max"]
+        return scene.fault((*PATH, "pressure"), "synthesis_least_pressure", least=degrees(least))
     if task.overlap is None:
         assert ratio is not None  # else too little is told
         most = stroke * (ratio**2 - 1) / (4 * ratio)
@@ -69,4 +71,6 @@ def notes(task: SliderTask) -> Iterator[str]:
         yield "synthesis best"
     if len(task.readings) > 1:
         yield "synthesis readings"
-    yield "synthesis read" if task.pressure is None else "synthesis similar"
+    if task.pressure is not None and (task.offset or task.overlap):
+        yield "synthesis tried"
+    yield "synthesis similar" if task.similar else "synthesis read"
