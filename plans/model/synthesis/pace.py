@@ -1,0 +1,30 @@
+"""How fast a slider is to work: its mean speed, and how many working strokes it makes a second (средняя скорость)."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+
+class Pace(NamedTuple):
+    """What is asked of a stroke in time: mean speed m/s of the working stroke, output 1/s (производительность)."""
+
+    speed: float | None = None
+    output: float | None = None
+
+    @property
+    def both(self) -> bool:
+        """Whether the two, with a stroke, tell the overlap."""
+        return self.speed is not None and self.output is not None
+
+    def overlap(self, stroke: float) -> float:
+        """Give the overlap angle rad: the part φ* of the period T = 1/n that the working stroke takes is H n / v.
+
+        >>> round(math.degrees(Pace(0.3, 0.75).overlap(0.24)), 9)
+        36.0
+        """
+        assert self.speed is not None and self.output is not None  # asked before
+        return math.tau * (stroke * self.output / self.speed - 0.5)
+
+
+IDLE = Pace()

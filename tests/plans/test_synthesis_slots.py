@@ -1,0 +1,167 @@
+"""Synthesis of slotted links, sine and tangent mechanisms: the textbook's values, and random tasks (кулисы)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from plans.analytic.slots import levers, sines, tangents, whitworths
+from plans.model.synthesis.pace import Pace
+from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
+from plans.synthesis.sine import drawn_sines, drawn_tangents
+from plans.synthesis.slotted import drawn_levers, drawn_whitworths
+
+DRAWN = {LeverTask: drawn_levers, WhitworthTask: drawn_whitworths, SineTask: drawn_sines, TangentTask: drawn_tangents}
+SOLVED = {LeverTask: levers, WhitworthTask: whitworths, SineTask: sines, TangentTask: tangents}
+
+
+def draw(task):
+    return [[one.design for one in reading.found] for reading in DRAWN[type(task)](task)]
+
+
+def solve(task):
+    return [[*SOLVED[type(task)](one)] for one in task.readings()]
+
+
+ROADS = pytest.mark.parametrize("road", [draw, solve])
+
+
+def printed(value: float, text: str) -> bool:
+    """Tell whether a value, rounded to the digits of a text, is that text."""
+    return f"{value:.{len(text.partition('.')[2])}f}" == text
+
+
+deg = math.radians
+VALUES = [  # of which task, which size, its printed digits, told in degrees
+    (LeverTask(crank=0.12, frame=0.35), "ψ", "40.10208513"),  # methods M1.7
+    (LeverTask(crank=0.12, frame=0.35), "K", "1.573304973"),
+    (LeverTask(deg(40.10208513), frame=0.35), "l_1", "0.120000000"),
+    (LeverTask(deg(40.10208513), crank=0.12), "l_0", "0.35000000"),
+    (WhitworthTask(crank=0.075, frame=0.05), "K", "2.735"),  # R. S. Khurmi, J. K. Gupta, example 5.4
+    (SineTask(0.12), "l_1", "0.06"),  # theme 6, task 6
+    (TangentTask(0.15, deg(28)), "h", "0.1410544849"),  # theme 6, task 10
+    (TangentTask(0.15, deg(28), one_sided=True), "h", "0.2821089698"),
+]
+
+
+@ROADS
+@pytest.mark.parametrize(("task", "size", "text"), VALUES)
+def test_textbook_sizes(road, task, size, text) -> None:
+    ((one,),) = road(task)
+    value = one.sizes[size]
+    assert printed(math.degrees(value) if size in "θψ" else value, text)
+
+
+@ROADS
+def test_textbook_places(road) -> None:
+    """Methods M1.7, where O is the origin."""
+    ((one,),) = road(LeverTask(crank=0.12, frame=0.35))
+    right = one.places["A_1"] - one.places["O"]
+    assert printed(right.real, "0.1127265067") and printed(right.imag, "-0.04114285714")
+
+
+READINGS = [
+    (LeverTask(0.7, 0.12, 0.35), 3),
+    (LeverTask(0.7, 0.12, stroke=0.4, lever=0.6), 3),  # the angle beside stroke and lever leaves the crank unknown
+    (LeverTask(None, 0.12, 0.35, 0.4, 0.6), 4),
+    (LeverTask(0.7, 0.12, 0.35, 0.4, 0.6), 8),  # of ten triples two are such
+    (WhitworthTask(0.7, 0.12, 0.05), 3),
+    (TangentTask(0.15, 0.5, 0.2), 3),
+]
+
+
+@pytest.mark.parametrize(("task", "count"), READINGS)
+def test_an_overdetermined_task_is_read_in_each_way(task, count) -> None:
+    assert len(draw(task)) == len(solve(task)) == count
+
+
+def has(one, task) -> dict[str, float]:
+    """Give what a mechanism has of what was asked, by relations of its lengths alone."""
+    size = one.sizes
+    if isinstance(task, TangentTask):
+        lean = math.atan(size["H"] * (1.0 if task.one_sided else 0.5) / size["h"])
+        return {"stroke": size["H"], "distance": size["h"], "pressure": lean}
+    if isinstance(task, SineTask):
+        return {"stroke": 2 * size["l_1"]}
+    crank, frame, lever = size["l_1"], size["l_0"], size.get("l_3", math.nan)
+    found = {"crank": crank, "frame": frame, "lever": lever}
+    if isinstance(task, LeverTask):
+        sine = crank / frame
+        found |= {"overlap": 2 * math.asin(sine), "stroke": 2 * sine * lever}
+        rise = lever * (1 - math.sqrt(1 - sine**2)) / 2
+    else:  # of the crank's turn the return takes the angle between the pins on the guide
+        found |= {"overlap": math.pi - 2 * math.acos(frame / crank), "stroke": 2 * lever}
+        rise = lever
+    return found | ({"pressure": math.asin(rise / size["l_4"])} if "l_4" in size else {})
+
+
+def tasks(count: int):
+    random = np.random.default_rng(11)
+    for k in range(count):
+        a, b, c, d = random.uniform(0.05, 1, 4)
+        theta, alpha = deg(random.uniform(2, 85)), deg(random.uniform(2, 60))
+        pace = Pace(*[(a, None), (None, b), (None, None)][k % 3])
+        lever = LeverTask(theta, a, b, c, d)
+        names = [("overlap", "crank"), ("overlap", "frame"), ("crank", "frame")]
+        ends = [("crank", "stroke", "lever"), ("frame", "stroke", "lever"), ("overlap", "crank", "stroke")]
+        kept = [*names, *ends, ("overlap", "frame", "lever"), ("crank", "frame", "stroke")][random.integers(8)]
+        one = LeverTask(**{name: getattr(lever, name) for name in kept})
+        yield one._replace(pressure=alpha, pace=pace) if one.driven else one
+        kept = names[random.integers(3)]
+        yield WhitworthTask(**{name: getattr(lever, name) for name in kept}, stroke=c, pressure=alpha, pace=pace)
+        yield SineTask(a, pace)
+        three = {"stroke": a, "pressure": alpha, "distance": b}
+        three.pop([*three][random.integers(3)])
+        yield TangentTask(**three, one_sided=k % 2 > 0)
+
+
+@pytest.mark.parametrize("task", [*tasks(50)])
+def test_a_mechanism_has_what_was_asked(task) -> None:
+    """Each demand to 1e-12, by both roads alike; where there is no mechanism, none of many tried ones is one."""
+    (drawn,), (solved,) = draw(task), solve(task)
+    assert len(drawn) == len(solved) == tried(task)
+    for one, other in zip(drawn, solved, strict=True):
+        flat = 1 / math.cos(other.sizes.get("θ", 0.0) / 2) ** 2  # near a stretched figure angles are badly told
+        assert [*one.sizes] == [*other.sizes] and one.places.keys() == other.places.keys()
+        assert all(math.isclose(one.sizes[name], size, rel_tol=1e-12 * flat) for name, size in other.sizes.items())
+        size = max(map(abs, other.places.values()))
+        assert all(abs(one.places[name] - place) < 1e-12 * flat * size for name, place in other.places.items())
+        for name, value in has(one, task).items():
+            asked = getattr(task, name, None)
+            assert asked is None or math.isclose(value, asked, rel_tol=1e-12 * flat), name
+        if isinstance(task, TangentTask):
+            continue
+        angle = math.pi + one.sizes.get("θ", 0.0)
+        if task.pace.speed is not None and "H" in one.sizes:
+            assert math.isclose(one.sizes["H"] / (angle / one.sizes["ω_1"]), task.pace.speed, rel_tol=1e-12)
+        if task.pace.output is not None and "H" in one.sizes:
+            assert math.isclose(one.sizes["ω_1"], math.tau * task.pace.output, rel_tol=1e-12)
+
+
+def tried(task) -> int:
+    """Count mechanisms by brute force: turn the crank, or swing the lever, and look whether it does what it must."""
+    if isinstance(task, (SineTask, TangentTask)):
+        return 1
+    turn = np.exp(1j * np.linspace(0, math.tau, 20001))
+    half = None if task.overlap is None else task.overlap / 2
+    if half is None and task.crank is not None and task.frame is not None:
+        round_about = round(np.unwrap(np.angle(task.crank * turn + 1j * task.frame))[[0, -1]] @ [-1, 1] / math.tau)
+        if round_about != (1 if isinstance(task, WhitworthTask) else 0):
+            return 0
+        half = (np.ptp(np.angle(task.crank * turn + 1j * task.frame))) / 2
+    if isinstance(task, WhitworthTask):
+        return 1
+    if half is None:  # the end of the lever must come as far as half of the stroke
+        reach = task.lever * np.sin(np.linspace(0, math.pi / 2, 200001))
+        if reach[-1] <= task.stroke / 2:
+            return 0
+        half = float(np.interp(task.stroke / 2, reach, np.linspace(0, math.pi / 2, 200001)))
+    if not task.driven:
+        return 1
+    swing = np.linspace(-half, half, 20001)  # of a lever of length 1: its ram must go one way all along
+    below = (1 + math.cos(half)) / 2 - np.cos(swing)
+    rod = (1 - math.cos(half)) / 2 / math.sin(task.pressure)
+    ram = np.sin(swing) + np.sqrt(np.maximum(rod**2 - below**2, 0.0))
+    return int((np.diff(ram) > 0).all())
