@@ -7,9 +7,10 @@ import math
 
 from geometry.board import Board, Span, between
 from plans.model.synthesis.design import Circle, Design
-from plans.model.synthesis.slots import TANGENT, SineTask, TangentTask, told
+from plans.model.synthesis.slots import TANGENT, SineTask, TangentTask, demands
+from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.drawn import Drawn, DrawnReading, Figure, angle
 from plans.synthesis.pace import paced
 from plans.words.words import because
 
@@ -37,14 +38,16 @@ def drawn_sines(task: SineTask) -> tuple[DrawnReading, ...]:
         hinges=frozenset(("O", "A", "A_1", "A_2")),
         fixed=frozenset("O"),
         blocks={"A": 1j, "B": 1 + 0j},
+        lengths=(("l_1", "O", "A"), ("H", "A_2", "A_1")),
     )
-    design = Design(sizes | paced(task.pace, sizes["H"], 0.0), places, {"crank": Circle(places["O"], length)})
-    return (DrawnReading(("stroke",), board, (Drawn(design, {"l_1": crank, "H": Span(far, near)}, {}, figure),)),)
+    design = Design(sizes, places, {"O": Circle(places["O"], length)})
+    made = Drawn(design, {"l_1": crank, "H": Span(far, near)}, {}, figure)
+    return (paced(DrawnReading(("stroke",), board, (made,)), task.pace),)
 
 
 def drawn_tangents(task: TangentTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of the task of a tangent mechanism (тангенсный)."""
-    return tuple(_tangent(one) for one in task.readings())
+    return tuple(_tangent(one) for one in task.readings)
 
 
 def _tangent(task: TangentTask) -> DrawnReading:
@@ -76,6 +79,9 @@ def _tangent(task: TangentTask) -> DrawnReading:
         hinges=frozenset(("O", "A_1", low)),
         fixed=frozenset("O"),
         blocks={"A_1": cmath.rect(1.0, sizes["α_max"])},
+        lengths=(("h", "O", "E"), ("H", low, "A_1")),
+        angles=(("α_max", "O", "E", "A_1"),),
     )
+    shown: dict[str, Shown] = {**spans, "α_max": angle(board, "α_max", lever, board.join("OE", board["O"], foot))}
     arms = {"α_max": abs(complex(lever.point))}
-    return DrawnReading(told(task, TANGENT), board, (Drawn(Design(sizes, places), spans, arms, figure),))
+    return DrawnReading(demands(task, TANGENT), board, (Drawn(Design(sizes, places), shown, arms, figure),))

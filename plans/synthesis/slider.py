@@ -14,6 +14,7 @@ from plans.model.synthesis.extremes import SliderTask
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, read
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.pace import paced
 from plans.words.words import because
 
 FIGURE = Figure(
@@ -29,7 +30,8 @@ FIGURE = Figure(
 
 def drawn(task: SliderTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of a task."""
-    return tuple(_similar(one) if one.pressure is not None else _met(one) for one in task.readings)
+    found = (_similar(one) if one.pressure is not None else _met(one) for one in task.readings)
+    return tuple(paced(one, task.pace) for one in found)
 
 
 def _met(task: SliderTask) -> DrawnReading:

@@ -9,9 +9,10 @@ from collections.abc import Mapping
 from geometry.board import Board, Mark, Span, between
 from geometry.meet import cross
 from plans.model.synthesis.design import Circle, Design
-from plans.model.synthesis.slots import LEVER, WHITWORTH, LeverTask, WhitworthTask, told
+from plans.model.synthesis.slots import LEVER, WHITWORTH, LeverTask, WhitworthTask, demands
+from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.drawn import Drawn, DrawnReading, Figure, angle
 from plans.synthesis.pace import paced
 from plans.words.words import because
 
@@ -20,12 +21,12 @@ SIDES = ((1, 1.0), (2, -1.0))  # numbers of the extreme positions: the right one
 
 def drawn_levers(task: LeverTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of the task of an oscillating slotted link."""
-    return tuple(_reading(told(one, LEVER), _lever(one), one) for one in task.readings())
+    return tuple(_reading(demands(one, LEVER), _lever(one), one) for one in task.readings)
 
 
 def drawn_whitworths(task: WhitworthTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of the task of a rotating slotted link."""
-    return tuple(_reading(told(one, WHITWORTH), _whitworth(one), one) for one in task.readings())
+    return tuple(_reading(demands(one, WHITWORTH), _whitworth(one), one) for one in task.readings)
 
 
 def _lever(task: LeverTask) -> Board:
@@ -136,7 +137,8 @@ def _ram(board: Board, pressure: float, level: Mark) -> None:
 
 def _reading(kept: tuple[str, ...], board: Board, task: LeverTask | WhitworthTask) -> DrawnReading:
     """Read the mechanism off its board, if its lines have met as those of a mechanism do."""
-    return DrawnReading(kept, board, (_read(board, task),) if task.overlap != 0 and _admits(board, task) else ())
+    found = (_read(board, task),) if task.overlap != 0 and _admits(board, task) else ()
+    return paced(DrawnReading(kept, board, found), task.pace)
 
 
 def _admits(board: Board, task: LeverTask | WhitworthTask) -> bool:
@@ -161,40 +163,53 @@ def _read(board: Board, task: LeverTask | WhitworthTask) -> Drawn:
         "l_4": ("B", "D"),
         "H": (f"{ends}_2", f"{ends}_1"),
     }
-    shown = {letter: Span(board[start], board[end]) for letter, (start, end) in spans.items() if end in board}
+    shown: dict[str, Shown] = {
+        letter: Span(board[start], board[end]) for letter, (start, end) in spans.items() if end in board
+    }
     sizes = {letter: abs(_way(board, *spans[letter])) for letter in shown}
     arms = {"θ": sizes["l_1"], "ψ": abs(_way(board, "C", "A_1")), "α_max": sizes.get("l_4", 0.0)}
     apart = cmath.phase(_way(board, "O", "A_1") / _way(board, "O", "A_2")) % math.tau  # over the quick arc, below O
     overlap = math.pi - apart
     sizes["θ"] = overlap
+    shown["θ"] = angle(
+        board, "θ", board.join("OA_1:r", board["O"], board["A_1"]), board.join("OA_2:r", board["O"], board["A_2"])
+    )
     if isinstance(task, LeverTask):
         sizes["ψ"] = cmath.phase(_way(board, "C", "A_2") / _way(board, "C", "A_1"))
+        shown["ψ"] = angle(
+            board, "ψ", board.join("CA_1:r", board["C"], board["A_1"]), board.join("CA_2:r", board["C"], board["A_2"])
+        )
     sizes["K"] = (math.pi + overlap) / (math.pi - overlap)
     if "D" in board:
         sizes["α_max"] = -cmath.phase(_way(board, "B", "D"))
-    if "H" in sizes:
-        sizes |= paced(task.pace, sizes["H"], overlap)
+        shown["α_max"] = angle(board, "α_max", board.join("BD:r", board["B"], board["D"]), board["D:u"])
     places = {name: complex(board[name].point) for name in PLACES if name in board}
-    circles = {"crank": Circle(places["O"], sizes["l_1"])}
-    if "T" in board:
-        circles["Thales"] = Circle(complex(board["T"].point), abs(complex(board["T"].point)))
-    return Drawn(Design(sizes, places, circles), shown, arms, _figure(places))
+    circles = {"O": Circle(places["O"], sizes["l_1"])}
+    if "T" in places:
+        circles["T"] = Circle(places["T"], abs(places["T"]))
+    return Drawn(Design(sizes, places, circles), shown, arms, _figure(places, isinstance(task, LeverTask)))
 
 
-PLACES = ("O", "C", "A_1", "A_2", "B_1", "B_2", "B", "D", "D_1", "D_2")
+PLACES = ("O", "C", "A_1", "A_2", "B_1", "B_2", "B", "D", "D_1", "D_2", "T")
 
 
-def _figure(places: Mapping[str, complex]) -> Figure:
+def _figure(places: Mapping[str, complex], swings: bool) -> Figure:
     """Show the right extreme position in full, the left one by dashes, the rod where it leans most by thin lines."""
     first, second = (tuple(f"{name}_{k}" for name in "BD" if f"{name}_{k}" in places) for k, _ in SIDES)
     slot = (places["A_1"] - places["C"]) / abs(places["A_1"] - places["C"])
-    lines = (("C", "B"), ("B", "D")) if "D" in places else ()
+    ram, end = "D" in places, "B_1" if first else "A_1"
+    # Of what lies on one line the longer is drawn, or dashes would fill each other's gaps.
+    beyond = bool(first) and abs(places["B_1"] - places["C"]) > abs(places["A_1"] - places["C"])
+    others = (("O", "A_2"), ("C", *second)) if beyond else (("O", "A_2", "C"), second)
+    lengths = (("l_1", "O", "A_1"), ("l_0", "C", "O"), ("l_3", "C", "B_1"), ("l_4", "B", "D"), ("H", "B_2", "B_1"))
     return Figure(
         first=("O", "A_1", "C", *first),
-        others=(("O", "A_2", "C", *second),),
-        lines=(*lines, *((("B_2", "B_1"),) if first else ())),
-        axes=(("C", "O"), *((("D_2", "D_1"),) if "D" in places else ())),
-        hinges=frozenset(places),
+        others=tuple(chain for chain in others if len(chain) > 1),
+        lines=(("B", "D"),) if ram else (),
+        axes=(("C", "B" if ram else "O"), ("D_2", "D_1") if ram else ("A_2" if not first else "B_2", end)),
+        hinges=frozenset(places) - {"T"},
         fixed=frozenset("OC"),
-        blocks={"A_1": slot, **({"D_1": 1 + 0j} if "D" in places else {})},
+        blocks={"A_1": slot, **({"D_1": 1 + 0j} if ram else {})},
+        lengths=tuple(one for one in lengths if one[2] in places),
+        angles=((("ψ", "C", "A_1", "A_2"),) if swings else ()) + ((("α_max", "D", "B", "D_2"),) if ram else ()),
     )

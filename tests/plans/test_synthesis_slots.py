@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 import math
+import tomllib
 
 import numpy as np
 import pytest
 
-from plans.analytic.slots import levers, sines, tangents, whitworths
+from plans.analytic.synthesis import analysed
+from plans.model.synthesis.extremes import DoubleCrankTask, RockerTask
 from plans.model.synthesis.pace import Pace
 from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
+from plans.scene.scene import read_scene
+from plans.study import Study
+from plans.synthesis import double_crank
+from plans.synthesis.families import FAMILIES
 from plans.synthesis.sine import drawn_sines, drawn_tangents
 from plans.synthesis.slotted import drawn_levers, drawn_whitworths
+from plans.synthesis.study import SynthesisStudy
+from plans.synthesis.written import written
 
-DRAWN = {LeverTask: drawn_levers, WhitworthTask: drawn_whitworths, SineTask: drawn_sines, TangentTask: drawn_tangents}
-SOLVED = {LeverTask: levers, WhitworthTask: whitworths, SineTask: sines, TangentTask: tangents}
+DRAWN = {
+    LeverTask: drawn_levers,
+    WhitworthTask: drawn_whitworths,
+    SineTask: drawn_sines,
+    TangentTask: drawn_tangents,
+    DoubleCrankTask: double_crank.drawn,
+}
 
 
 def draw(task):
@@ -22,7 +35,7 @@ def draw(task):
 
 
 def solve(task):
-    return [[*SOLVED[type(task)](one)] for one in task.readings()]
+    return [[*reading.found] for reading in analysed(task).readings]
 
 
 ROADS = pytest.mark.parametrize("road", [draw, solve])
@@ -165,3 +178,97 @@ def tried(task) -> int:
     rod = (1 - math.cos(half)) / 2 / math.sin(task.pressure)
     ram = np.sin(swing) + np.sqrt(np.maximum(rod**2 - below**2, 0.0))
     return int((np.diff(ram) > 0).all())
+
+
+DOUBLE = DoubleCrankTask(RockerTask(0.30, deg(40), deg(15), place=deg(200), side=1))  # methods M1.5, inverted
+
+
+@ROADS
+def test_a_double_crank_keeps_the_indices_of_its_crank_rocker(road) -> None:
+    """Methods M1.4: the links of M1.5, each now another; both speeds are as l2 ± l1 to l2 with O, A, B in line."""
+    ((one,),) = road(DOUBLE)
+    texts = {"l_1": "0.4413222397", "l_3": "0.6439316772", "l_4": "0.0593602436"}
+    assert all(printed(one.sizes[name], text) for name, text in texts.items())
+    assert printed(math.degrees(one.sizes["μ_min"]), "21.79034348")
+    assert printed(one.sizes["i_1"], f"{1 + 0.0593602436 / 0.6439316772:.9f}")
+
+
+def double_cranks(count: int):
+    random = np.random.default_rng(3)
+    while count:
+        swing, overlap = deg(random.uniform(10, 100)), deg(random.uniform(1, 50))
+        rocker = RockerTask(random.uniform(0.1, 1), swing, overlap, place=deg(random.uniform(90, 270)))
+        task = DoubleCrankTask(rocker)
+        if any(one.found for one in analysed(task).readings):
+            count -= 1
+            yield task
+
+
+@pytest.mark.parametrize("task", [*double_cranks(30)])
+def test_a_double_crank_turns_by_what_was_asked(task) -> None:
+    """By its lengths alone: where O, A and B are in line, by the cosine rule, the driver has turned by π + θ."""
+    for drawn, solved in zip(draw(task), solve(task), strict=True):
+        for one, other in zip(drawn, solved, strict=True):
+            l1, l2, l3, l4 = (one.sizes[f"l_{k}"] for k in range(1, 5))
+            assert min(l1, l2, l3, l4) == l4 and l4 + max(l1, l2, l3) < l1 + l2 + l3 - max(l1, l2, l3)  # Grashof
+            reach = l3 + l4, l3 - l4  # OB
+            at_o = [math.acos((r**2 + l1**2 - l2**2) / (2 * r * l1)) for r in reach]
+            at_c = [math.acos((l1**2 + l2**2 - r**2) / (2 * l1 * l2)) for r in reach]
+            flat = 1e-12 / math.sin(one.sizes["μ_min"]) / min(*map(math.sin, at_o), 0.1)
+            asked = task.inverted
+            assert math.isclose(abs(at_o[0] - at_o[1]), asked.overlap, rel_tol=0, abs_tol=flat)
+            assert math.isclose(abs(at_c[0] - at_c[1]), asked.swing, rel_tol=0, abs_tol=flat)
+            assert all(math.isclose(one.sizes[name], size, abs_tol=flat) for name, size in other.sizes.items())
+            assert all(abs(one.places[name] - place) < flat for name, place in other.places.items())
+
+
+# A task as told, the numbers of the study of its scene and what they must be.
+WRITTEN = [
+    ("slotted_lever", "crank = 0.12\nframe = 0.35", {"stroke": 0.6999134224861251, "ratio": 1.573304972717285}),
+    ("slotted_lever", "time_ratio = 1.5\nframe = 0.35\nstroke = 0.48\npressure = 8", {"stroke": 0.48, "ratio": 1.5}),
+    ("slotted_lever", "swing = 36\ncrank = 0.1\nlever = 0.8", {"stroke": deg(36), "overlap": deg(36)}),
+    ("whitworth", "time_ratio = 2.2\ncrank = 0.075\nstroke = 0.3\npressure = 20", {"stroke": 0.3, "ratio": 2.2}),
+    ("sine", "stroke = 0.12", {"stroke": 0.12, "ratio": 1.0}),
+    ("slider_crank", "stroke = 0.12\noffset = 0.03\nmean_speed = 0.5\noutput = 130", {"stroke": 0.12}),
+]
+
+
+@pytest.mark.parametrize(("family", "told", "wanted"), WRITTEN)
+def test_the_written_scene_does_what_was_asked(tmp_path, family, told, wanted) -> None:
+    """Its study by the roads that know nothing of the task, to 1e-12."""
+    path = scene_of(tmp_path, family, told)
+    for road in ("construction", "analysis"):
+        found = Study(read_scene(path), ["extremes"]).numbers("linkage", road).plain()["extremes"]
+        assert all(math.isclose(found[name], value, rel_tol=1e-12, abs_tol=1e-12) for name, value in wanted.items())
+
+
+def scene_of(folder, family: str, told: str):
+    """Write the scene of the mechanism of a task."""
+    task, made = folder / "task.toml", folder / "made.toml"
+    task.write_text(f"[synthesis.{family}]\n{told}\n", encoding="utf-8")
+    study = Study(read_scene(task), ["synthesis"])
+    assert study.comparison("synthesis").agrees
+    text = FAMILIES[family].mechanism(study.of(SynthesisStudy).synthesis.chosen)
+    made.write_text(written(text, "", "task.toml", "en"), encoding="utf-8")
+    return made
+
+
+PACED = [  # theme 6, task 1: φ* = H n / v, and θ = 2π (φ* - 1/2)
+    ("slotted_lever", "frame = 0.35\nstroke = 0.3\npressure = 8\nmean_speed = 0.4\noutput = 45"),
+    ("whitworth", "crank = 0.075\nstroke = 0.3\npressure = 20\nmean_speed = 0.4\noutput = 50"),
+    ("slider_crank", "stroke = 0.12\noffset = 0.03\nmean_speed = 0.5\noutput = 130"),
+    ("slider_crank", "stroke = 0.12\nratio = 4\nmean_speed = 0.5"),
+    ("sine", "stroke = 0.12\nmean_speed = 0.5"),
+]
+
+
+@pytest.mark.parametrize(("family", "told"), PACED)
+def test_the_working_stroke_is_as_fast_as_asked(tmp_path, family, told) -> None:
+    """The written scene's crank, its stroke and the angle of its working stroke make the mean speed and the output."""
+    path = scene_of(tmp_path, family, told)
+    found = Study(read_scene(path), ["extremes"]).numbers("linkage", "analysis").plain()["extremes"]
+    asked = tomllib.loads(told)
+    omega = float(tomllib.loads(path.read_text(encoding="utf-8"))["drive"]["speed"].removesuffix(" rad/s"))
+    time = (math.pi + found["overlap"]) / omega
+    assert math.isclose(found["stroke"] / time, asked["mean_speed"], rel_tol=1e-12)
+    assert "output" not in asked or math.isclose(omega, math.tau * asked["output"] / 60, rel_tol=1e-12)

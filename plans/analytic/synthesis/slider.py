@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from plans.analytic.synthesis.pace import paced
 from plans.analytic.synthesis.rocker import extremes
 from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design, Reading
 from plans.model.synthesis.extremes import SliderTask
@@ -45,7 +46,7 @@ class SliderCrank(NamedTuple):
 def readings(task: SliderTask) -> Iterator[Reading]:
     """Give every slider-crank of each reading of a task."""
     for one in task.readings:
-        yield Reading(one.demands, tuple(_design(one, made) for made in sliders(one)))
+        yield Reading(one.demands, tuple(paced(_design(one, made), one.pace) for made in sliders(one)))
 
 
 def _design(task: SliderTask, made: SliderCrank) -> Design:

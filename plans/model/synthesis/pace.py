@@ -6,11 +6,21 @@ import math
 from typing import NamedTuple
 
 
+def told(**demands: float | None) -> dict[str, float]:
+    """Give the demands that a task has, by their letters."""
+    return {name: one for name, one in demands.items() if one is not None}
+
+
 class Pace(NamedTuple):
     """What is asked of a stroke in time: mean speed m/s of the working stroke, output 1/s (производительность)."""
 
     speed: float | None = None
     output: float | None = None
+
+    @property
+    def asked(self) -> dict[str, float]:
+        """The demands by the letters of the speeds that they are."""
+        return told(v=self.speed, ω_1=None if self.output is None else math.tau * self.output)
 
     @property
     def both(self) -> bool:

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from itertools import combinations
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
-from plans.model.synthesis.pace import IDLE, Pace
+from plans.model.synthesis.pace import IDLE, Pace, told
 
 
 class LeverTask(NamedTuple):
@@ -32,10 +32,17 @@ class LeverTask(NamedTuple):
         """Whether something is asked of the lever's end B."""
         return self.stroke is not None or self.lever is not None
 
-    def readings(self) -> tuple[LeverTask, ...]:
-        """Give the tasks that a task may mean: as many demands as fix the figure, none of which the others tell.
+    @property
+    def asked(self) -> dict[str, float]:
+        """The demands by their letters."""
+        lengths = told(l_1=self.crank, l_0=self.frame, l_3=self.lever, H=self.stroke)
+        return lengths | told(θ=self.overlap, α_max=self.pressure) | self.pace.asked
 
-        >>> [told(one, LEVER) for one in LeverTask(0.7, 0.12, 0.35).readings()]
+    @property
+    def readings(self) -> tuple[LeverTask, ...]:
+        """The tasks that it may mean: as many demands as fix the figure, none of which the others tell.
+
+        >>> [demands(one, LEVER) for one in LeverTask(0.7, 0.12, 0.35).readings]
         [('overlap', 'crank'), ('overlap', 'frame'), ('crank', 'frame')]
         """
         return _readings(self, LEVER, 3 if self.driven else 2, SAME if self.driven else ())
@@ -54,8 +61,15 @@ class WhitworthTask(NamedTuple):
     pressure: float | None = None
     pace: Pace = IDLE
 
+    @property
+    def asked(self) -> dict[str, float]:
+        """The demands by their letters."""
+        lengths = told(l_1=self.crank, l_0=self.frame, H=self.stroke)
+        return lengths | told(θ=self.overlap, α_max=self.pressure) | self.pace.asked
+
+    @property
     def readings(self) -> tuple[WhitworthTask, ...]:
-        """Give the tasks that a task may mean: any two of overlap, crank and frame fix the third."""
+        """The tasks that it may mean: any two of overlap, crank and frame fix the third."""
         return _readings(self, WHITWORTH, 2)
 
 
@@ -65,8 +79,14 @@ class SineTask(NamedTuple):
     stroke: float
     pace: Pace = IDLE
 
+    @property
+    def asked(self) -> dict[str, float]:
+        """The demands by their letters."""
+        return {"H": self.stroke, **self.pace.asked}
+
+    @property
     def readings(self) -> tuple[SineTask, ...]:
-        """Give the task itself."""
+        """The task itself."""
         return (self,)
 
 
@@ -86,8 +106,14 @@ class TangentTask(NamedTuple):
         """The part of the stroke that the lever leads to one side."""
         return 1.0 if self.one_sided else 0.5
 
+    @property
+    def asked(self) -> dict[str, float]:
+        """The demands by their letters."""
+        return told(H=self.stroke, α_max=self.pressure, h=self.distance)
+
+    @property
     def readings(self) -> tuple[TangentTask, ...]:
-        """Give the tasks that a task may mean."""
+        """The tasks that it may mean."""
         return _readings(self, TANGENT, 2)
 
 
@@ -99,11 +125,12 @@ TANGENT = ("stroke", "pressure", "distance")
 SAME = frozenset(("overlap", "crank", "frame")), frozenset(("overlap", "stroke", "lever"))  # each tells half the swing
 
 
-def told(task: NamedTuple, names: Collection[str]) -> tuple[str, ...]:
+def demands(task: NamedTuple, names: Collection[str]) -> tuple[str, ...]:
     """Give those of some demands that a task makes."""
     return tuple(name for name in names if getattr(task, name) is not None)
 
 
 def _readings(task: T, names: tuple[str, ...], count: int, same: Collection[Collection[str]] = ()) -> tuple[T, ...]:
-    every = (one for one in combinations(told(task, names), count) if frozenset(one) not in same)
-    return tuple(task._replace(**{name: None for name in names if name not in kept}) for kept in every)
+    every = (one for one in combinations(demands(task, names), count) if frozenset(one) not in same)
+    left_out: Any = ({name: None for name in names if name not in kept} for kept in every)
+    return tuple(task._replace(**one) for one in left_out)

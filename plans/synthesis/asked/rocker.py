@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from decimal import Decimal
 
 from plans.model.synthesis.design import Design
 from plans.model.synthesis.extremes import BEYOND, TOWARDS, RockerTask
@@ -11,7 +12,7 @@ from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
 from plans.synthesis.asked import MILLIMETRES, met, millimetres, number, overlap, radians
 from plans.synthesis.rocker import admitted, drawn, with_best
-from plans.synthesis.tables.extremes import RockerTable
+from plans.synthesis.tables.extremes import RockerTable, SwingTable
 from plans.synthesis.written import MechanismText
 
 PATH: Path = ("synthesis", "crank_rocker")
@@ -19,22 +20,29 @@ PATH: Path = ("synthesis", "crank_rocker")
 
 def task(table: RockerTable) -> RockerTask:
     """Make the task; where no parameter is told, O is put where it is best."""
+    return made(table, table.rocker, table.frame)
+
+
+def made(table: SwingTable, rocker: Decimal, frame: Decimal | None) -> RockerTask:
+    """Make the task of a rocker and a frame of some lengths."""
     place = radians(table.place)
     side = None if place is None else BEYOND if table.beyond else TOWARDS
     theta = overlap(table)
     assert theta is not None  # the form has asked for it
     swing = math.radians(table.swing)
-    return with_best(RockerTask(float(table.rocker), swing, theta, number(table.frame), place, side))
+    return with_best(RockerTask(float(rocker), swing, theta, number(frame), place, side))
 
 
-def faults(scene: Scene, task: RockerTask) -> Iterator[Fault]:
+def faults(scene: Scene, task: RockerTask, path: Path = PATH, free: str = "frame") -> Iterator[Fault]:
     """Say what frames or places can be met, where that asked for cannot."""
     if task.frame is None and task.place is None:
-        yield scene.fault(PATH, "synthesis_centric", least=millimetres(task.rocker))
+        yield scene.fault(
+            path, "synthesis_centric" if path == PATH else "synthesis_centric_driver", least=millimetres(task.rocker)
+        )
     elif not met(drawn(task)):
-        name = "frame" if task.place is None else "place"
+        name = free if task.place is None else "place"
         within = "; ".join(f"{low:.10g} … {high:.10g}" for low, high in _within(task))
-        yield scene.fault((*PATH, name), f"synthesis_{name}", within=within or "—")
+        yield scene.fault((*path, name), f"synthesis_{name}", within=within or "—")
 
 
 def _within(task: RockerTask) -> Iterator[tuple[float, float]]:

@@ -11,9 +11,32 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from plans.model.synthesis.design import Circle, Design
-from plans.model.synthesis.pace import Pace
-from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
+from plans.analytic.synthesis.pace import paced
+from plans.model.synthesis.design import Circle, Design, Reading
+from plans.model.synthesis.slots import (
+    LEVER,
+    TANGENT,
+    WHITWORTH,
+    LeverTask,
+    SineTask,
+    TangentTask,
+    WhitworthTask,
+    demands,
+)
+
+
+def readings(task: LeverTask | WhitworthTask | SineTask | TangentTask) -> Iterator[Reading]:
+    """Give every mechanism of each reading of a task."""
+    for one in task.readings:
+        match one:
+            case LeverTask():
+                yield Reading(demands(one, LEVER), tuple(paced(made, one.pace) for made in _levers(one)))
+            case WhitworthTask():
+                yield Reading(demands(one, WHITWORTH), tuple(paced(made, one.pace) for made in _whitworths(one)))
+            case SineTask():
+                yield Reading(("stroke",), tuple(paced(made, one.pace) for made in _sines(one)))
+            case TangentTask():
+                yield Reading(demands(one, TANGENT), tuple(_tangents(one)))
 
 
 class _Half(NamedTuple):
@@ -47,7 +70,7 @@ class _Half(NamedTuple):
         return (math.pi + self.overlap) / (math.pi - self.overlap)
 
 
-def levers(task: LeverTask) -> Iterator[Design]:
+def _levers(task: LeverTask) -> Iterator[Design]:
     """Give the oscillating slotted link that meets one reading of a task, if there is one."""
     half = _Half.of(task.overlap, task.crank, task.frame)
     if half is None and task.overlap is None and (task.crank is None or task.frame is None):
@@ -70,9 +93,10 @@ def levers(task: LeverTask) -> Iterator[Design]:
             rod = sizes["l_4"] = lever * half.rise / 2 / math.sin(task.pressure)
             places |= _ram(rod, task.pressure, complex(0, lever), lever * way, -lever * way.conjugate(), -1)
         sizes["H"] = 2 * lever * half.sine
-    circles = {"crank": Circle(places["O"], crank)}
+    circles = {"O": Circle(places["O"], crank)}
     if task.overlap is None and task.crank is not None and task.frame is not None:
-        circles["Thales"] = Circle(places["O"] / 2, frame / 2)
+        places["T"] = complex(0, frame / 2)  # the middle of OC
+        circles["T"] = Circle(places["T"], frame / 2)
     yield _design(sizes, places, circles, half, task)
 
 
@@ -83,7 +107,7 @@ def _ram(rod: float, pressure: float, steep: complex, first: complex, second: co
     return {"B": steep, "D": steep + lean.conjugate(), "D_1": first + end, "D_2": second + end}
 
 
-def whitworths(task: WhitworthTask) -> Iterator[Design]:
+def _whitworths(task: WhitworthTask) -> Iterator[Design]:
     """Give the rotating slotted link that meets one reading of a task, if there is one."""
     half = _Half.of(task.overlap, task.frame, task.crank)
     if half is None:
@@ -100,7 +124,7 @@ def whitworths(task: WhitworthTask) -> Iterator[Design]:
             rod = sizes["l_4"] = lever / math.sin(task.pressure)
             places |= _ram(rod, task.pressure, pivot + 1j * lever, pivot + lever, pivot - lever, 0)
         sizes["H"] = task.stroke
-    yield _design(sizes, places, {"crank": Circle(0j, crank)}, half, task)
+    yield _design(sizes, places, {"O": Circle(0j, crank)}, half, task)
 
 
 def _design(
@@ -113,20 +137,18 @@ def _design(
     """Put the angles beside the lengths, and how fast the crank turns."""
     angles = {"θ": half.overlap, "ψ": half.overlap} if isinstance(task, LeverTask) else {"θ": half.overlap}
     pressure = {} if task.pressure is None else {"α_max": task.pressure}
-    speeds = paced(task.pace, sizes["H"], half.overlap) if "H" in sizes else {}
-    return Design({**sizes, **angles, "K": half.ratio, **pressure, **speeds}, places, circles)
+    return Design({**sizes, **angles, "K": half.ratio, **pressure}, places, circles)
 
 
-def sines(task: SineTask) -> Iterator[Design]:
+def _sines(task: SineTask) -> Iterator[Design]:
     """Give the sine mechanism of a stroke; it is shown with its crank at 60 degrees too."""
     crank = task.stroke / 2
     pin = complex(crank / 2, crank * math.sqrt(0.75))
     places = {"O": 0j, "A_1": complex(crank), "A_2": complex(-crank), "A": pin, "B": complex(crank / 2)}
-    sizes = {"l_1": crank, "H": task.stroke, **paced(task.pace, task.stroke, 0.0)}
-    yield Design(sizes, places, {"crank": Circle(0j, crank)})
+    yield Design({"l_1": crank, "H": task.stroke}, places, {"O": Circle(0j, crank)})
 
 
-def tangents(task: TangentTask) -> Iterator[Design]:
+def _tangents(task: TangentTask) -> Iterator[Design]:
     """Give the tangent mechanism that meets one reading of a task: half of H, or the whole, is h tan α."""
     if task.pressure is None:
         assert task.stroke is not None and task.distance is not None  # two of three are kept
@@ -140,15 +162,3 @@ def tangents(task: TangentTask) -> Iterator[Design]:
     if not task.one_sided:
         places["A_2"] = complex(0, -stroke / 2)
     yield Design({"h": distance, "H": stroke, "α_max": pressure}, places)
-
-
-def paced(pace: Pace, stroke: float, overlap: float) -> dict[str, float]:
-    """Give the crank's speed rad/s and the mean speed m/s of the working stroke: it takes φ* = (π + θ)/2π of a turn."""
-    part = (math.pi + overlap) / math.tau
-    if pace.output is not None:
-        period = 1 / pace.output
-    elif pace.speed is not None:
-        period = stroke / (part * pace.speed)
-    else:
-        return {}
-    return {"ω_1": math.tau / period, "v": pace.speed or stroke / (part * period)}
