@@ -23,14 +23,18 @@ class MechanismText(NamedTuple):
 
 
 def written(made: MechanismText, title: str, source: str, language: str) -> str:
-    """Write a scene with all digits of the lengths; the crank's speed is left to be changed.
+    """Write a scene with all digits of the lengths; the crank's speed is left to be changed, if none is asked for.
 
     >>> made = MechanismText({"O": 0j}, ("OA",), {"OA": 0.06}, {})
     >>> print(*written(made, "Pump", "task.toml", "en").splitlines()[1:5], sep="|")
     title = "Pump"||[mechanism.frame]|O = [0.0, 0.0]
     """
-    heads = [f"# {message('synthesis.written', source=source).worded(language)}"]
+    heads = [f"# {message(_said(made), source=source).worded(language)}"]
     return "\n".join((*heads, *_rows({"title": title} if title else {}), *_mechanism(made, language), ""))
+
+
+def _said(made: MechanismText) -> str:
+    return "synthesis.written" if made.drive["speed"] == SPEED else "synthesis.timed"
 
 
 def _mechanism(made: MechanismText, language: str) -> Iterator[str]:

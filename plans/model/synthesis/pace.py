@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Final, NamedTuple
+
+from plans.model.synthesis.design import EPS
 
 
 def told(**demands: float | None) -> dict[str, float]:
     """Give the demands that a task has, by their letters."""
     return {name: one for name, one in demands.items() if one is not None}
+
+
+ROUNDED: Final = 4 * EPS  # what three roundings may leave of no overlap
 
 
 class Pace(NamedTuple):
@@ -34,7 +39,8 @@ class Pace(NamedTuple):
         36.0
         """
         assert self.speed is not None and self.output is not None  # asked before
-        return math.tau * (stroke * self.output / self.speed - 0.5)
+        over = stroke * self.output / self.speed - 0.5
+        return math.tau * over if abs(over) > ROUNDED else 0.0
 
 
 IDLE = Pace()
