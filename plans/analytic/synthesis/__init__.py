@@ -6,9 +6,10 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final
 
 from plans.analytic.synthesis import double_crank, rocker, slider, slots
-from plans.model.synthesis.design import ANALYSIS, Reading, Synthesis, Task
+from plans.model.synthesis.design import ANALYSIS, Design, Reading, Synthesis, Task
 from plans.model.synthesis.extremes import DoubleCrankTask, RockerTask, SliderTask
 from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
+from plans.model.synthesis.region import Region
 
 ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
     RockerTask: rocker.readings,
@@ -21,3 +22,12 @@ ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
 def analysed(task: Task) -> Synthesis:
     """Solve a task: every mechanism of each of its readings."""
     return Synthesis(ANALYSIS, tuple(ROADS[type(task)](task)))
+
+
+REGIONS: Final[Mapping[type, Callable[[Any, Design], Region | None]]] = {RockerTask: rocker.region}
+
+
+def region_of(task: Task, design: Design) -> Region | None:
+    """Give what the free parameter of a task makes of a mechanism that does what is asked, if it has one."""
+    found = REGIONS.get(type(task))
+    return None if found is None else found(task, design)

@@ -15,6 +15,7 @@ from plans.synthesis.rocker import admitted, drawn, with_best
 from plans.synthesis.tables.extremes import RockerTable, SwingTable
 from plans.synthesis.written import MechanismText
 
+RIGHT = 90.0  # degrees
 PATH: Path = ("synthesis", "crank_rocker")
 
 
@@ -26,7 +27,8 @@ def task(table: RockerTable) -> RockerTask:
 def made(table: SwingTable, rocker: Decimal, frame: Decimal | None) -> RockerTask:
     """Make the task of a rocker and a frame of some lengths."""
     place = radians(table.place)
-    side = None if place is None else BEYOND if table.beyond else TOWARDS
+    told = place is not None or "beyond" in table.given
+    side = (BEYOND if table.beyond else TOWARDS) if told else None
     theta = overlap(table)
     assert theta is not None  # the form has asked for it
     swing = math.radians(table.swing)
@@ -35,10 +37,12 @@ def made(table: SwingTable, rocker: Decimal, frame: Decimal | None) -> RockerTas
 
 def faults(scene: Scene, task: RockerTask, path: Path = PATH, free: str = "frame") -> Iterator[Fault]:
     """Say what frames or places can be met, where that asked for cannot."""
-    if task.frame is None and task.place is None:
-        yield scene.fault(
-            path, "synthesis_centric" if path == PATH else "synthesis_centric_driver", least=millimetres(task.rocker)
-        )
+    outside = math.degrees(task.swing / 2 + task.overlap)
+    if task.side == BEYOND and task.overlap and outside >= RIGHT:
+        yield scene.fault((*path, "beyond"), "synthesis_beyond", sum=f"{outside:.6g}")
+    elif task.frame is None and task.place is None:
+        why = "synthesis_centric" if path == PATH else f"synthesis_centric_{free}"
+        yield scene.fault(path, why, least=millimetres(task.rocker))
     elif not met(drawn(task)):
         name = free if task.place is None else "place"
         within = "; ".join(f"{low:.10g} … {high:.10g}" for low, high in _within(task))
