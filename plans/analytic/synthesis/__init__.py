@@ -8,8 +8,8 @@ from typing import Any, Final
 from plans.analytic.synthesis import double_crank, rocker, slider, slots
 from plans.model.synthesis.design import ANALYSIS, Design, Reading, Synthesis, Task
 from plans.model.synthesis.extremes import DoubleCrankTask, RockerTask, SliderTask
-from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
 from plans.model.synthesis.region import Region
+from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
 
 ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
     RockerTask: rocker.readings,
