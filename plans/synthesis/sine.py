@@ -26,7 +26,7 @@ def drawn_sines(task: SineTask) -> tuple[DrawnReading, ...]:
     pivot = board.lay_off("O", far, half)
     crank = board.join("OA_1", pivot, near)
     pin = board.lay_off("A", pivot, board.turn("OA", crank, cmath.rect(1.0, SHOWN_AT)))
-    guide, slot = board.parallel("O:x", pivot, stroke), board.square("A:y", pin, stroke, because("slot_square"))
+    guide, slot = board.parallel("O:x", pivot, stroke), board.square("A:y", pin, stroke, because("yoke_square"))
     board.meet("B", guide, slot)
     places = {name: complex(board[name].point) for name in ("O", "A_1", "A_2", "A", "B")}
     length = abs(complex(crank.point))

@@ -47,7 +47,7 @@ def _lever(task: LeverTask) -> Board:
             beside = board.parallel("O:l", board.lay_off("O:s", pivot, away), unit)
             board.meet("O", axis, beside, why=because("pivot_beside"))
         if f"A_{k}" not in board:
-            square = board.square(f"O:n_{k}", board["O"], unit, because("crank_square"))
+            square = board.square(f"O:n_{k}", board["O"], unit, because("pin_square"))
             board.meet(f"A_{k}", line, square, why=because("foot_slot"))
         if task.stroke is not None and f"B_{k}" not in board:
             board.meet(f"B_{k}", line, _half_stroke(board, task.stroke, k, side), why=because("end_stroke"))
@@ -210,6 +210,6 @@ def _figure(places: Mapping[str, complex], swings: bool) -> Figure:
         hinges=frozenset(places) - {"T"},
         fixed=frozenset("OC"),
         blocks={"A_1": slot, **({"D_1": 1 + 0j} if ram else {})},
-        lengths=tuple(one for one in lengths if one[2] in places),
+        lengths=tuple(one for one in lengths if one[2] in places and (swings or one[0] != "l_3")),
         angles=((("ψ", "C", "A_1", "A_2"),) if swings else ()) + ((("α_max", "D", "B", "D_2"),) if ram else ()),
     )
