@@ -38,7 +38,7 @@ def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Fam
 FAMILIES: Final[Mapping[str, Family]] = {
     "crank_rocker": _family(rocker.drawn, asked_rocker)._replace(region=rocker.region),
     "double_crank": _family(double_crank.drawn, asked_double_crank),
-    "slider_crank": _family(slider.drawn, asked_slider),
+    "slider_crank": _family(slider.drawn, asked_slider)._replace(region=slider.region),
     "slotted_lever": Family(drawn_levers, slots.lever_task, slots.lever_faults, slots.slotted, slots.slotted_notes),
     "whitworth": Family(
         drawn_whitworths, slots.whitworth_task, slots.whitworth_faults, slots.slotted, slots.slotted_notes

@@ -11,7 +11,7 @@ from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
 from plans.synthesis.asked import degrees, met, millimetres, number, radians
 from plans.synthesis.asked.slots import drive, overlap_in, pace, pace_faults, pace_notes
-from plans.synthesis.slider import drawn
+from plans.synthesis.slider import drawn, with_best
 from plans.synthesis.tables.extremes import SliderTable
 from plans.synthesis.written import MechanismText
 
@@ -22,8 +22,8 @@ def task(table: SliderTable) -> SliderTask:
     """Make the task; no offset and no overlap are one demand."""
     stroke, speeds = float(table.stroke), pace(table)
     theta = overlap_in(table, stroke, speeds)
-    made = SliderTask(stroke, number(table.offset), theta, number(table.ratio), radians(table.pressure), speeds)
-    return made._replace(overlap=None) if made.overlap == 0 and made.offset == 0 else made
+    made = SliderTask(stroke, number(table.offset), theta, number(table.ratio), radians(table.pressure), pace=speeds)
+    return made._replace(overlap=None) if made.overlap == 0 and made.offset == 0 else with_best(made)
 
 
 def faults(scene: Scene, task: SliderTask) -> Iterator[Fault]:
@@ -34,7 +34,7 @@ def faults(scene: Scene, task: SliderTask) -> Iterator[Fault]:
         return
     if "pressure" in known and known & {"offset", "overlap"} and (task.offset or task.overlap):
         yield scene.fault((*PATH, "pressure"), "synthesis_pressure")
-    elif len(known) < PAIR and not known & {"ratio", "pressure"}:
+    elif len(known) < PAIR and not (known & {"ratio", "pressure"} or task.turned):
         yield scene.fault(PATH, "synthesis_free")
     elif task.overlap is not None and task.offset is not None and bool(task.overlap) != bool(task.offset):
         yield scene.fault((*PATH, "offset"), "synthesis_axial")
@@ -70,6 +70,8 @@ def mechanism(made: Design) -> MechanismText:
 
 def notes(task: SliderTask) -> Iterator[str]:
     """Name what the sheet says of readings, and of what is read."""
+    if task.turned is not None:
+        yield "synthesis best"
     if len(task.readings) > 1:
         yield "synthesis readings"
     yield "synthesis read" if task.pressure is None else "synthesis similar"
