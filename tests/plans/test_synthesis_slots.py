@@ -272,3 +272,29 @@ def test_the_working_stroke_is_as_fast_as_asked(tmp_path, family, told) -> None:
     time = (math.pi + found["overlap"]) / omega
     assert math.isclose(found["stroke"] / time, asked["mean_speed"], rel_tol=1e-12)
     assert "output" not in asked or math.isclose(omega, math.tau * asked["output"] / 60, rel_tol=1e-12)
+
+
+# A demand that cannot be met, the key that is told, and what can be.
+REFUSED = [
+    ("slotted_lever", "crank = 0.4\nframe = 0.35", "crank", "350 mm"),
+    ("slotted_lever", "stroke = 0.5\nlever = 0.2\nframe = 0.3", "stroke", "400 mm"),
+    ("slotted_lever", "overlap = 80\nframe = 0.3\nstroke = 0.3\npressure = 60", "pressure", "50 degrees"),  # 90 - psi/2
+    ("slotted_lever", "overlap = 30\nstroke = 0.3\nlever = 0.5", "slotted_lever", "not all of which tell the swing"),
+    ("slotted_lever", "time_ratio = 1\nframe = 0.35", "time_ratio", "above 0"),
+    ("slotted_lever", "overlap = 30\nframe = 0.3\npressure = 6", "pressure", "stroke beside"),
+    ("slotted_lever", "frame = 0.3\nstroke = 0.3\nmean_speed = 0.1\noutput = 30", "mean_speed", "0.2 and up to 0.3"),
+    ("slotted_lever", "swing = 20\nframe = 0.3\nstroke = 0.3\nmean_speed = 0.28\noutput = 30", "swing", "12.8571"),
+    ("whitworth", "crank = 0.3\nframe = 0.35", "frame", "300 mm"),
+    ("whitworth", "crank = 0.3\nframe = 0.2\noutput = 30", "output", "stroke beside"),
+    ("tangent", "stroke = 0.12", "tangent", "two of"),
+    ("double_crank", "coupler = 0.3\nswing = 40\ntime_ratio = 1", "double_crank", "300 mm"),
+    ("double_crank", "coupler = 0.3\nswing = 40\noverlap = 15\ndriver = 4", "driver", "300"),
+]
+
+
+@pytest.mark.parametrize(("family", "told", "key", "number"), REFUSED)
+def test_what_cannot_be_met_is_refused_with_what_can(tmp_path, family, told, key, number) -> None:
+    path = tmp_path / "task.toml"
+    path.write_text(f"[synthesis.{family}]\n{told}\n", encoding="utf-8")
+    (fault,) = read_scene(path).meaning.faults
+    assert fault.path[-1] == key and number in str(fault)
