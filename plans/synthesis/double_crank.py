@@ -52,7 +52,7 @@ def _inverted(board: Board, made: Drawn) -> Drawn:
     shown["θ"] = angle(
         board, f"{name}:θ'", *(board.join(f"{name}:{one.name}r", pivot, one) for one in (board["C"], hinge))
     )
-    arms = {**made.arms, "ψ": sizes["l_2"], "θ": sizes["l_1"], "i_1": sizes["l_3"], "i_2": sizes["l_3"]}
+    arms = {**made.arms, "ψ": sizes["l_2"], "θ": sizes["l_4"], "i_1": abs(reach[0]), "i_2": abs(reach[1])}
     design = Design(sizes, places, before.circles, before.barred, before.merit)
     old = (("O", "A_2"), ("A_2", "B_2"), ("B_2", "C"))
     figure = made.figure._replace(

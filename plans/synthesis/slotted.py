@@ -56,8 +56,8 @@ def _lever(task: LeverTask) -> Board:
     if task.driven and task.pressure is not None:
         arm = abs(complex(between(pivot, board["B_1"])))
         steep = board.lay_off("B", pivot, board.turn("CB", board["y"], arm, because("lever_upright")))
-        chord = board.turn("B_2F", board.join("B_2B_1", board["B_2"], board["B_1"]), 0.5, because("half_chord"))
-        low = board.lay_off("F", board["B_2"], chord)
+        level = board.square("B_1:x", board["B_1"], board["y"])
+        low = board.meet("F", axis, level, why=because("middle_chord"))
         half = board.turn("FG", board.join("FB", low, steep), 0.5, because("half_rise"))
         _ram(board, task.pressure, board.lay_off("G", low, half))
     return board
@@ -69,7 +69,7 @@ def _slot(board: Board, task: LeverTask, k: int, side: float) -> Mark:
     if task.overlap is not None:
         half = task.overlap / 2
         why = because("lever_extreme", angle=f"{math.degrees(half):.10g}")
-        return board.given(f"C:{k}", cmath.rect(1.0, math.pi / 2 - side * half), why)
+        return board.given(f"C:{k}", complex(side * math.sin(half), math.cos(half)), why)
     if task.stroke is not None and task.lever is not None:
         arc = board.arc(f"C:b_{k}", pivot, task.lever, because("lever_length"))
         end = board.meet(f"B_{k}", _half_stroke(board, task.stroke, k, side), arc, 1.0, because("end_stroke"))
@@ -106,7 +106,7 @@ def _whitworth(task: WhitworthTask) -> Board:
             continue
         quick = (math.pi - task.overlap) / 2
         why = because("crank_extreme", angle=f"{math.degrees(quick):.10g}")
-        ray = board.given(f"O:{k}", cmath.rect(1.0, -math.pi / 2 + side * quick), why)
+        ray = board.given(f"O:{k}", complex(side * math.sin(quick), -math.cos(quick)), why)
         if task.crank is not None:
             board.lay_off(f"A_{k}", pivot, board.turn(f"OA_{k}", ray, task.crank))
         else:
