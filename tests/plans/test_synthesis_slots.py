@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 
 import numpy as np
@@ -181,6 +182,7 @@ def tried(task) -> int:
 
 
 DOUBLE = DoubleCrankTask(RockerTask(0.30, deg(40), deg(15), place=deg(200), side=1))  # methods M1.5, inverted
+PART = 0.0593602436 / 0.6439316772  # l1/l2 of it: the speeds are as 1 ± l1/l2 with O, A and B in line
 
 
 @ROADS
@@ -190,7 +192,7 @@ def test_a_double_crank_keeps_the_indices_of_its_crank_rocker(road) -> None:
     texts = {"l_1": "0.4413222397", "l_3": "0.6439316772", "l_4": "0.0593602436"}
     assert all(printed(one.sizes[name], text) for name, text in texts.items())
     assert printed(math.degrees(one.sizes["μ_min"]), "21.79034348")
-    assert printed(one.sizes["i_1"], f"{1 + 0.0593602436 / 0.6439316772:.9f}")
+    assert printed(one.sizes["i_1"], f"{1 + PART:.8f}")
 
 
 def double_cranks(count: int):
@@ -251,6 +253,33 @@ def scene_of(folder, family: str, told: str):
     text = FAMILIES[family].mechanism(study.of(SynthesisStudy).synthesis.chosen)
     made.write_text(written(text, "", "task.toml", "en"), encoding="utf-8")
     return made
+
+
+@pytest.mark.parametrize("road", ["construction", "analysis"])
+@pytest.mark.parametrize("one_sided", [False, True])
+def test_a_written_tangent_mechanism_goes_its_stroke(tmp_path, road, one_sided) -> None:
+    """From the first of its positions to the last, that at the largest pressure angle (theme 6, task 10)."""
+    told = f"stroke = 0.15\npressure = 28\none_sided = {str(one_sided).lower()}"
+    found = Study(read_scene(scene_of(tmp_path, "tangent", told)), ["positions"]).numbers("linkage", road).plain()
+    first, *_, last = (y for _, y in found["points"]["A"]["r"])
+    assert math.isclose(last - first, 0.15, rel_tol=1e-12) and math.isclose(found["phi"][-1], deg(28), rel_tol=1e-12)
+
+
+@pytest.mark.parametrize("road", ["construction", "analysis"])
+def test_a_written_double_crank_turns_fully(tmp_path, road) -> None:
+    """Where its driver has turned back by π - θ, O, A and B are in line again; the speeds there are as asked (M1.4)."""
+    path = scene_of(tmp_path, "double_crank", "coupler = 0.3\nswing = 40\noverlap = 15\nplace = 200")
+    text = path.read_text(encoding="utf-8")
+    drive, frame = (tomllib.loads(text)[name] for name in ("drive", "mechanism"))
+    angles = [drive["start"], drive["start"] + 180 - 15]
+    path.write_text(re.sub("start = .*\npositions = 12", f"positions = {angles}", text), encoding="utf-8")
+    found = Study(read_scene(path), ["positions", "velocities"]).numbers("linkage", road).plain()
+    assert found["gaps"] == []
+    pivot, fixed = (complex(*frame["frame"][name]) for name in "OA")
+    ends, speeds = (np.array([complex(*at) for at in found["points"]["B"][name]]) for name in "rv")
+    assert np.allclose(((ends - pivot) / (fixed - pivot)).imag, 0, atol=1e-12)
+    driven = (speeds / (1j * (ends - fixed))).real / math.tau  # at 60 rpm
+    assert np.allclose(driven, [1 + PART, 1 - PART], rtol=1e-9, atol=0)
 
 
 PACED = [  # theme 6, task 1: φ* = H n / v, and θ = 2π (φ* - 1/2)
