@@ -58,9 +58,7 @@ def _within(task: RockerTask) -> Iterator[tuple[float, float]]:
         if task.place is None:
             yield MILLIMETRES * frames[0], MILLIMETRES * frames[1]
         else:
-            low, high = map(math.degrees, places)
-            yield low, high
-            yield (180 - high) % 360, (180 - low) % 360
+            yield math.degrees(places[0]), math.degrees(places[1])
 
 
 def mechanism(made: Design) -> MechanismText:

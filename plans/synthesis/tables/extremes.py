@@ -11,8 +11,10 @@ from plans.scene import units
 from plans.scene.faults import Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.tables import Missing, key
-from plans.synthesis.tables.demands import HALF, MOST_RATIO, QUARTER, TURN, DemandTable, within
+from plans.synthesis.tables.demands import HALF, MOST_RATIO, QUARTER, DemandTable, within
 from plans.synthesis.tables.slots import MEAN_SPEED, OUTPUT
+
+LEFT = Decimal(270)  # degrees: where the left half of a circle ends
 
 
 class SwingTable(DemandTable):
@@ -26,10 +28,10 @@ class SwingTable(DemandTable):
         also=("psi", "ψ"),
     )
     place: Decimal | None = key(
-        within("0", TURN),
+        within("90", LEFT),
         None,
         meaning="Where O is on the circle that sees the chord, degrees at M, instead of the frame; the rocker's middle "
-        "position is at 90.",
+        "position is at 90, and beyond 270 all is mirrored.",
     )
     beyond: bool = key(
         f.FLAG,
