@@ -10,7 +10,7 @@ from plans.model.synthesis.design import Design
 from plans.model.synthesis.extremes import DoubleCrankTask
 from plans.quantity import Shown
 from plans.synthesis import rocker
-from plans.synthesis.drawn import Drawn, DrawnReading, angle
+from plans.synthesis.drawn import Drawn, DrawnReading, Figure, angle
 from plans.words.words import because
 
 KEPT = ("coupler", "swing", "overlap")
@@ -30,39 +30,47 @@ def _inverted(board: Board, made: Drawn) -> Drawn:
     before = made.design
     name = next(one for one in ("O", "O'") if one in board and board[one].point == before.places["O"])
     pivot, pins = board[name], [board[f"{name}:A_{k}"] for k in (1, 2)]
-    fixed, crank = (board.join(f"{name}{pin.name}:r", pivot, pin) for pin in pins)
-
-    def turned(old: str, new: str) -> Mark:
-        way = board.join(f"{name}:{old}r", pivot, board[old])
-        there = board.similar(f"{name}:{new}r", fixed, crank, way, why=because("crank_fixed"))
-        return board.lay_off(f"{name}:{new}", pivot, there)
-
-    hinge, end = (turned(old, new) for old, new in TURNED.items())
-    far, coupler = complex(between(pivot, board["C"])), complex(between(board["C"], board["B_1"]))
-    driven = [complex(between(pins[0], one)) for one in (board["B_1"], end)]
-    reach = [complex(between(pivot, one)) for one in (board["B_1"], end)]
-    there = complex(between(pivot, hinge)), complex(between(hinge, end))
-    quick = abs(cmath.phase(there[0] / far))
-    sizes = {"l_1": abs(far), "l_2": abs(coupler), "l_3": abs(driven[0]), "l_4": abs(complex(fixed.point))}
-    sizes |= {"ψ": abs(cmath.phase(there[1] / there[0] * far / coupler)), "θ": math.pi - quick}
+    first, second = (board.join(f"{pin.name}:r", pivot, pin) for pin in pins)
+    hinge, end = (_turned(board, pivot, board[old], (first, second), new) for old, new in TURNED.items())
+    sizes, arms = _read(pivot, pins[0], (board["C"], board["B_1"]), (hinge, end))
     sizes |= {name: size for name, size in before.sizes.items() if name.startswith("μ")}
-    sizes |= {f"i_{k}": abs(reach[k - 1]) / abs(driven[k - 1]) for k in (1, 2)}
     places = {**before.places, "C'": complex(hinge.point), "B'": complex(end.point)}
-    shown: dict[str, Shown] = {"l_1": Span(pivot, board["C"]), "l_3": Span(pins[0], board["B_1"]), "l_4": fixed}
-    shown["θ"] = angle(
-        board, f"{name}:θ'", *(board.join(f"{name}:{one.name}r", pivot, one) for one in (board["C"], hinge))
-    )
-    arms = {**made.arms, "ψ": sizes["l_2"], "θ": sizes["l_4"], "i_1": abs(reach[0]), "i_2": abs(reach[1])}
+    ways = (board.join(f"{name}:{one.name}:r", pivot, one) for one in (board["C"], hinge))
+    shown: dict[str, Shown] = {"l_1": Span(pivot, board["C"]), "l_3": Span(pins[0], board["B_1"]), "l_4": first}
+    shown["θ"] = angle(board, f"{name}:θ'", *ways)
     design = Design(sizes, places, before.circles, before.barred, before.merit)
-    old = (("O", "A_2"), ("A_2", "B_2"), ("B_2", "C"))
-    figure = made.figure._replace(
+    return Drawn(design, shown, {**made.arms, **arms}, _figure(made.figure), made.within)
+
+
+def _turned(board: Board, pivot: Mark, mark: Mark, pins: tuple[Mark, Mark], name: str) -> Mark:
+    """Turn a place about O as the second place of the crank turns into the first."""
+    way = board.join(f"{pivot.name}:{mark.name}:t", pivot, mark)
+    there = board.similar(f"{pivot.name}:{name}:t", *pins, way, why=because("crank_fixed"))
+    return board.lay_off(f"{pivot.name}:{name}", pivot, there)
+
+
+def _read(pivot: Mark, pin: Mark, *ends: tuple[Mark, Mark]) -> tuple[dict[str, float], dict[str, float]]:
+    """Read lengths, angles and both ratios of speeds off C, B in line with O and A, and arms m of these."""
+    driver = [complex(between(pivot, hinge)) for hinge, _ in ends]
+    coupler = [complex(between(hinge, end)) for hinge, end in ends]
+    driven, reach = ([abs(complex(between(one, end))) for _, end in ends] for one in (pin, pivot))
+    lengths = abs(driver[0]), abs(coupler[0]), driven[0], abs(complex(between(pivot, pin)))
+    sizes = {f"l_{k}": length for k, length in enumerate(lengths, 1)}
+    sizes["ψ"] = abs(cmath.phase(coupler[1] / driver[1] * driver[0] / coupler[0]))
+    sizes["θ"] = math.pi - abs(cmath.phase(driver[1] / driver[0]))
+    sizes |= {f"i_{k}": far / arm for k, (far, arm) in enumerate(zip(reach, driven, strict=True), 1)}
+    return sizes, {"ψ": sizes["l_2"], "θ": sizes["l_4"], "i_1": reach[0], "i_2": reach[1]}
+
+
+def _figure(before: Figure) -> Figure:
+    """Show the double crank where O, A, B are in line, and the crank-rocker's second place by thin lines."""
+    return before._replace(
         first=("O", "C", "B_1", "A_1"),
         others=(("O", "C'", "B'", "A_1"),),
-        lines=(*made.figure.lines, *old),
+        lines=(*before.lines, ("O", "A_2"), ("A_2", "B_2"), ("B_2", "C")),
         axes=(("O", "A_1"),),
         hinges=frozenset(("B_1", "C", "B'", "C'")),
         fixed=frozenset(("O", "A_1")),
         lengths=(("l_1", "O", "C"), ("l_2", "C", "B_1")),
         angles=(),
     )
-    return Drawn(design, shown, arms, figure, made.within)
