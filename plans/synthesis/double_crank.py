@@ -46,7 +46,7 @@ def _turned(board: Board, pivot: Mark, mark: Mark, pins: tuple[Mark, Mark], name
     """Turn a place about O as the second place of the crank turns into the first."""
     way = board.join(f"{pivot.name}:{mark.name}:t", pivot, mark)
     there = board.similar(f"{pivot.name}:{name}:t", *pins, way, why=because("crank_fixed"))
-    return board.lay_off(f"{pivot.name}:{name}", pivot, there)
+    return board.lay_off(f"{pivot.name}:{name}" if name in board else name, pivot, there)
 
 
 def _read(pivot: Mark, pin: Mark, *ends: tuple[Mark, Mark]) -> tuple[dict[str, float], dict[str, float]]:
