@@ -211,5 +211,6 @@ def _figure(places: Mapping[str, complex], swings: bool) -> Figure:
         fixed=frozenset("OC"),
         blocks={"A_1": slot, **({"D_1": 1 + 0j} if ram else {})},
         lengths=tuple(one for one in lengths if one[2] in places and (swings or one[0] != "l_3")),
-        angles=((("ψ", "C", "A_1", "A_2"),) if swings else ()) + ((("α_max", "D", "B", "D_2"),) if ram else ()),
+        angles=((("ψ", "C", "A_1", "A_2"),) if swings else ())
+        + ((("α_max", "D", "B", "D_2" if swings else "C"),) if ram else ()),
     )
