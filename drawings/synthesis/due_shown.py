@@ -21,6 +21,7 @@ LETTERS |= {"crank": "l_{1}", "frame": "l_{0}", "stroke": "H", "lever": "l_{3}",
 POINTS = 181  # of an arc
 AROUND = 0.7  # of the size of a mechanism, from its middle: what is shown of the lines about it
 FINE = 0.03  # of the radius of the view: an angle that opens less across its shorter leg is not dimensioned
+ROUNDED = 1e-12  # of the radius of the view: nearer places are one
 LARGE = 1.0  # of the size of a mechanism: circles with larger radii are cut
 
 
@@ -60,8 +61,10 @@ class ShownSynthesis(NamedTuple):
 
     @property
     def places(self) -> dict[str, complex]:
-        """The places that are shown."""
-        return {name: spot for name, spot in self.design.places.items() if self.holds(spot)}
+        """The places that are shown; one that is the pole but for rounding is the pole."""
+        least = ROUNDED * self.view.radius
+        shown = ((name, spot) for name, spot in self.design.places.items() if self.holds(spot))
+        return {name: spot if abs(spot) > least else 0j for name, spot in shown}
 
     @property
     def lengths(self) -> list[tuple[str, ...]]:
