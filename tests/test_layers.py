@@ -26,6 +26,7 @@ CONSTRUCTIONS = (
     *("plans.structure.groups", "plans.structure.constraints"),
     *("plans.involute.action", "plans.involute.flanks", "plans.involute.generation"),
     *("plans.synthesis.chord", "plans.synthesis.rocker", "plans.synthesis.slider"),
+    *("plans.synthesis.double_crank", "plans.synthesis.slotted", "plans.synthesis.sine"),
 )
 # Where a technique is drawn.
 DRAWN = tuple(f"drawings.{name}" for name in TECHNIQUES)

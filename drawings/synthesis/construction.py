@@ -140,7 +140,10 @@ class _DrawnSynthesis:
         """Hatch an arc on its inner side."""
         spots = [self.place.on(spot) for spot in arc]
         middle = sum(spots) / len(spots)
-        step = max(round(APART * self.hand.symbol / abs(spots[1] - spots[0])), 1)
+        apart = abs(spots[1] - spots[0])
+        if apart * len(spots) < APART * self.hand.symbol:  # there is no room for a stroke
+            return
+        step = max(round(APART * self.hand.symbol / apart), 1)
         for k in range(0, len(spots) - 1, step):
             along = spots[k + 1] - spots[k]
             inner = 1j * along if ((middle - spots[k]) * (1j * along).conjugate()).real > 0 else -1j * along

@@ -17,9 +17,11 @@ from plans.synthesis.study import SynthesisStudy
 
 NAME = "synthesis"
 LETTERS = {"offset": "e", "overlap": "θ", "ratio": "λ", "pressure": "α_{max}"}  # of demands that readings keep
+LETTERS |= {"crank": "l_{1}", "frame": "l_{0}", "stroke": "H", "lever": "l_{3}", "distance": "h"}
 POINTS = 181  # of an arc
 AROUND = 0.7  # of the size of a mechanism, from its middle: what is shown of the lines about it
-LEAST = 1e-6  # rad: a smaller angle is none but for rounding
+FINE = 0.03  # of the radius of the view: an angle that opens less across its shorter leg is not dimensioned
+ROUNDED = 1e-12  # of the radius of the view: nearer places are one
 LARGE = 1.0  # of the size of a mechanism: circles with larger radii are cut
 
 
@@ -59,8 +61,10 @@ class ShownSynthesis(NamedTuple):
 
     @property
     def places(self) -> dict[str, complex]:
-        """The places that are shown."""
-        return {name: spot for name, spot in self.design.places.items() if self.holds(spot)}
+        """The places that are shown; one that is the pole but for rounding is the pole."""
+        least = ROUNDED * self.view.radius
+        shown = ((name, spot) for name, spot in self.design.places.items() if self.holds(spot))
+        return {name: spot if abs(spot) > least else 0j for name, spot in shown}
 
     @property
     def lengths(self) -> list[tuple[str, ...]]:
@@ -71,7 +75,12 @@ class ShownSynthesis(NamedTuple):
     def angles(self) -> list[tuple[str, ...]]:
         """The dimensioned angles whose places are shown: letter, vertex, ends of the legs."""
         rows = (row for row in self.figure.angles if self.places.keys() >= {*row[1:]})
-        return [row for row in rows if self.design.sizes[row[0]] > LEAST]
+        return [row for row in rows if self._opens(*row) > FINE * self.view.radius]
+
+    def _opens(self, letter: str, *corners: str) -> float:
+        """Give how far apart the legs of an angle come, m."""
+        vertex, *ends = (self.design.places[name] for name in corners)
+        return self.design.sizes[letter] * min(abs(end - vertex) for end in ends)
 
     @property
     def circles(self) -> dict[str, Complexes]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from geometry.board import Board
+from geometry.board import Board, Mark, Reading
 from plans.model.synthesis.design import Design
 from plans.quantity import Shown
 
@@ -48,3 +48,9 @@ class DrawnReading(NamedTuple):
     kept: tuple[str, ...]
     board: Board
     found: tuple[Drawn, ...]
+
+
+def angle(board: Board, name: str, first: Mark, second: Mark) -> Reading:
+    """Measure an angle between two ways: the first is turned into the second."""
+    unit = board.turn(f"{name}:w", second, 1 / abs(complex(second.point)))
+    return Reading(board.turn(name, first, unit.point / first.point), unit)

@@ -9,10 +9,14 @@ from plans.model.synthesis.design import Design
 from plans.model.synthesis.region import Region
 from plans.scene.faults import Fault
 from plans.scene.scene import Scene
-from plans.synthesis import rocker, slider
+from plans.synthesis import double_crank, rocker, slider
+from plans.synthesis.asked import double_crank as asked_double_crank
 from plans.synthesis.asked import rocker as asked_rocker
 from plans.synthesis.asked import slider as asked_slider
+from plans.synthesis.asked import slots
 from plans.synthesis.drawn import DrawnReading
+from plans.synthesis.sine import drawn_sines, drawn_tangents
+from plans.synthesis.slotted import drawn_levers, drawn_whitworths
 from plans.synthesis.written import MechanismText
 
 
@@ -33,5 +37,12 @@ def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Fam
 
 FAMILIES: Final[Mapping[str, Family]] = {
     "crank_rocker": _family(rocker.drawn, asked_rocker)._replace(region=rocker.region),
+    "double_crank": _family(double_crank.drawn, asked_double_crank),
     "slider_crank": _family(slider.drawn, asked_slider)._replace(region=slider.region),
+    "slotted_lever": Family(drawn_levers, slots.lever_task, slots.lever_faults, slots.slotted, slots.slotted_notes),
+    "whitworth": Family(
+        drawn_whitworths, slots.whitworth_task, slots.whitworth_faults, slots.slotted, slots.slotted_notes
+    ),
+    "sine": Family(drawn_sines, slots.sine_task, slots.sine_faults, slots.sine, slots.sine_notes),
+    "tangent": Family(drawn_tangents, slots.tangent_task, slots.tangent_faults, slots.tangent, slots.tangent_notes),
 }

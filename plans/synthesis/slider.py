@@ -19,6 +19,7 @@ from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, read
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.pace import paced
 from plans.synthesis.search import PLACED, best_of, crossed
 from plans.words.words import because
 
@@ -37,7 +38,8 @@ FIGURE = Figure(
 
 def drawn(task: SliderTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of a task."""
-    return tuple(_similar(one) if one.similar else _met(one) for one in task.readings)
+    found = (_similar(one) if one.similar else _met(one) for one in task.readings)
+    return tuple(paced(one, task.pace) for one in found)
 
 
 def _met(task: SliderTask) -> DrawnReading:

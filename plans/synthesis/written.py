@@ -31,13 +31,17 @@ def written(made: MechanismText, title: str, source: str, language: str, further
     >>> print(*written(made, "Pump", "task.toml", "en").splitlines()[1:5], sep="|")
     title = "Pump"||[mechanism.frame]|O = [0.0, 0.0]
     """
-    heads = [f"# {message('synthesis.written', source=source).worded(language)}"]
+    heads = [f"# {message(_said(made), source=source).worded(language)}"]
     first = TABLE.search(further)
     keys, tables = (further[: first.start()], further[first.start() :]) if first else (further, "")
     own = {"title": title} if title and not re.search("^title", keys, re.MULTILINE) else {}
     others = {found[1] for found in TABLE.finditer(tables)}
     parts = *heads, *_rows(own), *keys.strip().splitlines(), *_mechanism(made, language, others), ""
     return "\n".join((*parts, *tables.splitlines(), "") if tables else parts)
+
+
+def _said(made: MechanismText) -> str:
+    return "synthesis.written" if made.drive["speed"] == SPEED else "synthesis.timed"
 
 
 def _mechanism(made: MechanismText, language: str, others: Collection[str]) -> Iterator[str]:

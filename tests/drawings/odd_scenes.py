@@ -187,6 +187,16 @@ TASKS = (  # of synthesis: what is asked
     "slider_crank]\nstroke = 0.12\nratio = 4",
     "slider_crank]\nstroke = 0.12\nratio = 4\npressure = 20",
     "slider_crank]\nstroke = 0.12\noffset = 0.05\nratio = 2.2",  # two mechanisms
+    "double_crank]\ncoupler = 0.3\nswing = 40\noverlap = 15",
+    "double_crank]\ncoupler = 0.3\nswing = 40\noverlap = 20",  # M on C
+    "crank_rocker]\nrocker = 30\nswing = 5\noverlap = 5",  # arcs too short to be hatched
+    "whitworth]\noverlap = 5\ncrank = 0.07\nstroke = 0.21\npressure = 0.5",  # an angle too small for a dimension
+    "slotted_lever]\ncrank = 0.12\nframe = 0.35",  # methods M1.7
+    "slotted_lever]\ntime_ratio = 1.5\nframe = 0.35\nstroke = 0.48\npressure = 8\nmean_speed = 0.5",
+    "slotted_lever]\noverlap = 38\ncrank = 0.12\nstroke = 0.5\nlever = 0.7",  # three readings
+    "whitworth]\ntime_ratio = 2.2\ncrank = 0.075\nstroke = 0.3\npressure = 20\noutput = 40",
+    "sine]\nstroke = 0.12",  # theme 6, task 6
+    "tangent]\nstroke = 0.15\npressure = 28",  # theme 6, task 10
 )
 
 

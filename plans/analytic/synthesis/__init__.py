@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final
 
-from plans.analytic.synthesis import rocker, slider
+from plans.analytic.synthesis import double_crank, rocker, slider, slots
 from plans.model.synthesis.design import ANALYSIS, Design, Reading, Synthesis, Task
-from plans.model.synthesis.extremes import RockerTask, SliderTask
+from plans.model.synthesis.extremes import DoubleCrankTask, RockerTask, SliderTask
 from plans.model.synthesis.region import Region
+from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
 
 ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
     RockerTask: rocker.readings,
     SliderTask: slider.readings,
+    DoubleCrankTask: double_crank.readings,
+    **dict.fromkeys((LeverTask, WhitworthTask, SineTask, TangentTask), slots.readings),
 }
 
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from plans.analytic.synthesis.pace import paced
 from plans.analytic.synthesis.rocker import extremes, largest
 from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design, Reading
 from plans.model.synthesis.extremes import SliderTask
@@ -36,7 +37,7 @@ class SliderCrank(NamedTuple):
 def readings(task: SliderTask) -> Iterator[Reading]:
     """Give every slider-crank of each reading of a task."""
     for one in task.readings:
-        yield Reading(one.demands, tuple(_design(one, made) for made in sliders(one)))
+        yield Reading(one.demands, tuple(paced(_design(one, made), one.pace) for made in sliders(one)))
 
 
 def _design(task: SliderTask, made: SliderCrank) -> Design:

@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
+from plans.model.synthesis.pace import IDLE, Pace, told
+
 TOWARDS, BEYOND = 1, -1  # the centre M of the circle on the rocker's side of the chord, or beyond it
 CENTRES: Final = {TOWARDS: "M", BEYOND: "M'"}  # of the circles, by their sides
 
@@ -20,11 +22,6 @@ def overlap_of(ratio: float) -> float:
     36.0
     """
     return math.pi * (ratio - 1) / (ratio + 1)
-
-
-def told(**demands: float | None) -> dict[str, float]:
-    """Give the demands that a task has, by their letters."""
-    return {name: one for name, one in demands.items() if one is not None}
 
 
 class RockerTask(NamedTuple):
@@ -64,6 +61,21 @@ class RockerTask(NamedTuple):
         return told(l_3=self.rocker, ψ=self.swing, θ=self.overlap, l_4=self.frame, φ=place)
 
 
+class DoubleCrankTask(NamedTuple):
+    """A double crank is wanted (двухкривошипный механизм): a crank-rocker whose crank is fixed has the same indices.
+
+    Its coupler was the rocker, its driver the frame.
+    """
+
+    inverted: RockerTask
+
+    @property
+    def asked(self) -> dict[str, float]:
+        """The demands by their letters."""
+        letters = {"l_3": "l_2", "l_4": "l_1"}
+        return {letters.get(name, name): one for name, one in self.inverted.asked.items()}
+
+
 class SliderTask(NamedTuple):
     """A slider-crank is wanted: its stroke m, and of offset m, overlap rad, ratio l2/l1, pressure angle rad some.
 
@@ -76,6 +88,7 @@ class SliderTask(NamedTuple):
     ratio: float | None = None
     pressure: float | None = None
     turned: float | None = None
+    pace: Pace = IDLE
 
     @property
     def demands(self) -> tuple[str, ...]:
@@ -89,7 +102,8 @@ class SliderTask(NamedTuple):
     @property
     def asked(self) -> dict[str, float]:
         """The demands by their letters."""
-        return told(H=self.stroke, e=self.offset, θ=self.overlap, λ=self.ratio, α_max=self.pressure)
+        found = told(H=self.stroke, e=self.offset, θ=self.overlap, λ=self.ratio, α_max=self.pressure)
+        return found | self.pace.asked
 
     @property
     def similar(self) -> bool:
@@ -98,7 +112,7 @@ class SliderTask(NamedTuple):
 
     def only(self, *demands: str) -> SliderTask:
         """Give the task with these demands alone."""
-        return SliderTask(self.stroke, **{name: getattr(self, name) for name in demands})
+        return SliderTask(self.stroke, pace=self.pace, **{name: getattr(self, name) for name in demands})
 
     @property
     def readings(self) -> tuple[SliderTask, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from decimal import Decimal
 
 from plans.model.synthesis.design import Design
 from plans.model.synthesis.extremes import BEYOND, TOWARDS, RockerTask
@@ -11,7 +12,7 @@ from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
 from plans.synthesis.asked import MILLIMETRES, met, millimetres, number, overlap, radians
 from plans.synthesis.rocker import admitted, drawn, with_best
-from plans.synthesis.tables.extremes import RockerTable
+from plans.synthesis.tables.extremes import RockerTable, SwingTable
 from plans.synthesis.written import MechanismText
 
 RIGHT = 90.0  # degrees
@@ -20,26 +21,32 @@ PATH: Path = ("synthesis", "crank_rocker")
 
 def task(table: RockerTable) -> RockerTask:
     """Make the task; where no parameter is told, O is put where it is best."""
+    return made(table, table.rocker, table.frame)
+
+
+def made(table: SwingTable, rocker: Decimal, frame: Decimal | None) -> RockerTask:
+    """Make the task of a rocker and a frame of some lengths."""
     place = radians(table.place)
     told = place is not None or "beyond" in table.given
     side = (BEYOND if table.beyond else TOWARDS) if told else None
     theta = overlap(table)
     assert theta is not None  # the form has asked for it
     swing = math.radians(table.swing)
-    return with_best(RockerTask(float(table.rocker), swing, theta, number(table.frame), place, side))
+    return with_best(RockerTask(float(rocker), swing, theta, number(frame), place, side))
 
 
-def faults(scene: Scene, task: RockerTask) -> Iterator[Fault]:
+def faults(scene: Scene, task: RockerTask, path: Path = PATH, free: str = "frame") -> Iterator[Fault]:
     """Say what frames or places can be met, where that asked for cannot."""
     outside = math.degrees(task.swing / 2 + task.overlap)
     if task.side == BEYOND and task.overlap and outside >= RIGHT:
-        yield scene.fault((*PATH, "beyond"), "synthesis_beyond", sum=f"{outside:.6g}")
+        yield scene.fault((*path, "beyond"), "synthesis_beyond", sum=f"{outside:.6g}")
     elif task.frame is None and task.place is None:
-        yield scene.fault(PATH, "synthesis_centric", least=millimetres(task.rocker))
+        why = "synthesis_centric" if path == PATH else f"synthesis_centric_{free}"
+        yield scene.fault(path, why, least=millimetres(task.rocker))
     elif not met(drawn(task)):
-        name = "frame" if task.place is None else "place"
+        name = free if task.place is None else "place"
         within = "; ".join(f"{low:.10g} … {high:.10g}" for low, high in _within(task))
-        yield scene.fault((*PATH, name), f"synthesis_{name}", within=within or "—")
+        yield scene.fault((*path, name), f"synthesis_{name}", within=within or "—")
 
 
 def _within(task: RockerTask) -> Iterator[tuple[float, float]]:
@@ -51,9 +58,7 @@ def _within(task: RockerTask) -> Iterator[tuple[float, float]]:
         if task.place is None:
             yield MILLIMETRES * frames[0], MILLIMETRES * frames[1]
         else:
-            low, high = map(math.degrees, places)
-            yield low, high
-            yield (180 - high) % 360, (180 - low) % 360
+            yield math.degrees(places[0]), math.degrees(places[1])
 
 
 def mechanism(made: Design) -> MechanismText:

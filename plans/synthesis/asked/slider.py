@@ -9,7 +9,8 @@ from plans.model.synthesis.design import QUARTER, Design
 from plans.model.synthesis.extremes import PAIR, SliderTask
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
-from plans.synthesis.asked import degrees, met, millimetres, number, overlap, radians
+from plans.synthesis.asked import degrees, met, millimetres, number, radians
+from plans.synthesis.asked.slots import drive, overlap_in, pace, pace_faults, pace_notes
 from plans.synthesis.slider import drawn, with_best
 from plans.synthesis.tables.extremes import SliderTable
 from plans.synthesis.written import MechanismText
@@ -19,15 +20,18 @@ PATH: Path = ("synthesis", "slider_crank")
 
 def task(table: SliderTable) -> SliderTask:
     """Make the task; no offset and no overlap are one demand."""
-    demands = number(table.offset), overlap(table), number(table.ratio), radians(table.pressure)
-    made = SliderTask(float(table.stroke), *demands)
+    stroke, speeds = float(table.stroke), pace(table)
+    theta = overlap_in(table, stroke, speeds)
+    made = SliderTask(stroke, number(table.offset), theta, number(table.ratio), radians(table.pressure), pace=speeds)
     return made._replace(overlap=None) if made.overlap == 0 and made.offset == 0 else with_best(made)
 
 
 def faults(scene: Scene, task: SliderTask) -> Iterator[Fault]:
     """Say what is too little, what contradicts, and by how much a demand is beyond what can be met."""
     known = frozenset(task.demands)
-    if len(known) < PAIR and not (known & {"ratio", "pressure"} or task.turned):
+    if paced := [*pace_faults(scene, PATH, task.stroke, task.pace)]:
+        yield from paced
+    elif len(known) < PAIR and not (known & {"ratio", "pressure"} or task.turned):
         yield scene.fault(PATH, "synthesis_free")
     elif task.overlap is not None and task.offset is not None and bool(task.overlap) != bool(task.offset):
         yield scene.fault((*PATH, "offset"), "synthesis_axial")
@@ -52,7 +56,7 @@ def _beyond(scene: Scene, task: SliderTask) -> Fault:
         angle = math.acos((ratio - 1) / (ratio + 1))
     else:
         angle = math.atan(stroke / task.offset) if task.offset else QUARTER
-    name = "time_ratio" if scene.has((*PATH, "time_ratio")) else "overlap"
+    name = next((one for one in ("time_ratio", "mean_speed") if scene.has((*PATH, one))), "overlap")
     return scene.fault((*PATH, name), "synthesis_overlap", most=degrees(angle))
 
 
@@ -62,7 +66,7 @@ def mechanism(made: Design) -> MechanismText:
     slide = {"link": 3, "along": {"through": offset, "angle": 0}}
     lengths = {"OA": size["l_1"], "AB": size["l_2"]}
     there = complex(size["l_1"] + size["l_2"]) + offset
-    return MechanismText({"O": 0j}, ("OA", "AB", "B"), lengths, {"B": there}, (slide,))
+    return MechanismText({"O": 0j}, ("OA", "AB", "B"), lengths, {"B": there}, (slide,), drive(made))
 
 
 def notes(task: SliderTask) -> Iterator[str]:
@@ -74,3 +78,4 @@ def notes(task: SliderTask) -> Iterator[str]:
     if task.pressure is not None and (task.offset or task.overlap):
         yield "synthesis tried"
     yield "synthesis similar" if task.similar else "synthesis read"
+    yield from pace_notes(task.pace)

@@ -9,7 +9,8 @@ from plans.scene.faults import Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
-from plans.synthesis.tables.extremes import RockerTable, SliderTable
+from plans.synthesis.tables.extremes import DoubleCrankTable, RockerTable, SliderTable
+from plans.synthesis.tables.slots import LeverTable, SineTable, SlotTable, TangentTable
 
 EXAMPLE = '[synthesis.slider_crank] with stroke = "120 mm", time_ratio = 1.1, offset = "30 mm"'
 
@@ -20,9 +21,18 @@ class SynthesisTable(Table):
     crank_rocker: RockerTable | None = key(
         table(RockerTable), None, meaning="A crank-rocker (кривошипно-коромысловый механизм)."
     )
+    double_crank: DoubleCrankTable | None = key(
+        table(DoubleCrankTable), None, meaning="A double crank (двухкривошипный механизм)."
+    )
     slider_crank: SliderTable | None = key(
         table(SliderTable), None, meaning="A slider-crank (кривошипно-ползунный механизм)."
     )
+    slotted_lever: LeverTable | None = key(
+        table(LeverTable), None, meaning="An oscillating slotted link (качающаяся кулиса)."
+    )
+    whitworth: SlotTable | None = key(table(SlotTable), None, meaning="A rotating slotted link (вращающаяся кулиса).")
+    sine: SineTable | None = key(table(SineTable), None, meaning="A sine mechanism (синусный механизм).")
+    tangent: TangentTable | None = key(table(TangentTable), None, meaning="A tangent mechanism (тангенсный механизм).")
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:

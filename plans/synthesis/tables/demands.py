@@ -13,7 +13,7 @@ from plans.scene.forms import Form
 from plans.scene.readers import FieldReader, one
 from plans.scene.tables import Table, key
 
-TURN, HALF, QUARTER = Decimal(360), Decimal(180), Decimal(90)  # degrees
+HALF, QUARTER = Decimal(180), Decimal(90)  # degrees
 MOST_RATIO = Decimal(1000)  # of lengths: a rod that never ends
 MOST_TIMES = Decimal("2.999")  # K of an overlap near a right angle
 

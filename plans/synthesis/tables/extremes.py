@@ -4,36 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
-from typing import Any
+from typing import Any, ClassVar
 
 from plans.scene import fields as f
 from plans.scene import units
 from plans.scene.faults import Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.tables import Missing, key
-from plans.synthesis.tables.demands import HALF, MOST_RATIO, QUARTER, TURN, DemandTable, within
+from plans.synthesis.tables.demands import HALF, MOST_RATIO, QUARTER, DemandTable, within
+from plans.synthesis.tables.slots import MEAN_SPEED, OUTPUT
+
+LEFT = Decimal(270)  # degrees: where the left half of a circle ends
 
 
-class RockerTable(DemandTable):
-    """A crank-rocker that is wanted: its rocker, swing and overlap, and what is chosen freely."""
+class SwingTable(DemandTable):
+    """A mechanism of four links that is wanted by its swing and overlap, and what is chosen freely."""
 
-    rocker: Decimal = key(
-        f.LENGTH, meaning="Length of the rocker l3, m.", missing=Missing("rocker", 'rocker = "300 mm"', "300 mm")
-    )
+    free: ClassVar[str] = "frame"  # the length that may be told instead of a place
     swing: Decimal = key(
         within("0.1", HALF),
-        meaning="Swing of the rocker psi (угол размаха), degrees.",
+        meaning="Swing psi (угол размаха) of the rocker, or of the coupler on its driver, degrees.",
         missing=Missing("swing", "swing = 40", 40),
         also=("psi", "ψ"),
     )
-    frame: Decimal | None = key(
-        f.LENGTH, None, meaning="Frame l4, m; default: that with the largest least transmission angle."
-    )
     place: Decimal | None = key(
-        within("0", TURN),
+        within("90", LEFT),
         None,
         meaning="Where O is on the circle that sees the chord, degrees at M, instead of the frame; the rocker's middle "
-        "position is at 90.",
+        "position is at 90, and beyond 270 all is mirrored.",
     )
     beyond: bool = key(
         f.FLAG,
@@ -46,8 +44,8 @@ class RockerTable(DemandTable):
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that no more than one parameter is told, and the overlap."""
         yield from super().misfits(value)
-        if "frame" in value and "place" in value:
-            yield wrong("one_of_two", first="frame", second="place", found="both", at=("place",))
+        if cls.free in value and "place" in value:
+            yield wrong("one_of_two", first=cls.free, second="place", found="both", at=("place",))
         if "overlap" not in value and "time_ratio" not in value:
             yield wrong("missing", at=("overlap",))
 
@@ -55,9 +53,32 @@ class RockerTable(DemandTable):
     def rules(cls) -> Form:
         """Say that no more than one parameter is told, and the overlap once."""
         return {
-            "not": {"required": ["frame", "place"]},
+            "not": {"required": [cls.free, "place"]},
             "oneOf": [{"required": ["overlap"]}, {"required": ["time_ratio"]}],
         }
+
+
+class RockerTable(SwingTable):
+    """A crank-rocker that is wanted."""
+
+    rocker: Decimal = key(
+        f.LENGTH, meaning="Length of the rocker l3, m.", missing=Missing("rocker", 'rocker = "300 mm"', "300 mm")
+    )
+    frame: Decimal | None = key(
+        f.LENGTH, None, meaning="Frame l4, m; default: that with the largest least transmission angle."
+    )
+
+
+class DoubleCrankTable(SwingTable):
+    """A double crank that is wanted, as a crank-rocker whose crank is fixed."""
+
+    free = "driver"
+    coupler: Decimal = key(
+        f.LENGTH, meaning="Length of the coupler l2, m.", missing=Missing("coupler", 'coupler = "300 mm"', "300 mm")
+    )
+    driver: Decimal | None = key(
+        f.LENGTH, None, meaning="Driving crank l1, m; default: that with the largest least transmission angle."
+    )
 
 
 class SliderTable(DemandTable):
@@ -78,3 +99,5 @@ class SliderTable(DemandTable):
     pressure: Decimal | None = key(
         within("0.1", QUARTER), None, meaning="Largest pressure angle (угол давления), degrees.", also=("alpha", "α")
     )
+    mean_speed: Decimal | None = MEAN_SPEED
+    output: Decimal | None = OUTPUT
