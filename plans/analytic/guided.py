@@ -1,0 +1,167 @@
+"""A rod guided, a function met at points: centres of circles as complex determinants, poles as fixed points (М1.1)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+
+from plans.model.synthesis.design import Design, Reading
+from plans.model.synthesis.positions import MOST_TIMES, TWO, FunctionTask, RodTask, crossing, sense_of, ways
+
+
+def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
+    """Give the centre of the circle through three places, or both centres of those of a radius through two.
+
+    From a the centre w of a, a + u, a + v has w u* + w* u = |u|^2, w v* + w* v = |v|^2.
+    """
+    first = places[0]
+    u, v = places[1] - first, places[-1] - first
+    if len(places) == TWO:
+        assert arm is not None  # asked before
+        if 0 < abs(u) < 2 * arm:
+            rise = math.sqrt((2 * arm - abs(u)) * (2 * arm + abs(u))) / 2
+            yield from (first + u / 2 + side * 1j * u / abs(u) * rise for side in (1, -1))
+        return
+    turned = u.conjugate() * v - u * v.conjugate()
+    if abs(turned) * MOST_TIMES * max(abs(u), abs(v)) > abs(u * v * (u - v)) > 0:
+        yield first + (abs(u) ** 2 * v - abs(v) ** 2 * u) / turned
+
+
+def rods(task: RodTask) -> Reading:
+    """Give every four-bar that guides the rod through its positions in their order."""
+    kept = "hinges" if task.hinges else "pivots"
+    return Reading((kept, *(("arms",) if task.arms else ())), tuple(_rods(task)))
+
+
+def _rods(task: RodTask) -> Iterator[Design]:
+    known, arms = task.hinges or task.pivots or (), task.arms or (None, None)
+    moves = [*moves_of(task)]
+    for pair in product(*(_links(task, moves, at, arm) for at, arm in zip(known, arms, strict=True))):
+        (pivot, hinges), (other, ends) = pair
+        if design := _four_bar(pivot, other, hinges, ends):
+            poles = {f"P_{i + 1}{j + 1}": pole(moves[i], moves[j]) for i, j in task.poles}
+            turned = dict[str, complex]()
+            if task.pivots:
+                for name, at in zip("OC", task.pivots, strict=True):
+                    turned |= {f"{name}_{j}": (at - shift) / u for j, (u, shift) in enumerate(moves[1:], 2)}
+            given = {f"D_{k}": at for k, at in enumerate(task.places, 1)}
+            yield _told(design, given | poles | turned)
+
+
+def _told(design: Design, places: Mapping[str, complex]) -> Design:
+    return Design(design.sizes, {**design.places, **places}, merit=design.merit)
+
+
+Move = tuple[complex, complex]  # z to u z + shift
+
+
+def moves_of(task: RodTask) -> Iterator[Move]:
+    """Give how the rod goes from its first position to each."""
+    for at, angle in zip(task.places, task.angles, strict=True):
+        turn = cmath.rect(1.0, angle - task.angles[0])
+        yield turn, at - turn * task.places[0]
+
+
+def pole(one: Move, other: Move) -> complex:
+    """Give the point of the rod that is in one place in two positions: the fixed point of the move between them."""
+    turn = other[0] / one[0]
+    return (other[1] - turn * one[1]) / (1 - turn)
+
+
+def _links(
+    task: RodTask, moves: Sequence[Move], at: complex, arm: float | None
+) -> Iterator[tuple[complex, list[complex]]]:
+    """Give the pivots of a hinge, or the hinges of a pivot, each as the pivot and the places of the hinge."""
+    if task.hinges:
+        places = [turn * at + shift for turn, shift in moves]
+        yield from ((centre, places) for centre in centres(places, arm))
+        return
+    for hinge in centres([(at - shift) / turn for turn, shift in moves], arm):
+        yield at, [turn * hinge + shift for turn, shift in moves]
+
+
+def _four_bar(pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex]) -> Design | None:
+    """Give the four-bar of two links, where one of them can lead it from position to position in their order."""
+    lengths = abs(hinges[0] - pivot), abs(ends[0] - hinges[0]), abs(ends[0] - other), abs(other - pivot)
+    places = {"O": pivot, "C": other}
+    places |= {f"A_{k}": at for k, at in enumerate(hinges, 1)} | {f"B_{k}": at for k, at in enumerate(ends, 1)}
+    sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), lengths, strict=True))
+    if not all(lengths):
+        return None
+    for letter, (crank, coupler, rocker, frame), leading in (
+        ("φ", lengths, (pivot, other, hinges, ends)),
+        ("ψ", (lengths[2], lengths[1], lengths[0], lengths[3]), (other, pivot, ends, hinges)),
+    ):
+        turned = led(*leading, dead(other - pivot if letter == "φ" else pivot - other, crank, coupler, rocker, frame))
+        if turned is not None:
+            tight = min(crossing(a - b, c - b) for a, b, c in _bars(*leading))
+            told = {f"{letter}_1{k}": turn for k, turn in enumerate(turned[1:], 2)}
+            return Design({**sizes, **told, "μ_min": tight}, places, merit=tight)
+    return None
+
+
+def _bars(
+    pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex]
+) -> Iterator[tuple[complex, complex, complex]]:
+    """Give coupler's start, its end, and the pivot of the driven link in each position."""
+    return ((hinge, end, other) for hinge, end in zip(hinges, ends, strict=True))
+
+
+def dead(line: complex, crank: float, coupler: float, rocker: float, frame: float) -> Iterator[float]:
+    """Give the angles rad of a crank at which coupler and driven link are in one line, by the cosine rule."""
+    for reach in (coupler + rocker, abs(coupler - rocker)):
+        cosine = (crank**2 + frame**2 - reach**2) / (2 * crank * frame)
+        if abs(cosine) <= 1:
+            yield from (cmath.phase(line) + sense * math.acos(cosine) for sense in (1, -1))
+
+
+def led(
+    pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex], barred: Iterator[float]
+) -> list[float] | None:
+    """Give the turns rad of a leading link from the first position, in its sense; None where it cannot lead."""
+    hands = [((other - a).conjugate() * (b - a)).imag for a, b in zip(hinges, ends, strict=True)]
+    angles = [cmath.phase(a - pivot) for a in hinges]
+    sense = sense_of(angles, barred)
+    if not sense or min(hands) < 0 < max(hands):
+        return None
+    return [sense * way for way in ways(angles, sense)]
+
+
+def functions(task: FunctionTask) -> Reading:
+    """Give every four-bar whose rocker turns with the crank as asked."""
+    return Reading(("crank", "frame", *(("rocker",) if task.rocker else ())), tuple(_functions(task)))
+
+
+def _functions(task: FunctionTask) -> Iterator[Design]:
+    frame = complex(task.frame)
+    pins = [cmath.rect(task.crank, angle) for angle in task.inputs]
+    turns = [cmath.rect(1.0, angle - task.outputs[0]) for angle in task.outputs]
+    inverted = [frame + (pin - frame) / turn for pin, turn in zip(pins, turns, strict=True)]
+    # of two positions the end of the rocker is at its length from C, and as far from both pins
+    for end in centres(inverted, None) if task.rocker is None else _beside(inverted, frame, task.rocker):
+        ends = [frame + (end - frame) * turn for turn in turns]
+        lengths = task.crank, abs(end - pins[0]), abs(end - frame), task.frame
+        if not all(lengths):
+            continue
+        turned = led(0j, frame, pins, ends, dead(frame, *lengths))
+        if turned is not None:
+            tight = min(crossing(a - b, frame - b) for a, b in zip(pins, ends, strict=True))
+            sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), lengths, strict=True))
+            sizes |= {"ψ_1": cmath.phase(end - frame), "μ_min": tight}
+            places = {"O": 0j, "C": frame} | {f"A_{k}": at for k, at in enumerate(pins, 1)}
+            places |= {f"B_{k}": at for k, at in enumerate(ends, 1)}
+            yield Design(sizes, places | {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)}, merit=tight)
+
+
+def _beside(pins: Sequence[complex], pivot: complex, arm: float) -> Iterator[complex]:
+    """Give the points at a distance from a pivot and as far from one pin as from another."""
+    chord, middle = pins[1] - pins[0], (pins[0] + pins[1]) / 2
+    if not chord:
+        return
+    along = chord / abs(chord)
+    off = ((pivot - middle) * along.conjugate()).real  # of the pivot from the line of such points
+    if abs(off) < arm:
+        rise = math.sqrt((arm - off) * (arm + off))
+        yield from (pivot + along * complex(-off, side * rise) for side in (1, -1))

@@ -1,0 +1,148 @@
+"""A rocker-slider from a similar figure whose rocker or rod is 1: the stroke tells how much larger it is (theme 6)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from geometry.board import Board, Mark, between
+from plans.model.synthesis.design import Design
+from plans.model.synthesis.swings import STILL, RockerSliderTask
+from plans.synthesis.chord import SYNTHESIS, cross
+from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.words.words import because
+
+
+def rocker_sliders(task: RockerSliderTask) -> tuple[DrawnReading, ...]:
+    """Draw each reading of a task; axial ones on a board for each side of the rod."""
+    return tuple(
+        one for each in task.readings for one in ((_symmetric(each),) if each.angles is None else _axial(each))
+    )
+
+
+class _Larger(NamedTuple):
+    """The wanted figure and the similar one, by a vector of both: the stroke, or half of it."""
+
+    board: Board
+    wanted: Mark
+    unit: Mark
+
+    def of(self, name: str, start: Mark, end: Mark) -> Mark:
+        """Give the wanted vector of two points of the similar figure."""
+        shape = self.board.join(f"{name}:1", start, end)
+        return self.board.similar(name, self.wanted, self.unit, shape, why=because("as_stroke"))
+
+
+def _symmetric(task: RockerSliderTask) -> DrawnReading:
+    """Draw the rod of length 1 leaning to both sides: by so much is the chord of the rocker's end below its top."""
+    assert task.ratio is not None and task.pressure is not None  # asked before
+    board, why = Board(SYNTHESIS), because("rod_leans", angle=f"{math.degrees(task.pressure):.10g}")
+    up, down = (board.given(f"l_2:{k}", cmath.rect(1.0, k * task.pressure), why) for k in (1, -1))
+    pivot = board.given("C:1", 0j, because("rocker_pivot"))
+    top = board.lay_off("A:1", pivot, board.given("l_1:1", 1j * task.ratio, because("rocker_square")))
+    end = board.lay_off("B:1", top, down)
+    low = board.lay_off("E:1", end, board.turn("B_1A_1:1", up, -1.0, because("rod_back")))
+    level = board.parallel("E:l", low, board.given("guide", 1 + 0j), because("chord_level"))
+    first = board.meet("A_1:1", board.arc("C:o", pivot, task.ratio, because("rocker_circle")), level, 1.0)
+    half = board.given("EA_1", complex(task.stroke / 2), because("half_stroke"))
+    larger = _Larger(board, half, board.join("EA_1:1", low, first))
+    admitted = cross(up.point, between(pivot, first)) > 0  # else the slider turns back before the rocker does
+    slid = board.lay_off("B_1:1", first, up)
+    found = (_leaning(larger, pivot, {"A": (top, end), "A_1": (first, slid)}),) if admitted else ()
+    return DrawnReading(task.kept, board, found)
+
+
+def _leaning(larger: _Larger, pivot: Mark, similar: dict[str, tuple[Mark, Mark]]) -> Drawn:
+    """Draw the wanted rocker-slider from the middle of the chord on, and read it."""
+    board, half = larger.board, larger.wanted
+    middle = board.given("E", 0j, because("middle_chord"))
+    ends = [board.lay_off(f"A_{k}", middle, board.turn(f"EA_{k}", half, way)) for k, way in ((1, 1.0), (2, -1.0))]
+    rocker = larger.of("l_1", pivot, similar["A_1"][0])
+    centre = board.lay_off("C", ends[0], board.turn("A_1C", rocker, -1.0))
+    rods = {name: larger.of(f"{name}:l_2", *pair) for name, pair in similar.items()}
+    top = board.lay_off("A", centre, larger.of("CA", pivot, similar["A"][0]))
+    slid = [board.lay_off(f"B_{k}", end, rods["A_1"]) for k, end in enumerate(ends, 1)]
+    last = board.lay_off("B", top, rods["A"])
+    guide = board.parallel("B:l", slid[0], half, because("guide_level"))
+    offset = board.join("e", centre, board.meet("G", guide, board.square("C:n", centre, half)), because("guide_off"))
+    lean = max(abs(cmath.phase(complex(rod.point))) for rod in rods.values())
+    marks = (centre, top, last, ends[0], slid[0], ends[1], slid[1], middle)
+    places = {one.name: complex(one.point) for one in marks}
+    sizes = {**_lengths(l_1=rocker, l_2=rods["A_1"], e=offset), "ψ": _angle(centre, *ends), "α_max": lean}
+    sizes["H"] = abs(complex(between(slid[1], slid[0])))
+    shown = {"l_1": rocker, "l_2": rods["A_1"], "e": offset}
+    figure = Figure(
+        ("C", "A_1", "B_1"),
+        (("C", "A", "B"), ("C", "A_2", "B_2")),
+        (("A_1", "A_2"),),
+        (("B_1", "B_2"), ("C", "A")),
+        frozenset(places) - {"E"},
+        frozenset("C"),
+        {"B_1": 1 + 0j, "B_2": 1 + 0j, "B": 1 + 0j},
+    )
+    return Drawn(Design(sizes, places), shown, {"ψ": sizes["l_1"], "α_max": sizes["l_2"]}, figure)
+
+
+def _lengths(**vectors: Mark) -> dict[str, float]:
+    return {name: abs(complex(vector.point)) for name, vector in vectors.items()}
+
+
+def _angle(pivot: Mark, first: Mark, second: Mark) -> float:
+    """Measure the angle at a pivot between two points, rad."""
+    return abs(cmath.phase(complex(between(pivot, first)) / complex(between(pivot, second))))
+
+
+def _axial(task: RockerSliderTask) -> Iterator[DrawnReading]:
+    """Draw a rocker of length 1 in both its ends, the rod to either side, and measure the slider's way."""
+    for sense in (1.0, -1.0):
+        board = Board(SYNTHESIS)
+        yield DrawnReading(task.kept, board, tuple(_laid(board, task, sense)))
+
+
+def _laid(board: Board, task: RockerSliderTask, sense: float) -> Iterator[Drawn]:
+    assert task.angles is not None  # it is axial
+    pivot = board.given("C", 0j, because("rocker_pivot"))
+    guide = board.parallel("C:l", pivot, board.given("guide", 1 + 0j, because("guide_through")))
+    circle = board.arc("C:o", pivot, 1.0, because("rocker_unit"))
+    top = _rocker(board, circle, "A:1", task.steepest)
+    rod = _rod(board, guide, top, task)
+    ends = [_rocker(board, circle, f"A_{k}:1", angle) for k, angle in enumerate(task.angles, 1)]
+    slid = [
+        board.meet(f"B{end.name[1:]}", guide, board.arc(f"{end.name}:o", end, rod, because("rod_length")), sense)
+        for end in (*ends, top)
+    ]
+    way = complex(between(slid[1], slid[0]))
+    if not abs(way) >= STILL:  # the rod is too short, or as long as the rocker
+        return
+    stroke = board.given("H", complex(math.copysign(task.stroke, way.real)), because("stroke_given"))
+    larger = _Larger(board, stroke, board.join("H:1", slid[1], slid[0], because("unit_way")))
+    rockers = [larger.of(f"CA_{k}", pivot, end) for k, end in enumerate(ends, 1)]
+    rods = [larger.of(f"A_{k}B_{k}", *pair) for k, pair in enumerate(zip(ends, slid[:2], strict=True), 1)]
+    at = [board.lay_off(f"A_{k}", pivot, one) for k, one in enumerate(rockers, 1)]
+    to = [board.lay_off(f"B_{k}", end, one) for k, (end, one) in enumerate(zip(at, rods, strict=True), 1)]
+    places = {one.name: complex(one.point) for one in (pivot, at[0], to[0], at[1], to[1])}
+    lean = abs(cmath.phase(sense * complex(between(top, slid[2]))))
+    sizes = {**_lengths(l_1=rockers[0], l_2=rods[0]), "ψ": _angle(pivot, *at), "α_max": lean}
+    sizes["H"] = abs(complex(between(*to)))
+    blocks = {"B_1": 1 + 0j, "B_2": 1 + 0j}
+    hinges, chains = frozenset(places), (("C", "A_1", "B_1"), ("C", "A_2", "B_2"))
+    figure = Figure(chains[0], chains[1:], (), (("C", "B_1"), ("C", "B_2")), hinges, frozenset("C"), blocks)
+    arms = {"ψ": sizes["l_1"], "α_max": sizes["l_2"] * math.cos(lean)}
+    yield Drawn(Design(sizes, places), {"l_1": rockers[0], "l_2": rods[0]}, arms, figure)
+
+
+def _rocker(board: Board, circle: Mark, name: str, angle: float) -> Mark:
+    ray = board.given(f"{name}:r", cmath.rect(1.0, angle), because("rocker_at", angle=f"{math.degrees(angle):.10g}"))
+    return board.divide(name, circle, ray)
+
+
+def _rod(board: Board, guide: Mark, top: Mark, task: RockerSliderTask) -> float:
+    """Give the length of the rod of a rocker 1: by the ratio, or as it leans where the rocker is farthest off."""
+    if task.pressure is None:
+        assert task.ratio is not None  # asked before
+        return 1 / task.ratio
+    why = because("rod_leans", angle=f"{math.degrees(task.pressure):.10g}")
+    ray = board.parallel("A:b", top, board.given("l_2:r", cmath.rect(1.0, -task.pressure), why))
+    return abs(complex(between(top, board.meet("B:p", guide, ray, why=because("rod_to_guide")))))
