@@ -11,9 +11,10 @@ from plans.model.synthesis.swings import STILL, RockerSliderTask
 
 
 def rocker_sliders(task: RockerSliderTask) -> tuple[Reading, ...]:
-    """Give every rocker-slider of each reading of a task."""
-    made = symmetric if task.angles is None else axial
-    return tuple(Reading(one.kept, tuple(made(one))) for one in task.readings)
+    """Give every rocker-slider of each reading of a task: an axial one's slider beyond the rocker's end, or before."""
+    if task.angles is None:
+        return (Reading(task.kept, tuple(symmetric(task))),)
+    return tuple(Reading(one.kept, tuple(axial(one, sense))) for one in task.readings for sense in (1, -1))
 
 
 def symmetric(task: RockerSliderTask) -> Iterator[Design]:
@@ -38,8 +39,8 @@ def least_ratio(pressure: float) -> float:
     return 2 * math.sin(pressure) / (1 - math.sin(pressure))
 
 
-def axial(task: RockerSliderTask) -> Iterator[Design]:
-    """Give the axial rocker-sliders: the slider beyond the rocker's end, then on the other side of it."""
+def axial(task: RockerSliderTask, sense: int) -> Iterator[Design]:
+    """Give the axial rocker-slider whose slider is to one side of the rocker's end."""
     assert task.angles is not None  # asked before
     high = math.sin(task.steepest)
     if task.ratio is None:
@@ -49,8 +50,7 @@ def axial(task: RockerSliderTask) -> Iterator[Design]:
     else:
         ratio, sine = task.ratio, task.ratio * high
     if sine < 1:
-        for sense in (1, -1):
-            yield from _laid(task, ratio, sine, sense)
+        yield from _laid(task, ratio, sine, sense)
 
 
 def _laid(task: RockerSliderTask, ratio: float, sine: float, sense: int) -> Iterator[Design]:

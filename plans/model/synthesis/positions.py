@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
 from typing import Final, NamedTuple
 
@@ -24,6 +24,12 @@ class RodTask(NamedTuple):
     hinges: tuple[complex, complex] | None = None
     pivots: tuple[complex, complex] | None = None
     arms: tuple[float, float] | None = None
+
+    @property
+    def asked(self) -> Mapping[str, float]:
+        """The demands by the letters of their sizes: how the rod lies, and what is chosen of the links."""
+        arms = zip(("l_1", "l_3"), self.arms or (), strict=False)
+        return {f"β_{k}": angle for k, angle in enumerate(self.angles, 1)} | dict(arms)
 
     def turn(self, i: int, j: int) -> float:
         """Give by how much the rod turns from one position to another, rad, by the shorter way."""
@@ -53,6 +59,14 @@ class FunctionTask(NamedTuple):
     frame: float
     rocker: float | None = None
 
+    @property
+    def asked(self) -> Mapping[str, float]:
+        """The demands by the letters of their sizes."""
+        turns = {f"ψ_1{k}": angle - self.outputs[0] for k, angle in enumerate(self.outputs[1:], 2)}
+        crank = {f"φ_{k}": angle for k, angle in enumerate(self.inputs, 1)}
+        lengths = {"l_1": self.crank, "l_4": self.frame} | ({"l_3": self.rocker} if self.rocker else {})
+        return lengths | crank | turns
+
 
 class DwellTask(NamedTuple):
     """A rocker is wanted that rests while a point K of a four-bar's coupler goes round a circle nearly.
@@ -67,6 +81,12 @@ class DwellTask(NamedTuple):
     dwell: tuple[float, float]
     output: float
     crossed: bool = False
+
+    @property
+    def asked(self) -> Mapping[str, float]:
+        """The demands by the letters of their sizes: the four-bar, K on its coupler, the dwell."""
+        lengths = {f"l_{k}": length for k, length in enumerate(self.lengths, 1)}
+        return lengths | {"l_K": self.arm, "β": self.lean, "φ_1": self.dwell[0], "φ_5": self.dwell[1]}
 
     @property
     def stations(self) -> tuple[float, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Final, NamedTuple
 
 
@@ -17,6 +18,13 @@ class RockerSliderTask(NamedTuple):
     pressure: float | None = None
     ratio: float | None = None
     angles: tuple[float, float] | None = None
+
+    @property
+    def asked(self) -> Mapping[str, float]:
+        """The demands by the letters of their sizes."""
+        found = {"H": self.stroke, "α_max": self.pressure, "λ": self.ratio}
+        first, second = self.angles or (None, None)
+        return {name: one for name, one in (found | {"ψ_1": first, "ψ_2": second}).items() if one is not None}
 
     @property
     def readings(self) -> tuple[RockerSliderTask, ...]:
