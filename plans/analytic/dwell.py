@@ -16,9 +16,9 @@ GOLDEN: Final = (math.sqrt(5) - 1) / 2
 SECTIONS: Final = 60  # each leaves 0.62 of the one before: below a rounding of the first
 
 
-def dwells(task: DwellTask) -> Reading:
+def readings(task: DwellTask) -> tuple[Reading, ...]:
     """Give the dwell linkages of a four-bar, the rocker's pivot to either side of the rod."""
-    return Reading(("dwell", "output"), tuple(_dwells(task)))
+    return (Reading(("dwell", "output"), tuple(_dwells(task))),)
 
 
 def crank(task: DwellTask, angle: float) -> tuple[complex, complex, complex]:

@@ -29,10 +29,10 @@ def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
         yield first + (abs(u) ** 2 * v - abs(v) ** 2 * u) / turned
 
 
-def rods(task: RodTask) -> Reading:
+def rods(task: RodTask) -> tuple[Reading, ...]:
     """Give every four-bar that guides the rod through its positions in their order."""
     kept = "hinges" if task.hinges else "pivots"
-    return Reading((kept, *(("arms",) if task.arms else ())), tuple(_rods(task)))
+    return (Reading((kept, *(("arms",) if task.arms else ())), tuple(_rods(task))),)
 
 
 def _rods(task: RodTask) -> Iterator[Design]:
@@ -129,9 +129,9 @@ def led(
     return [sense * way for way in ways(angles, sense)]
 
 
-def functions(task: FunctionTask) -> Reading:
+def functions(task: FunctionTask) -> tuple[Reading, ...]:
     """Give every four-bar whose rocker turns with the crank as asked."""
-    return Reading(("crank", "frame", *(("rocker",) if task.rocker else ())), tuple(_functions(task)))
+    return (Reading(("crank", "frame", *(("rocker",) if task.rocker else ())), tuple(_functions(task))),)
 
 
 def _functions(task: FunctionTask) -> Iterator[Design]:

@@ -10,7 +10,7 @@ from plans.model.synthesis.design import Design, Reading
 from plans.model.synthesis.swings import STILL, RockerSliderTask
 
 
-def rocker_sliders(task: RockerSliderTask) -> tuple[Reading, ...]:
+def readings(task: RockerSliderTask) -> tuple[Reading, ...]:
     """Give every rocker-slider of each reading of a task: an axial one's slider beyond the rocker's end, or before."""
     if task.angles is None:
         return (Reading(task.kept, tuple(symmetric(task))),)

@@ -60,18 +60,18 @@ class FourBar(NamedTuple):
         return Pose(pin, end, point)
 
 
-def dwell(task: DwellTask) -> tuple[DrawnReading, ...]:
+def drawn(task: DwellTask) -> tuple[DrawnReading, ...]:
     """Draw the dwell linkages of a four-bar, the rocker's pivot to either side of the rod."""
-    drawn = FourBar.on(task, Board(SYNTHESIS))
-    poses = [drawn.pose(angle, k) for k, angle in enumerate(task.stations, 1)]
+    bars = FourBar.on(task, Board(SYNTHESIS))
+    poses = [bars.pose(angle, k) for k, angle in enumerate(task.stations, 1)]
     found: list[Drawn] = []
     if _goes_round(task):
         near = [poses[k].point for k in (0, 2, 4)]
-        for centre in centres(drawn.board, "D", near, None):
-            rod = drawn.board.join("DK_3", centre, poses[2].point, because("circle_radius"))
-            drawn.board.arc("D:o", centre, abs(complex(rod.point)), because("arc_through"))
-            found += [made for side in (1, -1) if (made := _resting(drawn, poses, rod, side))]
-    return (DrawnReading(("dwell", "output"), drawn.board, tuple(found)),)
+        for centre in centres(bars.board, "D", near, None):
+            rod = bars.board.join("DK_3", centre, poses[2].point, because("circle_radius"))
+            bars.board.arc("D:o", centre, abs(complex(rod.point)), because("arc_through"))
+            found += [made for side in (1, -1) if (made := _resting(bars, poses, rod, side))]
+    return (DrawnReading(("dwell", "output"), bars.board, tuple(found)),)
 
 
 def _goes_round(task: DwellTask) -> bool:
@@ -80,9 +80,9 @@ def _goes_round(task: DwellTask) -> bool:
     return all(np.abs(complex(tried.pose(angle, k).end.point)) >= 0 for k, angle in enumerate((0.0, math.pi)))
 
 
-def _resting(drawn: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | None:
+def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | None:
     """Draw the rocker square to the rod in its rest, and try it over the turn."""
-    task, board, centre = drawn.task, drawn.board, drawn.board["D"]
+    task, board, centre = bars.task, bars.board, bars.board["D"]
     arm = board.turn(f"DF:{side}", rod, 1j * side * task.output / abs(complex(rod.point)), because("square_to_rod"))
     pivot = board.lay_off("F" if side > 0 else "F'", centre, arm)
     rocker = _Resting(task, complex(centre.point), complex(pivot.point), abs(complex(rod.point)), side)
@@ -91,7 +91,7 @@ def _resting(drawn: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn |
         return None
     off = rocker.largest(lambda angles: np.abs(rocker.turned(angles)), *task.dwell)
     deviation = rocker.largest(rocker.missed, *task.dwell)
-    marks = {"O": drawn.pivot, "C": drawn.other, "D": centre, "F": pivot}
+    marks = {"O": bars.pivot, "C": bars.other, "D": centre, "F": pivot}
     for k, pose in enumerate(poses, 1):
         marks |= {f"A_{k}": pose.pin, f"B_{k}": pose.end, f"K_{k}": pose.point}
     sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), task.lengths, strict=True))

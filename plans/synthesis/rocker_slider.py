@@ -8,14 +8,16 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from geometry.board import Board, Mark, between
-from plans.model.synthesis.design import Design
+from plans.model.synthesis.design import EPS, Design
 from plans.model.synthesis.swings import STILL, RockerSliderTask
 from plans.synthesis.chord import SYNTHESIS, cross
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
 from plans.words.words import because
 
+WEAR = 32.0  # roundings
 
-def rocker_sliders(task: RockerSliderTask) -> tuple[DrawnReading, ...]:
+
+def drawn(task: RockerSliderTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of a task; axial ones on a board for each side of the rod."""
     return tuple(
         one for each in task.readings for one in ((_symmetric(each),) if each.angles is None else _axial(each))
@@ -130,7 +132,9 @@ def _laid(board: Board, task: RockerSliderTask, sense: float) -> Iterator[Drawn]
     hinges, chains = frozenset(places), (("C", "A_1", "B_1"), ("C", "A_2", "B_2"))
     figure = Figure(chains[0], chains[1:], (), (("C", "B_1"), ("C", "B_2")), hinges, frozenset("C"), blocks)
     arms = {"ψ": sizes["l_1"], "α_max": sizes["l_2"] * math.cos(lean)}
-    yield Drawn(Design(sizes, places), {"l_1": rockers[0], "l_2": rods[0]}, arms, figure)
+    lost = WEAR * EPS * (1 + rod) / (abs(way) * math.cos(lean))  # the way is a difference of these lengths
+    within = {name: lost * sizes[name] for name in ("l_1", "l_2")}
+    yield Drawn(Design(sizes, places), {"l_1": rockers[0], "l_2": rods[0]}, arms, figure, within)
 
 
 def _rocker(board: Board, circle: Mark, name: str, angle: float) -> Mark:

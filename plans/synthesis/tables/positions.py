@@ -46,10 +46,10 @@ class RodTable(Table):
     places: tuple[Place, ...] = key(
         many(f.PLACE, first=SOME),
         meaning="Places of a point D of the rod in two or three positions, m, in their order.",
-        missing=Missing("places", "places = [[0, 0], [0.2, 0.1], [0.4, 0.1]]", ()),
+        missing=Missing("places of the rod", "places = [[0, 0], [0.2, 0.1], [0.4, 0.1]]", ()),
     )
     angles: tuple[Decimal, ...] = key(
-        ANGLES, meaning="Angles of the rod there, degrees.", missing=Missing("angles", "angles = [0, 20, 50]", ())
+        ANGLES, meaning="Angles of the rod there, degrees.", missing=Missing("angles of the rod", "angles = [0, 20, 50]", ())
     )
     hinges: tuple[Place, Place] | None = key(
         PLACES, None, meaning="Hinges A and B of the rod in its first position, m: the pivots are found."
@@ -81,18 +81,18 @@ class FunctionTable(Table):
     inputs: tuple[Decimal, ...] = key(
         ANGLES,
         meaning="Two or three angles of the crank OA from the line OC on, degrees, in their order.",
-        missing=Missing("angles", "inputs = [30, 60, 90]", ()),
+        missing=Missing("angles of the crank", "inputs = [30, 60, 90]", ()),
     )
     outputs: tuple[Decimal, ...] = key(
         ANGLES,
         meaning="Angles of the rocker with them, degrees: their differences are met.",
-        missing=Missing("angles", "outputs = [0, 20, 45]", ()),
+        missing=Missing("angles of the rocker", "outputs = [0, 20, 45]", ()),
     )
     crank: Decimal = key(
-        f.LENGTH, meaning="Crank l1, m: chosen.", missing=Missing("crank", 'crank = "100 mm"', Decimal("0.1"))
+        f.LENGTH, meaning="Crank l1, m: chosen.", missing=Missing("length of the link", 'crank = "100 mm"', Decimal("0.1"))
     )
     frame: Decimal = key(
-        f.LENGTH, meaning="Frame l4, m: chosen.", missing=Missing("frame", 'frame = "300 mm"', Decimal("0.3"))
+        f.LENGTH, meaning="Frame l4, m: chosen.", missing=Missing("length of the link", 'frame = "300 mm"', Decimal("0.3"))
     )
     rocker: Decimal | None = key(f.LENGTH, None, meaning="Of two angles: the rocker l3, m.")
 
@@ -105,20 +105,20 @@ class FunctionTable(Table):
 class DwellTable(Table):
     """A rocker that is wanted to rest while a point of a four-bar's coupler goes round an arc."""
 
-    crank: Decimal = key(f.LENGTH, meaning="Crank l1, m.", missing=Missing("crank", 'crank = "100 mm"', 1))
-    coupler: Decimal = key(f.LENGTH, meaning="Coupler l2, m.", missing=Missing("coupler", 'coupler = "250 mm"', 1))
-    rocker: Decimal = key(f.LENGTH, meaning="Rocker l3, m.", missing=Missing("rocker", 'rocker = "250 mm"', 1))
-    frame: Decimal = key(f.LENGTH, meaning="Frame l4, m.", missing=Missing("frame", 'frame = "200 mm"', 1))
+    crank: Decimal = key(f.LENGTH, meaning="Crank l1, m.", missing=Missing("length of the link", 'crank = "100 mm"', 1))
+    coupler: Decimal = key(f.LENGTH, meaning="Coupler l2, m.", missing=Missing("length of the link", 'coupler = "250 mm"', 1))
+    rocker: Decimal = key(f.LENGTH, meaning="Rocker l3, m.", missing=Missing("length of the link", 'rocker = "250 mm"', 1))
+    frame: Decimal = key(f.LENGTH, meaning="Frame l4, m.", missing=Missing("length of the link", 'frame = "200 mm"', 1))
     arm: Decimal = key(
-        f.LENGTH, meaning="AK, from the crank's end to K, m.", missing=Missing("arm", 'arm = "500 mm"', 1)
+        f.LENGTH, meaning="AK, from the crank's end to K, m.", missing=Missing("length of the link", 'arm = "500 mm"', 1)
     )
     lean: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle BAK of K from the coupler, degrees counter-clockwise.")
     dwell: tuple[Decimal, Decimal] = key(
         f.pair(f.ANGLE, "[from, to]"),
         meaning="Angles of the crank from the line OC on between which the rocker rests, degrees.",
-        missing=Missing("dwell", "dwell = [130, 230]", (130, 230)),
+        missing=Missing("dwell of the crank", "dwell = [130, 230]", (130, 230)),
     )
     output: Decimal = key(
-        f.LENGTH, meaning="Rocker DF that rests, m.", missing=Missing("output", 'output = "300 mm"', 1)
+        f.LENGTH, meaning="Rocker DF that rests, m.", missing=Missing("length of the link", 'output = "300 mm"', 1)
     )
     crossed: bool = key(f.FLAG, False, meaning="Whether the four-bar is crossed: B right of the ray from A to C.")

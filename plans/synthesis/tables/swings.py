@@ -37,7 +37,7 @@ class RockerSliderTable(Table):
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that the demands are enough."""
         angles = value.get("angles")
-        if isinstance(angles, list) and len(angles) == len(set(map(str, angles))) - 1:
+        if isinstance(angles, list) and len(set(map(str, angles))) == 1:
             yield wrong("synthesis_no_swing", at=("angles",))
         elif "angles" not in value and not {"pressure", "ratio"} <= value.keys():
             yield wrong("synthesis_leaning")
