@@ -24,7 +24,9 @@ def run(options: argparse.Namespace) -> int:
     if not study.comparison("synthesis").agrees:
         return FAILED
     scene = study.scene
-    text = written(study.of(SynthesisStudy).chosen, scene.title, Path(scene.file).name, scene.sheet.language)
+    found = study.of(SynthesisStudy)
+    made = found.family.mechanism(found.synthesis.chosen)
+    text = written(made, scene.title, Path(scene.file).name, scene.sheet.language)
     if options.output is None:
         print(text, end="")
         return 0

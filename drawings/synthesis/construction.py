@@ -14,13 +14,12 @@ from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline,
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject, around, heading, heading_width, point
 from drawings.symbols.symbols import block, fit_dashes, hinge
-from drawings.synthesis.shown import ShownSynthesis
+from drawings.synthesis.due_shown import ShownSynthesis
 
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(4.0, 2.5, 2.0)
 LETTERS = 22.0  # it is drawn at least so many letters high
 DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
-HINGES = frozenset(("O", "C", "A_1", "A_2", "B_1", "B_2"))
 HATCH, APART = 3.0, 2.5  # mm: a stroke of the hatching of an arc, and how far apart they are
 
 
@@ -48,26 +47,36 @@ class _DrawnSynthesis:
 
     def __init__(self, found: ShownSynthesis, place: Place, drafting: Drafting) -> None:
         self.found, self.place, self.hand = found, place, drafting.hand
-        self.spots = {name: place.on(spot) for name, spot in found.points.items()}
+        self.spots = {name: place.on(spot) for name, spot in found.places.items()}
 
     def lines(self) -> Iterator[Stroke]:
-        """Draw loci, lines, the mechanism in its second place and in its first, then the points."""
-        found, hand = self.found, self.hand
+        """Draw loci, lines, the mechanism in its other places and in its first, then the points."""
+        found, hand, spots = self.found, self.hand, self.found.design.places
         for name, curve in found.circles.items():
             yield stating(Statement(Kind.CURVE, found.name, name), self._chain(curve.tolist(), hand.other))
-        for arc in found.barred:
-            yield from self._hatched(arc.tolist())
-        yield from (Line(self.place.on(start), self.place.on(end), hand.drafted) for start, end in found.drafted)
-        yield from fit_dashes(Line(self.place.on(start), self.place.on(end), hand.axis) for start, end in found.axes)
-        yield from fit_dashes([self._chain(found.second, hand.extreme)])
-        yield self._chain(found.first, hand.result)
-        yield from self._blocks()
+        for name, arc in found.barred.items():
+            hatched = self._hatched(arc.tolist())
+            yield stating(Statement(Kind.CURVE, found.name, name), self._chain(arc.tolist(), hand.other))
+            yield from hatched
+        for line in found.figure.lines:
+            start, end = found.cut(*(spots[name] for name in line))
+            yield Line(self.place.on(start), self.place.on(end), hand.drafted)
+        for axis in found.figure.axes:
+            yield from fit_dashes([self._chain([spots[name] for name in axis], hand.axis)])
+        for chain in found.figure.others:
+            yield from fit_dashes([self._chain([spots[name] for name in chain], hand.extreme)])
+        yield self._chain([spots[name] for name in found.figure.first], hand.result)
+        yield from (block(self.place.on(spots[name]), way, hand) for name, way in found.figure.blocks.items())
+        yield from self._points()
+
+    def _points(self) -> Iterator[Stroke]:
+        found, hand = self.found, self.hand
         subject = Subject(found.name, SYMBOL, None)
-        for name, spot in self.spots.items():
-            circle = hinge(spot, hand)[0] if name in HINGES else Circle(spot, DOT * hand.symbol, INK)
-            yield point(
-                subject, name, found.points[name], self.place, circle, "point" if found.points[name] else "pole"
-            )
+        for name, value in found.places.items():
+            spot = self.spots[name]
+            hinged = name in found.figure.hinges | found.figure.fixed
+            circle = hinge(spot, hand)[0] if hinged else Circle(spot, DOT * hand.symbol, INK)
+            yield point(subject, name, value, self.place, circle, "point" if value else "pole")
 
     def _chain(self, places: Sequence[complex], style: LineStyle) -> Polyline:
         return Polyline(tuple(map(self.place.on, places)), False, style)
@@ -82,10 +91,6 @@ class _DrawnSynthesis:
             inner = 1j * along if ((middle - spots[k]) * (1j * along).conjugate()).real > 0 else -1j * along
             way = (inner + along) / abs(inner + along)
             yield Line(spots[k], spots[k] + HATCH * self.hand.symbol * way, self.hand.drafted)
-
-    def _blocks(self) -> Iterator[Stroke]:
-        if self.found.sliding:
-            yield from (block(self.spots[name], 1 + 0j, self.hand) for name in ("B_1", "B_2"))
 
     def letters(self, labels: Labels) -> Iterator[Stroke]:
         """Letter the points, away from the middle of the figure."""

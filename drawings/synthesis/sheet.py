@@ -15,9 +15,8 @@ from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, exhibit, figures_facts
 from drawings.synthesis import construction
-from drawings.synthesis.due import NAME, TOLD, VALUES, expected, noted, rows, slips
-from drawings.synthesis.shown import shown
-from plans.model.synthesis import RockerTask, SliderTask
+from drawings.synthesis.due import TOLD, VALUES, expected, rows, slips, told_in
+from drawings.synthesis.due_shown import NAME, shown
 from plans.study import Study
 from plans.synthesis.study import SynthesisStudy
 
@@ -40,23 +39,16 @@ def values(study: Study, drafting: Drafting) -> RuledTable:
 
 
 def _notes(study: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
-    """Say what was asked, how O was found, and what several readings are."""
-    units = {"ψ": "°", "θ": "°", "α_max": "°", "λ": ""}
-    given = noted(study.task).items()
-    parts = [_told(name, one, units.get(name, "mm"), drafting) for name, one in given]
+    """Say what was asked, and what the family says of how it is found."""
+    parts = [_told(name, one, drafting) for name, one in study.task.asked.items()]
     yield drafting.phrase("synthesis asked", parts=joined(", ", parts))
-    if isinstance(study.task, RockerTask):
-        yield drafting.word("synthesis best" if study.sought else "synthesis free")
-        yield drafting.word("synthesis barred")
-    elif len(study.drawn) > 1:
-        yield drafting.word("synthesis readings")
-    similar = isinstance(study.task, SliderTask) and study.task.pressure is not None
-    yield drafting.word("synthesis similar" if similar else "synthesis read")
+    yield from map(drafting.word, study.family.notes(study.task))
 
 
-def _told(name: str, value: float, unit: str, drafting: Drafting) -> str:
+def _told(name: str, value: float, drafting: Drafting) -> str:
+    times, unit = told_in(name)
     after = "" if not unit else drafting.word(unit) if unit == "°" else f" {drafting.word(unit)}"
-    return joined("", (f"{with_index(name)} = ", drafting.slot(Slot(name, value, TOLD)), after))
+    return joined("", (f"{with_index(name)} = ", drafting.slot(Slot(name, times * value, TOLD)), after))
 
 
 SCALES: Final = {NAME: "synthesis"}

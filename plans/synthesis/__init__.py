@@ -11,13 +11,13 @@ if TYPE_CHECKING:
 
 
 class SynthesisTechnique(Technique):
-    """Synthesis of crank-rockers and slider-cranks."""
+    """Synthesis of linkages from what they must do."""
 
     tables = ("synthesis",)
     plans = ("synthesis",)
     sheets = {"synthesis": ("synthesis",)}
     scales = {"synthesis": ("", "Of the construction of a task of synthesis.")}
-    form = late("form:SynthesisForm")
+    form = late("tables:SynthesisForm")
     survey = late("reading:survey_of")
     comparison = late("quantities:compare_synthesis", "synthesis.study:SynthesisStudy")
     numbers = late("quantities:numbers")
@@ -31,8 +31,7 @@ class SynthesisTechnique(Technique):
         if faults := study.scene.meaning.faults:
             raise SceneError(faults)
         survey = study.scene.meaning.of(SynthesisSurvey)
-        assert survey.task is not None  # it is without faults
-        return SynthesisStudy(survey.task, survey.sought)
+        return SynthesisStudy(survey.key, survey.task)
 
 
 TECHNIQUE = SynthesisTechnique()

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from typing import NamedTuple
 
 import numpy as np
 
-from geometry.board import Board, Mark, between
+from geometry.board import Arc, Board, Mark, Reading, between
 from geometry.meet import Sizes, Vectors
+from plans.model.synthesis.design import Circle
 from plans.words.words import because
 
 SYNTHESIS = "synthesis"  # the board
@@ -62,31 +64,58 @@ class Chord(NamedTuple):
         return board.parallel("e:l", board.lay_off("E_e", self.middle, away), self.along, because("offset_line"))
 
 
-class Drawn(NamedTuple):
-    """Crank and coupler read from O: A1 with both stretched, and the vectors of l1 and l2."""
+class Crank(NamedTuple):
+    """Crank and coupler read from O: the vectors of l1 and l2, both pins, how the overlap is read."""
 
     pivot: Mark
     crank: Mark
     coupler: Mark
+    pins: tuple[Mark, Mark]
+    chord: Chord
+    seen: Reading
 
     @property
     def lengths(self) -> tuple[Sizes, Sizes]:
         """The lengths l1 and l2, m."""
         return np.abs(self.crank.point), np.abs(self.coupler.point)
 
+    @property
+    def overlap(self) -> tuple[float, float]:
+        """The angle rad that the chord is seen under from O, and over which arm m it is measured."""
+        far, near = (complex(between(self.pivot, end)) for end in (self.chord.stretched, self.chord.folded))
+        return abs(cmath.phase(near / far)), abs(near)
 
-def read(chord: Chord, pivot: Mark) -> Drawn:
+    @property
+    def places(self) -> dict[str, complex]:
+        """O, the pins and the ends of the chord."""
+        found = {"O": self.pivot, "A_1": self.pins[0], "B_1": self.chord.stretched}
+        found |= {"A_2": self.pins[1], "B_2": self.chord.folded}
+        return {name: complex(mark.point) for name, mark in found.items()}
+
+
+def read(chord: Chord, pivot: Mark) -> Crank:
     """Read crank and coupler: OB2 is laid off on OB1, and what is left of it halved is the crank."""
     board, name = chord.board, pivot.name
     far, near = (board.join(f"{name}{one.name}", pivot, one) for one in (chord.stretched, chord.folded))
-    unit = board.turn(f"{name}:u", far, np.abs(far.point) ** -1 + 0j)
-    line = board.parallel(f"{name}:f", pivot, unit)
+    ahead, back = (
+        board.turn(f"{name}:{one}", way, np.abs(way.point) ** -1 + 0j)
+        for one, way in zip("uw", (far, near), strict=True)
+    )
+    line = board.parallel(f"{name}:f", pivot, ahead)
     arc = board.arc(f"{name}:n", pivot, np.abs(near.point), because("near_length"))
     end = board.meet(f"{name}:D", line, arc, 1.0, because("near_on_far"))
-    twice = board.join(f"{name}:DB_1", end, chord.stretched)
-    crank = board.turn(f"{name}:l_1", twice, 0.5, because("half_left"))
-    pin = board.lay_off(f"{name}:A_1", pivot, crank)
-    return Drawn(pivot, crank, board.join(f"{name}:l_2", pin, chord.stretched, because("rest_coupler")))
+    crank = board.turn(f"{name}:l_1", board.join(f"{name}:DB_1", end, chord.stretched), 0.5, because("half_left"))
+    beyond = board.turn(f"{name}:OA_2", back, -np.abs(crank.point), because("crank_beyond"))
+    pins = board.lay_off(f"{name}:A_1", pivot, crank), board.lay_off(f"{name}:A_2", pivot, beyond)
+    coupler = board.join(f"{name}:l_2", pins[0], chord.stretched, because("rest_coupler"))
+    turned = board.turn(f"{name}:θ", far, back.point / far.point)
+    return Crank(pivot, crank, coupler, pins, chord, Reading(turned, back))
+
+
+def circle_of(mark: Mark) -> Circle:
+    """Give a circle that is drawn."""
+    assert isinstance(mark.value, Arc)  # a locus that is a circle
+    return Circle(complex(np.asarray(mark.value.centre)), float(np.asarray(mark.value.radius)))
 
 
 def cross(one: Vectors, other: Vectors) -> Sizes:

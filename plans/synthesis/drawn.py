@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import NamedTuple
 
 from geometry.board import Board
@@ -12,11 +12,11 @@ from plans.model.synthesis.design import Design
 from plans.quantity import Shown
 
 
-@dataclass(frozen=True)
-class Figure:
-    """What a sheet shows of a construction, by the letters of the design's places.
+class Figure(NamedTuple):
+    """What a sheet shows of a construction, by the letters of the design's places and sizes.
 
     The mechanism stands in its first position in full lines, in others by dashes; a block slides along a direction.
+    Sizes are dimensioned between two places, angles at one from the second to the third.
     """
 
     first: tuple[str, ...] = ()
@@ -25,17 +25,23 @@ class Figure:
     axes: tuple[tuple[str, str], ...] = ()
     hinges: frozenset[str] = frozenset()
     fixed: frozenset[str] = frozenset()  # pivots in the frame
-    blocks: Mapping[str, complex] = field(default_factory=dict)
-    curves: Mapping[str, Complexes] = field(default_factory=dict)  # that are no circles: a coupler's curve
+    blocks: Mapping[str, complex] = MappingProxyType({})
+    curves: Mapping[str, Complexes] = MappingProxyType({})  # that are no circles: a coupler's curve
+    lengths: tuple[tuple[str, str, str], ...] = ()
+    angles: tuple[tuple[str, str, str, str], ...] = ()
 
 
 class Drawn(NamedTuple):
-    """A mechanism drawn: as read off the board, from which marks, and over which arm m a length moves an angle."""
+    """A mechanism drawn: as read off the board, from which marks, and over which arm m a length moves an angle.
+
+    A size that is known no better than within something, though drawn exactly, is `within` it.
+    """
 
     design: Design
     shown: Mapping[str, Shown]
     arms: Mapping[str, float]
     figure: Figure
+    within: Mapping[str, float] = MappingProxyType({})
 
 
 class DrawnReading(NamedTuple):

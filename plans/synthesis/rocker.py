@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -9,83 +10,151 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.board import Board, Mark, between
+from geometry.board import Board, Mark, Span, between
 from geometry.meet import Sizes, Vectors
 from plans.model.motion import Floats
-from plans.model.synthesis import CENTRES, TOWARDS, CrankRocker, RockerTask
-from plans.synthesis.chord import SYNTHESIS, Chord, Drawn, cross, read
+from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design
+from plans.model.synthesis.extremes import CENTRES, RockerTask
+from plans.quantity import Shown
+from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, cross, read
+from plans.synthesis.drawn import Drawn, DrawnReading, Figure
 from plans.words.words import because
 
 STATIONS = 361  # of O on an arc, where the best is looked for; then closer about the best of them
 CLOSER = 5  # times
 PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding
+KEPT = ("rocker", "swing", "overlap")
 
 
-class DrawnRocker(NamedTuple):
-    """A task drawn: the rocker's pivot, the chord, the circle of one side, and the mechanisms found on it."""
+class _Base(NamedTuple):
+    """A task drawn but for O: the rocker's pivot, the chord, the locus of O on one side, and where its arcs end."""
 
     task: RockerTask
-    side: int
     board: Board
     rocker: Mark  # C
     chord: Chord
     locus: Mark
-    found: tuple[tuple[Drawn, CrankRocker], ...]
+    ends: tuple[Mark, ...]  # K1, K2 on the lines CB1, CB2
+
+    @property
+    def side(self) -> int:
+        return self.task.sides[0]
+
+    @property
+    def barred(self) -> tuple[BarredArc, ...]:
+        """The arcs between the lines CB1, CB2 and beyond the chord: from the right end of each on, or from the left."""
+        if not self.ends:
+            return ()
+        name = CENTRES[self.side]
+        chord = (self.chord.stretched, self.chord.folded)
+        return tuple(_arc(self.board[name], pair, self.side * sense) for pair, sense in ((self.ends, -1), (chord, 1)))
 
 
-def drawn_rocker(task: RockerTask, side: int) -> DrawnRocker:
-    """Draw a task on the circle of one side."""
-    board, pivot, chord = _chord(task)
-    locus = chord.seen(task.overlap, side, CENTRES[side]) if task.overlap else chord.offset(0.0)
-    pivots = (one for one in _pivots(board, task, pivot, locus) if _admits(task, side, pivot, chord, one).all())
-    found = tuple((one, _made(task, pivot, one)) for one in (read(chord, each) for each in pivots))
-    return DrawnRocker(task, side, board, pivot, chord, locus, found)
+def _arc(centre: Mark, ends: tuple[Mark, ...], sense: int) -> BarredArc:
+    """Give the arc above a centre, from right to left, or below it."""
+    rays = sorted((complex(between(centre, end)) for end in ends), key=lambda ray: -sense * ray.real)
+    return BarredArc(centre.name, cmath.phase(rays[0]), cmath.phase(rays[1] / rays[0]) % math.tau)
 
 
-def _chord(task: RockerTask) -> tuple[Board, Mark, Chord]:
+def _base(task: RockerTask) -> _Base:
     """Draw the rocker in both extreme places; O being on the left, B1, farther from it, is on the right."""
     board = Board(SYNTHESIS)
     pivot = board.given("C", 0j, because("rocker_pivot"))
     why = because("rocker_extreme", angle=f"{math.degrees(task.swing):.10g}")
     ends = [complex(sense * task.half, task.height) for sense in (1, -1)]
     far, near = (board.given(f"C{name}", end, why) for name, end in zip(("B_1", "B_2"), ends, strict=True))
-    return board, pivot, Chord.between(board, board.lay_off("B_1", pivot, far), board.lay_off("B_2", pivot, near))
+    chord = Chord.between(board, board.lay_off("B_1", pivot, far), board.lay_off("B_2", pivot, near))
+    if not task.overlap:
+        return _Base(task, board, pivot, chord, chord.offset(0.0), ())
+    side = task.sides[0]
+    locus = chord.seen(task.overlap, side, CENTRES[side])
+    ways = (board.turn(f"K_{k}:u", ray, 1 / task.rocker) for k, ray in ((1, far), (2, near)))
+    lines = (board.parallel(f"K_{k}:l", pivot, way, because("assembly_line")) for k, way in enumerate(ways, 1))
+    last = [board.meet(f"K_{k}", line, locus, -side, because("assembly_end")) for k, line in enumerate(lines, 1)]
+    return _Base(task, board, pivot, chord, locus, tuple(last))
 
 
-def _pivots(board: Board, task: RockerTask, pivot: Mark, locus: Mark) -> Iterator[Mark]:
+def drawn(task: RockerTask) -> tuple[DrawnReading, ...]:
+    """Draw a task whose free parameter is known on each circle that O may lie on."""
+    return tuple(_reading(_base(task._replace(side=side))) for side in task.sides)
+
+
+def _reading(base: _Base) -> DrawnReading:
+    pivots = [one for one in _pivots(base) if _admits(base, one).all()]
+    return DrawnReading(KEPT, base.board, tuple(_drawn(base, read(base.chord, pivot)) for pivot in pivots))
+
+
+def _pivots(base: _Base) -> Iterator[Mark]:
     """Put O where its frame or its angle has it."""
-    if task.frame is None:
-        assert task.place is not None  # the best is looked for before
+    task, board = base.task, base.board
+    if task.place is not None:
         ray = board.given("O:r", complex(math.cos(task.place), math.sin(task.place)), because("chosen_place"))
-        yield board.divide("O", locus, ray, because("pivot_place"))
-        return
-    arc = board.arc("C:o", pivot, task.frame, because("frame_length"))
-    for name, side in (("O", 1.0), ("O'", -1.0)):
-        met = board.meet(name, locus, arc, side, because("pivot_loci"))
-        if complex(met.point).real < 0:  # the others are mirror images
-            yield met
+        yield board.divide("O", base.locus, ray, because("pivot_place"))
+    elif task.frame is not None:
+        arc = board.arc("C:o", base.rocker, task.frame, because("frame_length"))
+        for name, side in (("O", 1.0), ("O'", -1.0)):
+            met = board.meet(name, base.locus, arc, side, because("pivot_loci"))
+            if complex(met.point).real < 0:  # the others are mirror images
+                yield met
 
 
-def _admits(task: RockerTask, side: int, pivot: Mark, chord: Chord, at: Mark) -> NDArray[np.bool_]:
+def _admits(base: _Base, at: Mark) -> NDArray[np.bool_]:
     """Tell where O is on the arc that sees theta, and sees B1 and B2 on one side of the line OC."""
-    frame, folded = between(at, pivot), np.asarray(between(at, chord.folded))
-    ends = [np.sign(cross(frame, between(at, end))) for end in (chord.stretched, chord.folded)]
+    frame, folded = between(at, base.rocker), np.asarray(between(at, base.chord.folded))
+    ends = [np.sign(cross(frame, between(at, end))) for end in (base.chord.stretched, base.chord.folded)]
     beside = np.asarray(ends[0] * ends[1] > 0)
-    return beside & np.asarray(side * folded.imag > 0 if task.overlap else folded.real > 0)
+    return beside & np.asarray(base.side * folded.imag > 0 if base.task.overlap else folded.real > 0)
 
 
-def _made(task: RockerTask, pivot: Mark, drawn: Drawn) -> CrankRocker:
-    crank, coupler = (float(length) for length in drawn.lengths)
-    frame = between(drawn.pivot, pivot)
-    least = float(_transmission(pivot.name, drawn, frame, task.rocker))
-    return CrankRocker(crank, coupler, task.rocker, abs(complex(frame)), complex(drawn.pivot.point), least)
+def _drawn(base: _Base, crank: Crank) -> Drawn:
+    task, board, chord = base.task, base.board, base.chord
+    first, rest = (float(length) for length in crank.lengths)
+    frame = complex(between(crank.pivot, base.rocker))
+    least = float(_transmission(crank, frame, task.rocker))
+    rockers = [complex(between(base.rocker, end)) for end in (chord.stretched, chord.folded)]
+    theta, arm = crank.overlap
+    sizes = {"l_1": first, "l_2": rest, "l_3": abs(rockers[0]), "l_4": abs(frame)}
+    sizes |= {"ψ": cmath.phase(rockers[1] / rockers[0]), "θ": theta, "μ_min": least}
+    sizes |= {"μ_best": least} if task.best else {}
+    places = {"C": complex(base.rocker.point), **crank.places}
+    circles = dict[str, Circle]()
+    if task.overlap:
+        name = CENTRES[base.side]
+        places |= {one.name: complex(one.point) for one in (board[name], *base.ends)}
+        circles[name] = circle_of(base.locus)
+    shown: dict[str, Shown] = {
+        "l_1": crank.crank,
+        "l_2": crank.coupler,
+        "l_4": Span(crank.pivot, base.rocker),
+        "θ": crank.seen,
+    }
+    flat = math.sin(least) * min(rest, task.rocker)
+    arms = {"θ": arm, "ψ": task.rocker, "μ_min": flat}
+    design = Design(sizes, places, circles, base.barred, least)
+    return Drawn(design, shown, arms, _figure(places), {"μ_best": 10.0**-PLACED})
 
 
-def _transmission(name: str, drawn: Drawn, frame: Vectors, rocker: float) -> Sizes:
+def _figure(places: dict[str, complex]) -> Figure:
+    centres = [name for name in CENTRES.values() if name in places]
+    lines = [("B_1", "B_2"), *((end, centre) for centre in centres for end in ("B_1", "B_2"))]
+    lines += [("C", end) for end in ("K_1", "K_2") if end in places]
+    return Figure(
+        ("O", "A_1", "B_1", "C"),
+        (("O", "A_2", "B_2", "C"),),
+        tuple(lines),
+        (("C", "O"),),
+        frozenset(("A_1", "A_2", "B_1", "B_2")),
+        frozenset(("O", "C")),
+        lengths=(("l_3", "C", "B_1"), ("l_4", "C", "O")),
+        angles=(("ψ", "C", "B_1", "B_2"), ("θ", "O", "B_1", "B_2")),
+    )
+
+
+def _transmission(made: Crank, frame: Vectors, rocker: float) -> Sizes:
     """Draw the coupler with the crank on the line of the frame, towards C and away, and measure its angle at B."""
     board = Board("transmission")
-    length, (crank, coupler) = np.abs(frame), drawn.lengths
-    pivot, hinge = board.given("O", 0j), board.given(name, length + 0j)
+    length, (crank, coupler) = np.abs(frame), made.lengths
+    pivot, hinge = board.given("O", 0j), board.given("C", length + 0j)
     angles = []
     for sense in (1, -1):
         pin = board.lay_off(f"A_{sense}", pivot, board.given(f"OA_{sense}", sense * crank + 0j))
@@ -95,47 +164,45 @@ def _transmission(name: str, drawn: Drawn, frame: Vectors, rocker: float) -> Siz
     return np.asarray(np.minimum(angles[0], math.pi - angles[1]))
 
 
-def best_place(task: RockerTask) -> tuple[int, float] | None:
-    """Look on the arcs for O with the largest of all least transmission angles: its side, and its angle at M.
+def with_best(task: RockerTask) -> RockerTask:
+    """Give a task with the place of O that has the largest of all least transmission angles, if none is told.
 
     The arc is divided, then divided again about its best place, and so on; right of the axis all is mirrored.
     """
-    best = max(((*_best_on(task, side), side) for side in task.sides), default=(-math.inf, 0.0, 0))
-    return (best[2], round(best[1], PLACED)) if best[0] > 0 else None
+    if task.frame is not None or task.place is not None or not task.overlap:
+        return task
+    _, place, side = max((*_best_on(task, side), side) for side in task.sides)
+    return task._replace(side=side, place=round(place, PLACED), best=True)
 
 
 def _best_on(task: RockerTask, side: int) -> tuple[float, float]:
-    least, most = math.pi / 2, 3 * math.pi / 2
+    least, most = QUARTER, 3 * QUARTER
     found, place = -math.inf, math.pi
     for _ in range(CLOSER):
         places = np.linspace(least, most, STATIONS)
-        values = stations(task, side, places)
+        values = stations(task._replace(side=side), places)
         k = int(np.argmax(values))
         found, place = float(values[k]), float(places[k])
         least, most = places[max(k - 2, 0)], places[min(k + 2, STATIONS - 1)]
     return found, place
 
 
-def stations(task: RockerTask, side: int, places: Floats) -> Floats:
+def stations(task: RockerTask, places: Floats) -> Floats:
     """Give the least transmission angle rad with O at each of some places; less than 0 where none is admitted."""
-    board, pivot, chord = _chord(task)
-    locus = chord.seen(task.overlap, side, CENTRES[side])
-    at = board.divide("O", locus, board.given("O:r", np.exp(1j * places)))
+    base = _base(task)
+    at = base.board.divide("O", base.locus, base.board.given("O:r", np.exp(1j * places)))
     with np.errstate(invalid="ignore", divide="ignore"):
-        admitted = _admits(task, side, pivot, chord, at)
-        least = _transmission(pivot.name, read(chord, at), between(at, pivot), task.rocker)
+        admitted = _admits(base, at)
+        least = _transmission(read(base.chord, at), between(at, base.rocker), task.rocker)
     return np.where(admitted & np.isfinite(least), least, -1.0)
 
 
-def rocker_of(task: RockerTask) -> RockerTask | None:
-    """Give a task with its free parameter: as it is told, or the best; None where no arc admits O."""
-    if task.frame is not None or task.place is not None:
-        return task
-    best = best_place(task) if task.overlap else None
-    return None if best is None else task._replace(side=best[0], place=best[1])
-
-
-def rockers(task: RockerTask) -> tuple[DrawnRocker, ...]:
-    """Draw a task whose free parameter is known on each circle that it may lie on."""
-    sides = task.sides if task.overlap else (TOWARDS,)
-    return tuple(drawn_rocker(task, side) for side in sides)
+def admitted(task: RockerTask) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+    """Give the places rad at M, and the frames m, between which the arcs left of the axis admit O."""
+    for side in task.sides:
+        base = _base(task._replace(side=side))
+        if side > 0 or task.swing / 2 + task.overlap < QUARTER:
+            left = min(base.ends, key=lambda end: complex(end.point).real)
+            rays = (complex(between(base.board[CENTRES[side]], end)) for end in (base.chord.folded, left))
+            low, high = sorted(cmath.phase(ray) % math.tau for ray in rays)
+            yield (low, high), tuple(sorted((task.rocker, abs(complex(left.point)))))  # type: ignore[misc]

@@ -2,53 +2,56 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
 
-from geometry.board import Board, Mark, between
-from plans.model.synthesis import SliderCrank, SliderTask
-from plans.synthesis.chord import SYNTHESIS, Chord, Drawn, read
+import numpy as np
+
+from geometry.board import Board, Mark, Span, between
+from plans.model.synthesis.design import BarredArc, Design
+from plans.model.synthesis.extremes import SliderTask
+from plans.quantity import Shown
+from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, read
+from plans.synthesis.drawn import Drawn, DrawnReading, Figure
 from plans.words.words import because
 
+FIGURE = Figure(
+    ("O", "A_1", "B_1"),
+    (("O", "A_2", "B_2"),),
+    hinges=frozenset(("A_1", "A_2", "B_1", "B_2")),
+    fixed=frozenset("O"),
+    blocks={"B_1": 1 + 0j, "B_2": 1 + 0j},
+    axes=(("B_2", "B_1"),),
+    lengths=(("H", "B_2", "B_1"),),
+)
 
-class DrawnSlider(NamedTuple):
-    """One reading of a task drawn: the chord, the loci, and the mechanisms that they meet in."""
 
-    task: SliderTask
-    board: Board
-    loci: tuple[Mark, ...]
-    found: tuple[tuple[Drawn, SliderCrank], ...]
+def drawn(task: SliderTask) -> tuple[DrawnReading, ...]:
+    """Draw each reading of a task."""
+    return tuple(_similar(one) if one.pressure is not None else _met(one) for one in task.readings)
 
 
-def drawn_slider(task: SliderTask) -> DrawnSlider:
-    """Draw one reading of a task."""
+def _met(task: SliderTask) -> DrawnReading:
     board = Board(SYNTHESIS)
-    if task.pressure is not None:
-        return _similar(board, task)
     folded = board.given("B_2", complex(-task.stroke / 2, 0.0), because("guide_end"))
     along = board.given("H", complex(task.stroke, 0.0), because("stroke_given"))
     chord = Chord.between(board, board.lay_off("B_1", folded, along), folded)
-    loci = tuple(_loci(chord, task))
-    first, second = loci
-    drawn = [read(chord, pivot) for pivot in _met(board, first, second) if _admits(chord, pivot)]
-    made = sorted(((_slider(chord, one), one) for one in drawn), key=lambda pair: -pair[0].crank)
-    return DrawnSlider(task, board, loci, tuple((one, found) for found, one in made))
+    loci = dict(_loci(chord, task))
+    first, second = loci.values()
+    pivots = (board.meet(name, first, second, side, because("pivot_loci")) for name, side in (("O", -1.0), ("O'", 1.0)))
+    made = [_drawn(chord, read(chord, pivot), loci) for pivot in pivots if _admits(chord, pivot)]
+    return DrawnReading(task.demands, board, tuple(sorted(made, key=lambda one: -one.design.sizes["l_1"])))
 
 
-def _loci(chord: Chord, task: SliderTask) -> Iterator[Mark]:
+def _loci(chord: Chord, task: SliderTask) -> Iterator[tuple[str, Mark]]:
     """Give the loci of O; no offset and no overlap are one demand: O on the line of the chord."""
     if task.overlap:
-        yield chord.seen(task.overlap, 1)
+        yield "M", chord.seen(task.overlap, 1)
     if task.ratio is not None:
-        yield chord.proportioned(task.ratio)
+        yield "N", chord.proportioned(task.ratio)
     if task.offset or not task.overlap:
-        yield chord.offset(task.offset or 0.0)
-
-
-def _met(board: Board, first: Mark, second: Mark) -> Iterator[Mark]:
-    for name, side in (("O", -1.0), ("O'", 1.0)):
-        yield board.meet(name, first, second, side, because("pivot_loci"))
+        yield "e", chord.offset(task.offset or 0.0)
 
 
 def _admits(chord: Chord, pivot: Mark) -> bool:
@@ -57,33 +60,92 @@ def _admits(chord: Chord, pivot: Mark) -> bool:
     return from_folded.real > 0 and from_folded.imag >= 0  # no meeting is not a number, and no more than anything
 
 
-def _slider(chord: Chord, drawn: Drawn) -> SliderCrank:
-    crank, rod = (float(length) for length in drawn.lengths)
-    return SliderCrank(crank, rod, float(complex(between(drawn.pivot, chord.middle)).imag))
+def _drawn(chord: Chord, crank: Crank, loci: dict[str, Mark]) -> Drawn:
+    """Read a mechanism; O is below the guide by the offset."""
+    board = chord.board
+    first, rod = (float(length) for length in crank.lengths)
+    guide, across = (
+        board.parallel(f"{crank.pivot.name}:g", chord.middle, chord.along),
+        board.square(f"{crank.pivot.name}:e", crank.pivot, chord.along),
+    )
+    foot = board.meet(f"{crank.pivot.name}:F", guide, across, why=because("offset_read"))
+    offset = complex(between(crank.pivot, foot)).imag
+    theta, arm = crank.overlap
+    stroke = abs(complex(between(chord.folded, chord.stretched)))
+    shown: dict[str, Shown] = {"l_1": crank.crank, "l_2": crank.coupler, "e": Span(crank.pivot, foot), "θ": crank.seen}
+    centres = {name: mark for name, mark in loci.items() if name != "e"}
+    dividing = ("D_1", "D_2") if "N" in loci else ()
+    points = {name: complex(board[name].point) for name in ("E", *centres, *dividing)}
+    points |= {"F": complex(foot.point)} if offset else {}
+    circles = {name: circle_of(mark) for name, mark in centres.items()}
+    lines = tuple((end, "M") for end in ("B_1", "B_2") if "M" in centres)
+    design = Design(_sizes(first, rod, offset, stroke, theta), crank.places | points, circles, _barred(chord, centres))
+    return _made(design, shown, arm, FIGURE._replace(lines=lines))
 
 
-def _similar(board: Board, task: SliderTask) -> DrawnSlider:
+def _barred(chord: Chord, centres: dict[str, Mark]) -> tuple[BarredArc, ...]:
+    """Give the arcs above the chord and under it: from there B1 and B2 are not both seen ahead."""
+    if "M" not in centres:
+        return ()
+    far, near = (complex(between(chord.board["M"], end)) for end in (chord.stretched, chord.folded))
+    sweep = cmath.phase(near / far)
+    return BarredArc("M", cmath.phase(far), sweep), BarredArc("M", cmath.phase(-far), sweep)
+
+
+def _sizes(crank: float, rod: float, offset: float, stroke: float, theta: float) -> dict[str, float]:
+    """Tell what is read off, and what follows: the rod leans most with the crank square to the guide."""
+    least, most = (math.asin((offset + sense * crank) / rod) for sense in (-1, 1))
+    sizes = {"l_1": crank, "l_2": rod, "e": offset, "H": stroke, "θ": theta}
+    return sizes | {"λ": rod / crank, "α_max": most, "α_min": least}
+
+
+def _made(design: Design, shown: Mapping[str, Shown], arm: float, figure: Figure) -> Drawn:
+    rod = design.sizes["l_2"]
+    arms = {name: math.cos(design.sizes[name]) * rod for name in ("α_max", "α_min")}
+    if "F" in design.places:
+        figure = figure._replace(axes=(("F", "B_1"),), lengths=(*figure.lengths, ("e", "F", "O")))
+    if design.sizes["θ"]:
+        figure = figure._replace(angles=(("θ", "O", "B_1", "B_2"), *figure.angles))
+    return Drawn(design, shown, {"θ": arm, **arms}, figure)
+
+
+def _similar(task: SliderTask) -> DrawnReading:
     """Draw a mechanism of the crank 1 that has ratio and pressure angle, and measure how much larger the stroke is."""
     assert task.pressure is not None  # asked before
-    sine = math.sin(task.pressure)
+    board, sine = Board(SYNTHESIS), math.sin(task.pressure)
     ratio = 1 / sine if task.ratio is None else task.ratio
-    crank = board.given("l_1:1", 1 + 0j, because("unit_crank"))
+    unit = board.given("l_1:1", 1 + 0j, because("unit_crank"))
     pivot = board.given("O:1", 0j)
-    rod = board.turn("l_2:1", crank, ratio, because("times_ratio", ratio=f"{ratio:.10g}"))
+    long = board.turn("l_2:1", unit, ratio, because("times_ratio", ratio=f"{ratio:.10g}"))
     height = 0.0 if task.ratio is None else ratio * sine - 1
-    away = board.turn("e:1", crank, 1j * height, because("offset_pressure"))
-    guide = board.parallel("e:l", board.lay_off("E:1", pivot, away), crank, because("offset_line"))
-    places = [_end(board, pivot, guide, crank, rod, sense) for sense in (1, -1)]
-    stroke = board.join("H:1", places[1], places[0], because("unit_stroke"))
-    scale = task.stroke / abs(complex(stroke.point))
+    if height < 0:
+        return DrawnReading(task.demands, board, ())
+    up = board.turn("e:1", unit, 1j * height, because("offset_pressure"))
+    middle = board.lay_off("E:1", pivot, up)
+    guide = board.parallel("e:l", middle, unit, because("offset_line"))
+    places = [_end(board, pivot, guide, unit, long, sense) for sense in (1, -1)]
+    steep = board.lay_off("A:1", pivot, board.turn("OA:1", unit, -1j, because("steep_crank")))
+    lean = board.arc("A:o", steep, np.abs(long.point))
+    there = board.meet("B:1", guide, lean, 1.0, because("steep_rod"))
+    crank = read(Chord.between(board, *places), pivot)
+    scale = task.stroke / abs(complex(board.join("H:1", places[1], places[0], because("unit_stroke")).point))
     why = because("times_stroke", times=f"{scale:.10g}")
-    crank, rod, away = (board.turn(one.name.removesuffix(":1"), one, scale, why) for one in (crank, rod, away))
-    made = SliderCrank(*(abs(complex(one.point)) for one in (crank, rod, away)))
-    found = ((Drawn(pivot, crank, rod), made),) if height >= 0 else ()
-    return DrawnSlider(task, board, (guide,), found)
+    shown = {
+        one.name.removesuffix(":1"): board.turn(one.name.removesuffix(":1"), one, scale, why)
+        for one in (unit, long, up)
+    }
+    first, rod, offset = (abs(complex(one.point)) for one in shown.values())
+    theta, arm = crank.overlap
+    led = {"E": middle, "A": steep, "B": there}
+    spots = {name: scale * spot for name, spot in crank.places.items()} | {
+        name: scale * complex(mark.point) for name, mark in led.items()
+    }
+    design = Design(_sizes(first, rod, offset, task.stroke, theta), spots)
+    figure = FIGURE._replace(lines=(("O", "A"), ("A", "B")))
+    return DrawnReading(task.demands, board, (_made(design, shown, scale * arm, figure),))
 
 
 def _end(board: Board, pivot: Mark, guide: Mark, crank: Mark, rod: Mark, sense: int) -> Mark:
     reach = abs(complex(rod.point)) + sense * abs(complex(crank.point))
     arc = board.arc(f"O:{sense}", pivot, reach, because("extreme_reach"))
-    return board.meet("B_1:1" if sense > 0 else "B_2:1", guide, arc, 1.0, because("extreme_place"))
+    return board.meet("B_1" if sense > 0 else "B_2", guide, arc, 1.0, because("extreme_place"))

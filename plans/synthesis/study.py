@@ -2,33 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from functools import cached_property
 
 from geometry.board import Board
-from plans.model.synthesis import (
-    CONSTRUCTION,
-    CrankRocker,
-    Reading,
-    RockerTask,
-    SliderCrank,
-    SliderTask,
-    Synthesis,
-    readings_of,
-)
+from plans.model.synthesis.design import CONSTRUCTION, Reading, Synthesis, Task
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.rocker import DrawnRocker, rockers
-from plans.synthesis.slider import DrawnSlider, drawn_slider
-
-KEPT = ("rocker", "swing", "overlap")  # of a crank-rocker: all of its demands
+from plans.synthesis.drawn import DrawnReading
+from plans.synthesis.families import FAMILIES, Family
 
 
 class SynthesisStudy:
-    """A task, and what is drawn of it; the free parameter of a crank-rocker is given, by the scene or as the best."""
+    """A task of a family, and what is drawn of it."""
 
-    def __init__(self, task: RockerTask | SliderTask, sought: bool = False) -> None:
+    def __init__(self, key: str, task: Task) -> None:
         self.task = task
-        self.sought = sought  # the free parameter: that with the largest least transmission angle
+        self.family: Family = FAMILIES[key]
         self.made: set[str] = set()
 
     def construct(self, plans: Collection[str]) -> None:
@@ -37,12 +26,10 @@ class SynthesisStudy:
             _ = self.drawn
 
     @cached_property
-    def drawn(self) -> tuple[DrawnRocker | DrawnSlider, ...]:
-        """The constructions: of a crank-rocker one for each circle, of a slider-crank one for each reading."""
+    def drawn(self) -> tuple[DrawnReading, ...]:
+        """The constructions: one for each reading, or for each circle that a pivot may lie on."""
         self.made.add(SYNTHESIS)
-        if isinstance(self.task, RockerTask):
-            return rockers(self.task)
-        return tuple(drawn_slider(one) for one in readings_of(self.task))
+        return self.family.drawn(self.task)
 
     @property
     def boards(self) -> tuple[Board, ...]:
@@ -52,18 +39,5 @@ class SynthesisStudy:
     @cached_property
     def synthesis(self) -> Synthesis:
         """What the constructions give."""
-        return Synthesis(CONSTRUCTION, tuple(self._readings()))
-
-    def _readings(self) -> Iterator[Reading]:
-        if isinstance(self.task, RockerTask):
-            yield Reading(KEPT, tuple(made for one in self.drawn for _, made in one.found))
-            return
-        for one in self.drawn:
-            yield Reading(one.task.demands, tuple(made for _, made in one.found))  # type: ignore[union-attr]
-
-    @property
-    def chosen(self) -> CrankRocker | SliderCrank:
-        """The mechanism that is taken: the first of the first reading that has one, of crank-rockers the best."""
-        found = next(reading.found for reading in self.synthesis.readings if reading.found)
-        rockers = [one for one in found if isinstance(one, CrankRocker)]
-        return max(rockers, key=lambda one: one.transmission) if rockers else found[0]
+        readings = (Reading(one.kept, tuple(made.design for made in one.found)) for one in self.drawn)
+        return Synthesis(CONSTRUCTION, tuple(readings))

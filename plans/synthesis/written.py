@@ -4,67 +4,59 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
 
-from plans.model.synthesis import CrankRocker, SliderCrank
 from plans.words.words import message
 
-SPEED = "60 rpm"  # of the crank, which a task does not ask for
+SPEED = "60 rpm"  # of the crank, where a task does not ask for one
 
 
-def written(made: CrankRocker | SliderCrank, title: str, source: str, language: str) -> str:
+class MechanismText(NamedTuple):
+    """The tables of a mechanism as plain data; a place is a complex number, m; each slide is the keys of its table."""
+
+    frame: Mapping[str, complex]
+    links: tuple[str, ...]  # the letters of each, the driving one first
+    lengths: Mapping[str, float]
+    sketch: Mapping[str, complex]
+    slides: tuple[Mapping[str, Any], ...] = ()
+    drive: Mapping[str, Any] = {"link": 1, "speed": SPEED, "start": "extreme", "positions": 12}
+
+
+def written(made: MechanismText, title: str, source: str, language: str) -> str:
     """Write a scene with all digits of the lengths; the crank's speed is left to be changed.
 
-    >>> print(written(SliderCrank(0.06, 0.2, 0.02), "Pump", "task.toml", "en").splitlines()[1])
-    title = "Pump"
+    >>> made = MechanismText({"O": 0j}, ("OA",), {"OA": 0.06}, {})
+    >>> print(*written(made, "Pump", "task.toml", "en").splitlines()[1:5], sep="|")
+    title = "Pump"||[mechanism.frame]|O = [0.0, 0.0]
     """
-    said = message("synthesis.written", source=source).worded(language)
-    heads = (f"# {said}", *((f"title = {_text(title)}",) if title else ()))
-    return "\n".join((*heads, *_mechanism(made), *_drive(language), ""))
+    heads = [f"# {message('synthesis.written', source=source).worded(language)}"]
+    return "\n".join((*heads, *_rows({"title": title} if title else {}), *_mechanism(made, language), ""))
 
 
-def _mechanism(made: CrankRocker | SliderCrank) -> Iterator[str]:
-    lengths = {"OA": made.crank}
-    if isinstance(made, CrankRocker):
-        frame = {"O": (made.pivot.real, made.pivot.imag), "C": (0.0, 0.0)}
-        yield from (*_table("frame", {name: _pair(*at) for name, at in frame.items()}), *_links("AB", "CB"))
-        lengths |= {"AB": made.coupler, "CB": made.rocker}
-    else:
-        yield from (*_table("frame", {"O": _pair(0.0, 0.0)}), *_links("AB", "B"))
-        yield from ("", "[[mechanism.slides]]", "link = 3")
-        yield f"along = {{ through = {_pair(0.0, made.offset)}, angle = 0 }}"
-        lengths |= {"AB": made.rod}
-    yield from _table("lengths", {name: f"{length!r}" for name, length in lengths.items()})
-    yield from _table("sketch", {"B": _pair(*_stretched(made))})
+def _mechanism(made: MechanismText, language: str) -> Iterator[str]:
+    yield from _table("[mechanism.frame]", made.frame)
+    yield from _table("[mechanism.links]", {str(k): link for k, link in enumerate(made.links, 1)})
+    for slide in made.slides:
+        yield from _table("[[mechanism.slides]]", slide)
+    yield from _table("[mechanism.lengths]", made.lengths)
+    yield from _table("[mechanism.sketch]", made.sketch)
+    yield from _table("[drive]", made.drive)
+    yield from _table("[sheet]", {"language": language})
 
 
-def _stretched(made: CrankRocker | SliderCrank) -> tuple[float, float]:
-    """Give about where B is with crank and coupler in one line."""
-    if isinstance(made, SliderCrank):
-        return made.crank + made.rod, made.offset
-    # Seen from C, O is at the left and B1 at the right: the triangle of O, B1 and C by its sides.
-    far, frame = made.crank + made.coupler, made.frame
-    cosine = (made.rocker**2 + frame**2 - far**2) / (2 * made.rocker * frame)
-    way = made.pivot / frame * complex(cosine, -((1 - cosine**2) ** 0.5))
-    return made.rocker * way.real, made.rocker * way.imag
+def _table(head: str, rows: Mapping[str, Any]) -> Iterator[str]:
+    if rows:
+        yield from ("", head, *_rows(rows))
 
 
-def _links(rod: str, last: str) -> Iterator[str]:
-    return _table("links", {"1": '"OA"', "2": f'"{rod}"', "3": f'"{last}"'})
+def _rows(rows: Mapping[str, Any]) -> Iterator[str]:
+    return (f"{key} = {_value(value)}" for key, value in rows.items())
 
 
-def _drive(language: str) -> Iterator[str]:
-    yield from ("", "[drive]", "link = 1", f'speed = "{SPEED}"', 'start = "extreme"', "positions = 12")
-    yield from ("", "[sheet]", f'language = "{language}"')
-
-
-def _table(name: str, rows: Mapping[str, str]) -> Iterator[str]:
-    yield from ("", f"[mechanism.{name}]", *(f"{key} = {value}" for key, value in rows.items()))
-
-
-def _pair(x: float, y: float) -> str:
-    return f"[{x!r}, {y!r}]"
-
-
-def _text(text: str) -> str:
-    """Write a text as TOML does."""
-    return json.dumps(text, ensure_ascii=False)
+def _value(value: Any) -> str:
+    """Write a value as TOML does."""
+    if isinstance(value, complex):
+        return f"[{value.real!r}, {value.imag!r}]"
+    if isinstance(value, Mapping):
+        return f"{{ {', '.join(_rows(value))} }}"
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)

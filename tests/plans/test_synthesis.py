@@ -8,12 +8,14 @@ from itertools import product
 import numpy as np
 import pytest
 
-from plans.analytic.synthesis import admissible, analysed, at_place, best
-from plans.model.synthesis import CrankRocker, RockerTask, SliderCrank, SliderTask, end_of_arc, start_of_arc
+from plans.analytic.synthesis import analysed
+from plans.analytic.synthesis.rocker import admissible, at_place, best, end_of_arc, start_of_arc
+from plans.analytic.synthesis.slider import SliderCrank
+from plans.model.synthesis.extremes import RockerTask, SliderTask
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.synthesis.quantities import compare_synthesis
-from plans.synthesis.rocker import rocker_of
+from plans.synthesis.rocker import with_best
 from plans.synthesis.study import SynthesisStudy
 from plans.synthesis.written import written
 
@@ -21,8 +23,17 @@ TASK = RockerTask(0.30, math.radians(40), math.radians(15), place=math.radians(2
 STROKE = SliderTask(0.12, 0.03, math.radians(6.5), 5.0)  # theme 6, task 7
 
 
+def study(task) -> SynthesisStudy:
+    return SynthesisStudy("crank_rocker" if isinstance(task, RockerTask) else "slider_crank", task)
+
+
 def draw(task):
-    return SynthesisStudy(task).synthesis
+    return study(task).synthesis
+
+
+def sliders(task) -> list[SliderCrank]:
+    """Give what the construction found by the closed forms' value, which tells angles and stroke of its own."""
+    return [SliderCrank(*(one.sizes[name] for name in ("l_1", "l_2", "e"))) for one in draw(task).readings[0].found]
 
 
 ROADS = pytest.mark.parametrize("road", [draw, analysed])
@@ -37,15 +48,16 @@ def printed(value: float, text: str) -> bool:
 def test_textbook_crank_rocker(road) -> None:
     """Methods M1.5, all printed digits."""
     (one,) = road(TASK).readings[0].found
-    assert printed(one.pivot.real, "-0.3725310918") and printed(one.pivot.imag, "-0.2366134082")
-    found = one.crank, one.coupler, one.frame, math.degrees(one.transmission), one.margin
+    pivot, (l1, l2, l3, l4, *_) = one.places["O"], one.sizes.values()
+    assert printed(pivot.real, "-0.3725310918") and printed(pivot.imag, "-0.2366134082")
+    found = l1, l2, l4, math.degrees(one.sizes["μ_min"]), l1 + l2 - l3 - l4
     texts = "0.0593602436", "0.6439316772", "0.4413222397", "21.79034348", "-0.0380303189"
     assert [*map(printed, found, texts)] == [True] * 5
 
 
 def test_textbook_circle() -> None:
     """Methods M1.5: centre and radius."""
-    board = SynthesisStudy(TASK).drawn[0].board
+    board = study(TASK).drawn[0].board
     assert printed(board["M"].point.imag, "-0.1010231794") and printed(board["M:o"].value.radius, "0.3964393075")
 
 
@@ -69,8 +81,8 @@ SLIDERS = [  # theme 6, tasks 4, 5, 7, and M1.6 fed back: crank, rod, offset, si
 @pytest.mark.parametrize(("task", "lengths", "angles"), SLIDERS)
 def test_textbook_slider_cranks(road, task, lengths, angles) -> None:
     (one,) = road(task).readings[0].found
-    assert [*map(printed, (one.crank, one.rod, one.offset), lengths)] == [True] * 3
-    assert [*map(printed, map(math.degrees, one.pressures), angles)] == [True] * 2
+    assert [*map(printed, (one.sizes[name] for name in ("l_1", "l_2", "e")), lengths)] == [True] * 3
+    assert [*map(printed, (math.degrees(one.sizes[name]) for name in ("α_min", "α_max")), angles)] == [True] * 2
 
 
 @ROADS
@@ -79,12 +91,11 @@ def test_an_overdetermined_task_has_three_readings(road) -> None:
     readings = road(STROKE).readings
     kept = [("overlap", "ratio"), ("offset", "overlap"), ("offset", "ratio")]
     assert [one.kept for one in readings] == kept and [len(one.found) for one in readings] == [1, 1, 1]
-    assert printed(math.degrees(readings[2].found[0].overlap), "2.41344924")
+    assert printed(math.degrees(readings[2].found[0].sizes["θ"]), "2.41344924")
 
 
-def turned(one: CrankRocker) -> tuple[float, float]:
+def turned(l1, l2, l3, l4) -> tuple[float, float]:
     """Give swing and overlap by the cosine rule alone, from the lengths (M1.2)."""
-    l1, l2, l3, l4 = one.lengths
     reach = l2 + l1, l2 - l1
     at_o = [math.acos((r**2 + l4**2 - l3**2) / (2 * r * l4)) for r in reach]
     at_c = [math.acos((l3**2 + l4**2 - r**2) / (2 * l3 * l4)) for r in reach]
@@ -92,7 +103,7 @@ def turned(one: CrankRocker) -> tuple[float, float]:
 
 
 def agree(task) -> None:
-    comparison = compare_synthesis(SynthesisStudy(task))
+    comparison = compare_synthesis(study(task))
     assert [(one.name, one.excess.max()) for one in comparison.findings if one.excess.max() > 1] == []
     assert [len(one.found) for one in comparison.construction.readings] == [
         len(one.found) for one in comparison.analysis.readings
@@ -114,13 +125,15 @@ def rocker_tasks(count: int):
 def test_a_crank_rocker_has_what_was_asked(task) -> None:
     """Swing and overlap to 1e-12, a crank that turns, and by its frame the same mechanism again."""
     (one,) = draw(task).readings[0].found
-    swing, overlap = turned(one)
-    assert math.isclose(swing, task.swing, rel_tol=0, abs_tol=1e-12 / math.sin(one.transmission))
-    assert math.isclose(overlap, task.overlap, rel_tol=0, abs_tol=1e-12 / math.sin(one.transmission))
-    assert one.margin < 0 and min(one.lengths) == one.crank
+    l1, *_, l4 = lengths = [one.sizes[f"l_{k}"] for k in range(1, 5)]
+    swing, overlap = turned(*lengths)
+    slack = 1e-12 / math.sin(one.sizes["μ_min"])
+    assert math.isclose(swing, task.swing, rel_tol=0, abs_tol=slack)
+    assert math.isclose(overlap, task.overlap, rel_tol=0, abs_tol=slack)
+    assert min(lengths) == l1 and l1 + max(lengths) < sum(lengths) / 2
     agree(task)
-    again = draw(task._replace(place=None, frame=one.frame)).readings[0].found
-    assert min(abs(other.crank / one.crank - 1) for other in again) < 1e-9
+    again = draw(task._replace(place=None, frame=l4)).readings[0].found
+    assert min(abs(other.sizes["l_1"] / l1 - 1) for other in again) < 1e-9
 
 
 @pytest.mark.parametrize(("side", "degrees"), [*product((1, -1), np.arange(0.5, 360, 9))])
@@ -145,7 +158,7 @@ def slider_tasks(count: int):
 @pytest.mark.parametrize("task", [*slider_tasks(100)])
 def test_a_slider_crank_has_what_was_asked(task) -> None:
     """Each demand to 1e-12, and where there is no mechanism, none of many tried ones meets the demands."""
-    found = draw(task).readings[0].found
+    found = sliders(task)
     for one in found:
         has = {"offset": one.offset, "overlap": one.overlap, "ratio": one.ratio, "pressure": one.pressures[1]}
         near = one.rod - one.crank - one.offset  # how far a dead place is: angles there are badly told
@@ -184,12 +197,11 @@ def _changes(shapes, off) -> list[SliderCrank]:
 def test_the_best_place_is_best(swing, overlap) -> None:
     """No place of a fine division of both arcs has a larger least transmission angle, and the roads agree."""
     task = RockerTask(0.3, math.radians(swing), math.radians(overlap))
-    chosen = rocker_of(task)
-    one = draw(chosen).readings[0].found[0]
-    assert abs(one.transmission - max(best(task, 1), best(task, -1))) < 1e-7
+    chosen = draw(with_best(task)).chosen.sizes["μ_min"]
+    assert abs(chosen - max(best(task, 1), best(task, -1))) < 1e-7
     tries = product((1, -1), np.linspace(math.pi / 2, 3 * math.pi / 2, 3001))
     made = [at_place(task, side, float(place)) for side, place in tries]
-    assert max(each.transmission for each in made if each) <= one.transmission + 1e-7
+    assert max(each.transmission for each in made if each) <= chosen + 1e-7
     assert all(admissible(task, each.pivot) for each in made if each)
 
 
@@ -205,15 +217,14 @@ WRITTEN = [
 @pytest.mark.parametrize("task", WRITTEN)
 def test_the_written_scene_does_what_was_asked(tmp_path, task) -> None:
     """The mechanism, studied by the roads that know nothing of the task, has its stroke and overlap to 1e-12."""
-    path = tmp_path / "scene.toml"
-    path.write_text(written(SynthesisStudy(task).chosen, "", "task.toml", "en"), encoding="utf-8")
+    path, one = tmp_path / "scene.toml", draw(task).chosen
+    made = study(task).family.mechanism(one)
+    path.write_text(written(made, "", "task.toml", "en"), encoding="utf-8")
     for road in ("construction", "analysis"):
         found = Study(read_scene(path), ["extremes"]).numbers("linkage", road).plain()["extremes"]
-        one = SynthesisStudy(task).chosen
         wanted = task.swing if isinstance(task, RockerTask) else task.stroke
-        overlap = one.overlap if isinstance(one, SliderCrank) else task.overlap
         assert math.isclose(found["stroke"], wanted, rel_tol=1e-12)
-        assert math.isclose(found["overlap"], overlap, rel_tol=0, abs_tol=1e-12)
+        assert math.isclose(found["overlap"], one.sizes["θ"], rel_tol=0, abs_tol=1e-12)
 
 
 # A demand, what is changed in it, the key that is told, and the number that can be met.

@@ -5,11 +5,25 @@ Values alone, SI: m, rad, rad/s.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Final, NamedTuple, Protocol
 
 from plans.model.motion import Gap
+
+EPS: Final = 2.0**-52
+QUARTER: Final = math.pi / 2
+CONSTRUCTION, ANALYSIS = "construction", "analysis"
+
+
+class Task(Protocol):
+    """What is asked of a mechanism."""
+
+    @property
+    def asked(self) -> Mapping[str, float]:
+        """The demands as the sheet tells them, by the letters of sizes."""
+        ...
 
 
 class Circle(NamedTuple):
@@ -32,8 +46,8 @@ class Design:
     """A mechanism that does what a task asks: sizes and places by the letters that they have on the sheet.
 
     Sizes are lengths m (l_1, e, H), angles rad (θ, ψ, μ_min, α_max), speeds rad/s (ω_1) and bare ratios (K, λ), in the
-    order in which they are told; the first are the lengths of the links. Of several designs the one with the largest
-    merit is taken.
+    order in which they are told; the first are the lengths of the links. A circle has the name of its centre. Of
+    several designs the first with the largest merit is taken.
     """
 
     sizes: Mapping[str, float]
@@ -49,6 +63,11 @@ class Reading(NamedTuple):
     kept: tuple[str, ...]
     found: tuple[Design, ...]
 
+    @property
+    def best(self) -> int:
+        """Which of its mechanisms is taken, and shown."""
+        return max(range(len(self.found)), key=lambda k: self.found[k].merit)
+
 
 @dataclass(frozen=True)
 class Synthesis:
@@ -62,9 +81,15 @@ class Synthesis:
         """Nothing: a task that no mechanism meets is refused before."""
         return ()
 
+    @property
+    def chosen(self) -> Design:
+        """The mechanism that is taken: the best of the first reading that has one, which may be on several circles."""
+        kept = next(one.kept for one in self.readings if one.found)
+        found = (design for one in self.readings if one.kept == kept for design in one.found)
+        return max(found, key=lambda design: design.merit)
 
-UNITS = {"l": "m", "e": "m", "H": "m", "h": "m", "r": "m", "θ": "rad", "ψ": "rad", "φ": "rad", "μ": "rad", "α": "rad"}
-OTHER = {"ω": "rad/s", "v": "m/s"}
+
+UNITS: Final = {**dict.fromkeys("leHhrR", "m"), **dict.fromkeys("θψφβμα", "rad"), "ω": "rad/s", "v": "m/s"}
 
 
 def unit_of(name: str) -> str:
@@ -73,4 +98,4 @@ def unit_of(name: str) -> str:
     >>> unit_of("l_1"), unit_of("μ_min"), unit_of("K")
     ('m', 'rad', '')
     """
-    return {**UNITS, **OTHER}.get(name[0], "")
+    return UNITS.get(name[0], "")

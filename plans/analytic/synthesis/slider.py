@@ -1,0 +1,131 @@
+"""Slider-cranks by closed forms: the quadratic of a stroke (M1.6)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from plans.analytic.synthesis.rocker import extremes
+from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design, Reading
+from plans.model.synthesis.extremes import SliderTask
+
+
+class SliderCrank(NamedTuple):
+    """A slider-crank: crank, rod and offset m."""
+
+    crank: float
+    rod: float
+    offset: float
+
+    @property
+    def ratio(self) -> float:
+        """The ratio l2/l1."""
+        return self.rod / self.crank
+
+    @property
+    def pressures(self) -> tuple[float, float]:
+        """The least and the largest signed pressure angle, rad (угол давления)."""
+        return math.asin((self.offset - self.crank) / self.rod), math.asin((self.offset + self.crank) / self.rod)
+
+    @property
+    def overlap(self) -> float:
+        """The overlap angle rad that it has."""
+        near, far = self.rod - self.crank, self.rod + self.crank
+        return math.asin(self.offset / near) - math.asin(self.offset / far)
+
+    @property
+    def stroke(self) -> float:
+        """The stroke m that it has."""
+        near, far = self.rod - self.crank, self.rod + self.crank
+        return math.sqrt(far**2 - self.offset**2) - math.sqrt(near**2 - self.offset**2)
+
+
+def readings(task: SliderTask) -> Iterator[Reading]:
+    """Give every slider-crank of each reading of a task."""
+    for one in task.readings:
+        yield Reading(one.demands, tuple(_design(one, made) for made in sliders(one)))
+
+
+def _design(task: SliderTask, made: SliderCrank) -> Design:
+    half, foot = task.stroke / 2, 2 * made.crank * made.rod / task.stroke
+    least, most = made.pressures
+    sizes = {"l_1": made.crank, "l_2": made.rod, "e": made.offset, "H": task.stroke}
+    sizes |= {"θ": made.overlap, "λ": made.ratio, "α_max": most, "α_min": least}
+    if task.pressure is not None:  # a similar mechanism is drawn, from O
+        steep, away = complex(0, -made.crank), complex(0, made.offset)
+        ends = complex(foot + half) + away, complex(foot - half) + away
+        led = {"E": away, "A": steep, "B": steep + cmath.rect(made.rod, most)}
+        return Design(sizes, extremes(0j, made.crank, *ends) | led)
+    places = {"E": 0j, **extremes(complex(-foot, -made.offset), made.crank, complex(half), complex(-half))}
+    places |= {"F": complex(-foot)} if made.offset else {}
+    circles, barred = dict[str, Circle](), tuple[BarredArc, ...]()
+    if theta := task.overlap:
+        circles["M"] = Circle(complex(0, -half / math.tan(theta)), half / math.sin(theta))
+        barred = (BarredArc("M", QUARTER - theta, 2 * theta), BarredArc("M", -QUARTER - theta, 2 * theta))
+    if task.ratio is not None:
+        middle, radius = (half * (task.ratio + sign / task.ratio) / 2 for sign in (1, -1))
+        circles["N"] = Circle(complex(-middle), radius)
+        places |= {"D_1": complex(radius - middle), "D_2": complex(-radius - middle)}
+    return Design(sizes, places | {name: one.centre for name, one in circles.items()}, circles, barred)
+
+
+def sliders(task: SliderTask) -> Iterator[SliderCrank]:
+    """Give every slider-crank that meets one reading of a task, that with the longer rod first."""
+    stroke, offset, theta, ratio = task.stroke, task.offset, task.overlap, task.ratio
+    if task.pressure is not None:
+        yield from _pressed(task)
+    elif not offset and not theta:
+        if ratio is not None and (offset is None or theta is None):
+            yield SliderCrank(stroke / 2, ratio * stroke / 2, 0.0)
+    elif ratio is None:
+        if offset and theta:
+            yield from _seen(stroke, offset, theta)
+    elif theta is None and offset:
+        yield from _proportioned(stroke, offset, ratio)
+    elif offset is None and theta:
+        yield from _overlapped(stroke, theta, ratio)
+
+
+def _seen(stroke: float, offset: float, theta: float) -> Iterator[SliderCrank]:
+    """Meet stroke, offset and overlap by the product and the sum of squares of OB1 and OB2."""
+    product = stroke * offset / math.sin(theta)
+    crank = math.sqrt(max(stroke**2 - 4 * product * math.sin(theta / 2) ** 2, 0.0)) / 2
+    rod = math.sqrt(stroke**2 + 4 * product * math.cos(theta / 2) ** 2) / 2
+    if 4 * crank * rod > stroke**2:
+        yield SliderCrank(crank, rod, offset)
+
+
+def _proportioned(stroke: float, offset: float, ratio: float) -> Iterator[SliderCrank]:
+    """Meet stroke, offset and ratio by the quadratic of l1^2; each root beyond the foot is a mechanism."""
+    square = (ratio**2 - 1) ** 2 - (4 * ratio * offset / stroke) ** 2
+    if square < 0:
+        return
+    larger = (ratio**2 + 1 + math.sqrt(square)) * stroke**2 / (8 * ratio**2)
+    smaller = (offset**2 + stroke**2 / 4) * stroke**2 / (4 * ratio**2) / larger
+    for one in (larger, smaller) if square else (larger,):
+        if 4 * ratio * one > stroke**2:
+            yield SliderCrank(math.sqrt(one), ratio * math.sqrt(one), offset)
+
+
+def _overlapped(stroke: float, theta: float, ratio: float) -> Iterator[SliderCrank]:
+    """Meet stroke, overlap and ratio: with a ratio known the mechanism is a figure of known shape."""
+    if math.cos(theta) > (ratio - 1) / (ratio + 1):
+        crank = stroke / 2 / math.sqrt(1 + (ratio**2 - 1) * math.sin(theta / 2) ** 2)
+        yield SliderCrank(crank, ratio * crank, (ratio**2 - 1) * crank**2 * math.sin(theta) / stroke)
+
+
+def _pressed(task: SliderTask) -> Iterator[SliderCrank]:
+    """Meet stroke and pressure angle, the offset none or such that a ratio is met too."""
+    assert task.pressure is not None  # asked before
+    sine = math.sin(task.pressure)
+    if task.ratio is None:
+        if not task.offset and not task.overlap:
+            yield SliderCrank(task.stroke / 2, task.stroke / 2 / sine, 0.0)
+        return
+    if task.ratio * sine >= 1:
+        offset = task.ratio * sine - 1  # of a crank of length 1
+        far, near = ((task.ratio + one - offset) * (task.ratio + one + offset) for one in (1, -1))
+        crank = task.stroke * (math.sqrt(far) + math.sqrt(near)) / (far - near)
+        yield SliderCrank(crank, task.ratio * crank, offset * crank)

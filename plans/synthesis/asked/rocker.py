@@ -1,0 +1,66 @@
+"""A crank-rocker that is asked for (задание на кривошипно-коромысловый механизм)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from plans.model.synthesis.design import Design
+from plans.model.synthesis.extremes import BEYOND, TOWARDS, RockerTask
+from plans.scene.faults import Fault, Path
+from plans.scene.scene import Scene
+from plans.synthesis.asked import MILLIMETRES, met, millimetres, number, overlap, radians
+from plans.synthesis.rocker import admitted, drawn, with_best
+from plans.synthesis.tables.extremes import RockerTable
+from plans.synthesis.written import MechanismText
+
+PATH: Path = ("synthesis", "crank_rocker")
+
+
+def task(table: RockerTable) -> RockerTask:
+    """Make the task; where no parameter is told, O is put where it is best."""
+    place = radians(table.place)
+    side = None if place is None else BEYOND if table.beyond else TOWARDS
+    theta = overlap(table)
+    assert theta is not None  # the form has asked for it
+    swing = math.radians(table.swing)
+    return with_best(RockerTask(float(table.rocker), swing, theta, number(table.frame), place, side))
+
+
+def faults(scene: Scene, task: RockerTask) -> Iterator[Fault]:
+    """Say what frames or places can be met, where that asked for cannot."""
+    if task.frame is None and task.place is None:
+        yield scene.fault(PATH, "synthesis_centric", least=millimetres(task.rocker))
+    elif not met(drawn(task)):
+        name = "frame" if task.place is None else "place"
+        within = "; ".join(f"{low:.10g} … {high:.10g}" for low, high in _within(task))
+        yield scene.fault((*PATH, name), f"synthesis_{name}", within=within or "—")
+
+
+def _within(task: RockerTask) -> Iterator[tuple[float, float]]:
+    """Give the frames mm, or the places in degrees, that some mechanism has."""
+    if not task.overlap:
+        yield MILLIMETRES * task.rocker, math.inf
+        return
+    for places, frames in admitted(task):
+        if task.place is None:
+            yield MILLIMETRES * frames[0], MILLIMETRES * frames[1]
+        else:
+            low, high = map(math.degrees, places)
+            yield low, high
+            yield (180 - high) % 360, (180 - low) % 360
+
+
+def mechanism(made: Design) -> MechanismText:
+    """Give the tables of the mechanism."""
+    size, place = made.sizes, made.places
+    lengths = {"OA": size["l_1"], "AB": size["l_2"], "CB": size["l_3"]}
+    return MechanismText({"O": place["O"], "C": 0j}, ("OA", "AB", "CB"), lengths, {"B": place["B_1"]})
+
+
+def notes(task: RockerTask) -> Iterator[str]:
+    """Name what the sheet says of the place of O."""
+    yield "synthesis best" if task.best else "synthesis free"
+    if task.overlap:
+        yield "synthesis barred"
+    yield "synthesis read"

@@ -1,0 +1,35 @@
+"""The families of mechanisms that a task may ask for, by the keys of their tables (виды задач синтеза)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Final, NamedTuple
+
+from plans.model.synthesis.design import Design
+from plans.scene.faults import Fault
+from plans.scene.scene import Scene
+from plans.synthesis import rocker, slider
+from plans.synthesis.asked import rocker as asked_rocker
+from plans.synthesis.asked import slider as asked_slider
+from plans.synthesis.drawn import DrawnReading
+from plans.synthesis.written import MechanismText
+
+
+class Family(NamedTuple):
+    """How a task of a family is drawn, and of its table: the task, its faults, its scene, what its sheet says."""
+
+    drawn: Callable[[Any], tuple[DrawnReading, ...]]
+    task: Callable[[Any], Any]
+    faults: Callable[[Scene, Any], Iterable[Fault]]
+    mechanism: Callable[[Design], MechanismText]
+    notes: Callable[[Any], Iterable[str]]  # the names of phrases
+
+
+def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Family:
+    return Family(drawn, asked.task, asked.faults, asked.mechanism, asked.notes)
+
+
+FAMILIES: Final[Mapping[str, Family]] = {
+    "crank_rocker": _family(rocker.drawn, asked_rocker),
+    "slider_crank": _family(slider.drawn, asked_slider),
+}

@@ -1,0 +1,49 @@
+"""The form of a task of synthesis: what a mechanism must do (задание на синтез)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from plans.scene.faults import Wrong, wrong
+from plans.scene.forms import Form
+from plans.scene.scene import TechniqueForm
+from plans.scene.tables import Missing, Table, key, table
+from plans.synthesis.tables.extremes import RockerTable, SliderTable
+
+EXAMPLE = '[synthesis.slider_crank] with stroke = "120 mm", time_ratio = 1.1, offset = "30 mm"'
+
+
+class SynthesisTable(Table):
+    """A task of synthesis: what mechanism is wanted, and what it must do."""
+
+    crank_rocker: RockerTable | None = key(
+        table(RockerTable), None, meaning="A crank-rocker (кривошипно-коромысловый механизм)."
+    )
+    slider_crank: SliderTable | None = key(
+        table(SliderTable), None, meaning="A slider-crank (кривошипно-ползунный механизм)."
+    )
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """See that one mechanism is asked for."""
+        if len(value.keys() & set(FAMILIES)) != 1:
+            yield wrong("one_mechanism", known=", ".join(FAMILIES), found=", ".join(value) or "—")
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that one mechanism is asked for."""
+        return {"oneOf": [{"required": [name]} for name in FAMILIES]}
+
+
+FAMILIES = SynthesisTable.keys
+
+
+class SynthesisForm(TechniqueForm):
+    """What a scene says of a task of synthesis."""
+
+    synthesis: SynthesisTable = key(
+        table(SynthesisTable),
+        meaning="A task of synthesis (кинематический синтез): what a mechanism must do; its lengths are found.",
+        missing=Missing("table", EXAMPLE, {}),
+    )
