@@ -65,7 +65,7 @@ def drawn(task: DwellTask) -> tuple[DrawnReading, ...]:
     bars = FourBar.on(task, Board(SYNTHESIS))
     poses = [bars.pose(angle, k) for k, angle in enumerate(task.stations, 1)]
     found: list[Drawn] = []
-    if _goes_round(task):
+    if goes_round(task):
         near = [poses[k].point for k in (0, 2, 4)]
         for centre in centres(bars.board, "D", near, None):
             rod = bars.board.join("DK_3", centre, poses[2].point, because("circle_radius"))
@@ -74,10 +74,32 @@ def drawn(task: DwellTask) -> tuple[DrawnReading, ...]:
     return (DrawnReading(("dwell", "output"), bars.board, tuple(found)),)
 
 
-def _goes_round(task: DwellTask) -> bool:
+def goes_round(task: DwellTask) -> bool:
     """Try the notches with the crank at both places on the line of the pivots."""
     tried = FourBar.on(task, Board("trial"))
     return all(np.abs(complex(tried.pose(angle, k).end.point)) >= 0 for k, angle in enumerate((0.0, math.pi)))
+
+
+def near(task: DwellTask) -> list[complex]:
+    """Give the three places of K that the circle passes through."""
+    tried = FourBar.on(task, Board("trial"))
+    return [complex(tried.pose(angle, k).point.point) for k, angle in enumerate(task.stations[::2])]
+
+
+def following(task: DwellTask, side: int) -> tuple[float, float]:
+    """Give between what lengths m a rocker follows K over the whole turn, its pivot to one side of the rod.
+
+    With d from D to K and v from D to the pivot's side, (rod - r)^2 < |d - r v|^2 < (rod + r)^2 is linear in r.
+    """
+    bars = FourBar.on(task, Board("trial"))
+    poses = [bars.pose(angle, k).point for k, angle in enumerate(task.stations[::2], 1)]
+    (centre,) = centres(bars.board, "D", poses, None)
+    ray = complex(between(centre, poses[1]))
+    path = bars.pose(np.linspace(0.0, math.tau, 5 * STATIONS), 0).point.point - complex(centre.point)
+    off, along = np.abs(path) ** 2 - abs(ray) ** 2, (path * np.conjugate(side * 1j * ray / abs(ray))).real
+    slope = np.concatenate((2 * (abs(ray) + along), 2 * (abs(ray) - along)))  # r slope > least
+    least = np.concatenate((off, -off)) / slope
+    return max(0.0, float(least[slope > 0].max())), float(np.min(least[slope < 0], initial=math.inf))
 
 
 def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | None:

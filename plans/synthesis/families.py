@@ -8,8 +8,12 @@ from typing import Any, Final, NamedTuple
 from plans.model.synthesis.design import Design
 from plans.scene.faults import Fault
 from plans.scene.scene import Scene
-from plans.synthesis import rocker, slider
+from plans.synthesis import dwell, rocker, rocker_slider, rod_positions, slider
+from plans.synthesis.asked import dwell as asked_dwell
+from plans.synthesis.asked import function_points as asked_function
 from plans.synthesis.asked import rocker as asked_rocker
+from plans.synthesis.asked import rocker_slider as asked_rocker_slider
+from plans.synthesis.asked import rod_positions as asked_rod
 from plans.synthesis.asked import slider as asked_slider
 from plans.synthesis.drawn import DrawnReading
 from plans.synthesis.written import MechanismText
@@ -32,4 +36,8 @@ def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Fam
 FAMILIES: Final[Mapping[str, Family]] = {
     "crank_rocker": _family(rocker.drawn, asked_rocker),
     "slider_crank": _family(slider.drawn, asked_slider),
+    "rocker_slider": _family(rocker_slider.drawn, asked_rocker_slider),
+    "rod_positions": _family(rod_positions.rod_positions, asked_rod),
+    "function_points": _family(rod_positions.function_points, asked_function),
+    "dwell": _family(dwell.drawn, asked_dwell),
 }

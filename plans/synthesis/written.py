@@ -20,6 +20,7 @@ class MechanismText(NamedTuple):
     sketch: Mapping[str, complex]
     slides: tuple[Mapping[str, Any], ...] = ()
     drive: Mapping[str, Any] = {"link": 1, "speed": SPEED, "start": "extreme", "positions": 12}
+    points: Mapping[str, Mapping[str, Any]] = {}  # by their places in the frames of links
 
 
 def written(made: MechanismText, title: str, source: str, language: str) -> str:
@@ -39,6 +40,7 @@ def _mechanism(made: MechanismText, language: str) -> Iterator[str]:
     for slide in made.slides:
         yield from _table("[[mechanism.slides]]", slide)
     yield from _table("[mechanism.lengths]", made.lengths)
+    yield from _table("[mechanism.points]", made.points)
     yield from _table("[mechanism.sketch]", made.sketch)
     yield from _table("[drive]", made.drive)
     yield from _table("[sheet]", {"language": language})

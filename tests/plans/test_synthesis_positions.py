@@ -14,7 +14,7 @@ from plans.model.synthesis.swings import RockerSliderTask
 from plans.scene.faults import SceneError
 from plans.scene.scene import read_scene
 from plans.study import Study
-from plans.synthesis.asked.dwell import following
+from plans.synthesis.dwell import following
 from plans.synthesis.quantities import compare_synthesis
 from plans.synthesis.study import SynthesisStudy
 from plans.synthesis.written import written
@@ -45,8 +45,14 @@ def printed(value: float, text: str) -> bool:
 
 SWINGS = [  # theme 6, tasks 8 and 9
     (RockerSliderTask(0.12, LEAN, 10.0), {"l_1": "0.1650639618", "l_2": "0.01650639618", "e": "0.1594184418"}),
-    (RockerSliderTask(0.15, None, 0.5, tuple(map(math.radians, (8, 30)))), {"l_1": "0.8201076053", "l_2": "1.640215211"}),
-    (RockerSliderTask(0.15, None, 1.0, tuple(map(math.radians, (8, 30)))), {"l_1": "0.603657367", "l_2": "0.603657367"}),
+    (
+        RockerSliderTask(0.15, None, 0.5, tuple(map(math.radians, (8, 30)))),
+        {"l_1": "0.8201076053", "l_2": "1.640215211"},
+    ),
+    (
+        RockerSliderTask(0.15, None, 1.0, tuple(map(math.radians, (8, 30)))),
+        {"l_1": "0.603657367", "l_2": "0.603657367"},
+    ),
 ]
 
 
@@ -92,7 +98,9 @@ def test_a_rocker_slider_has_what_was_asked(task) -> None:
         least, most = min(lean for _, lean in way), max(lean for _, lean in way)
         assert max(most, -least) <= made["α_max"] + 1e-12 / math.cos(made["α_max"])
         if task.angles is None:
-            assert math.isclose(least, -task.pressure, abs_tol=1e-12) and printed(made["l_1"] / made["l_2"], f"{task.ratio:.9f}")
+            assert math.isclose(least, -task.pressure, abs_tol=1e-12) and printed(
+                made["l_1"] / made["l_2"], f"{task.ratio:.9f}"
+            )
         else:
             assert sorted(ends) == pytest.approx(sorted(task.angles), abs=1e-13)
             known = task.pressure if task.ratio is None else math.asin(task.ratio * math.sin(task.steepest))
@@ -105,7 +113,9 @@ def _tried_swings(task) -> int:
     if task.angles is None:
         halves = np.linspace(0, math.pi, 20_001)[1:-1]
         lean = task.ratio * (1 - np.cos(halves)) / 2 - math.sin(task.pressure)  # of the rod, were it alike at the ends
-        half = next((float(one) for one, here, there in zip(halves, lean, lean[1:], strict=False) if here < 0 <= there), 9)
+        half = next(
+            (float(one) for one, here, there in zip(halves, lean, lean[1:], strict=False) if here < 0 <= there), 9
+        )
         return int(half + task.pressure < math.pi / 2)
     ratio = task.ratio or math.sin(task.pressure) / max(math.sin(one) for one in np.linspace(*task.angles, 10_001))
     return 2 if all(ratio * math.sin(one) < 1 for one in np.linspace(*task.angles, 1001)) else 0
@@ -146,8 +156,10 @@ def follows(pivots, hinges, ends, steps: int = 1500) -> bool:
         if ahead != sorted(ahead):
             continue
         try:
-            at = {turn: third(pivots[0] + (hinges[0] - pivots[0]) * cmath.rect(1, sense * turn), pivots[1], lengths, hand)
-                  for turn in turns}
+            at = {
+                turn: third(pivots[0] + (hinges[0] - pivots[0]) * cmath.rect(1, sense * turn), pivots[1], lengths, hand)
+                for turn in turns
+            }
         except ValueError:  # it does not reach
             continue
         if all(abs(at[turn] - end) < 1e-6 for turn, end in zip(ahead, ends[1:], strict=True)):
@@ -214,7 +226,9 @@ def test_a_function_is_met_at_its_points(task) -> None:
     for one in found:
         made, ends = one.sizes, [one.places[f"B_{k}"] for k in range(1, len(task.inputs) + 1)]
         hand = ((1 - one.places["A_1"]).conjugate() * (ends[0] - one.places["A_1"])).imag
-        there = [third(cmath.rect(made["l_1"], angle), 1 + 0j, (made["l_2"], made["l_3"]), hand) for angle in task.inputs]
+        there = [
+            third(cmath.rect(made["l_1"], angle), 1 + 0j, (made["l_2"], made["l_3"]), hand) for angle in task.inputs
+        ]
         for end, output in zip(there, task.outputs, strict=True):
             turned = cmath.phase((end - 1) / (there[0] - 1)) - (output - task.outputs[0])
             off = abs(math.remainder(turned, math.tau))
@@ -242,7 +256,9 @@ def dwell_tasks(count: int):
         lengths = random.uniform(0.2, 0.5), *random.uniform(0.7, 1.3, 2), random.uniform(0.8, 1.3)
         begin, output = random.uniform(0, 5), random.uniform(0.4, 2.5)
         dwell = begin, begin + random.uniform(0.4, 1.6)
-        yield DwellTask(lengths, random.uniform(0.3, 2), random.uniform(-2, 2), dwell, output, bool(random.random() < 0.3))
+        yield DwellTask(
+            lengths, random.uniform(0.3, 2), random.uniform(-2, 2), dwell, output, bool(random.random() < 0.3)
+        )
 
 
 @pytest.mark.parametrize("task", [*dwell_tasks(24)])
@@ -275,8 +291,13 @@ def test_a_rocker_rests(task) -> None:
         over = [turned(float(angle)) for angle in angles]
         assert made["ψ"] - 1e-5 < max(over) - min(over) < made["ψ"] + 1e-12
         rest = [float(angle) for angle in np.linspace(*task.dwell, 2001)]
-        off, missed = [abs(turned(angle)) for angle in rest], [abs(abs(point(angle) - place["D"]) - made["l_5"]) for angle in rest]
-        assert made["ψ_d"] - 1e-6 < max(off) < made["ψ_d"] + 1e-12 and made["h"] - 1e-6 < max(missed) < made["h"] + 1e-12
+        off, missed = (
+            [abs(turned(angle)) for angle in rest],
+            [abs(abs(point(angle) - place["D"]) - made["l_5"]) for angle in rest],
+        )
+        assert (
+            made["ψ_d"] - 1e-6 < max(off) < made["ψ_d"] + 1e-12 and made["h"] - 1e-6 < max(missed) < made["h"] + 1e-12
+        )
         assert max(turned(task.stations[k]) for k in (0, 2, 4)) < 1e-11
 
 
@@ -308,7 +329,10 @@ def test_the_written_scene_does_what_was_asked(tmp_path, task, road) -> None:
             last = -1 if isinstance(task, RockerSliderTask) else 0
             assert max(abs(at[0] - wanted[0]), abs(at[last] - wanted[min(1, -last)])) < 1e-12 * size
     if isinstance(task, DwellTask):
-        turned = [cmath.phase((complex(*at) - made.places["F"]) / (made.places["D"] - made.places["F"])) for at in points["D"]["r"]]
+        turned = [
+            cmath.phase((complex(*at) - made.places["F"]) / (made.places["D"] - made.places["F"]))
+            for at in points["D"]["r"]
+        ]
         assert max(map(abs, turned[:4])) < made.sizes["ψ_d"] < 0.02 < made.sizes["ψ"]
         assert 0.9 * made.sizes["ψ"] < max(turned) - min(turned) <= made.sizes["ψ"]
 
@@ -324,13 +348,38 @@ REFUSED = [
     ("rocker_slider", "stroke = 0.15\nangles = [30, 30]\nratio = 1", "angles", "two different"),
     ("rocker_slider", "stroke = 0.15\nratio = 1", "rocker_slider", "pressure angle and a ratio"),
     ("rod_positions", f"{ROD}hinges = [[0, 0], [0.3, 0]]\narms = [1, 1]", "arms", "leave out"),
-    ("rod_positions", "places = [[0, 0], [0, 1]]\nangles = [0, 90]\nhinges = [[1, 0], [3, 0]]\narms = [9, 0.1]", 1, "2500 mm"),
-    ("rod_positions", "places = [[0, 0], [0, 1]]\nangles = [0, 90]\nhinges = [[-0.5, 0.5], [3, 0]]\narms = [9, 9]", 0, "pole"),
-    ("rod_positions", "places = [[0, 0], [1, 1], [2, 2]]\nangles = [0, 0, 0]\nhinges = [[1, 0], [3, 1]]", 0, "parallel"),
-    ("rod_positions", "places = [[0, 0], [1, 0], [2, 0]]\nangles = [0, 10, 30]\nhinges = [[0, 0], [3, 1]]", 0, "circle about"),
+    (
+        "rod_positions",
+        "places = [[0, 0], [0, 1]]\nangles = [0, 90]\nhinges = [[1, 0], [3, 0]]\narms = [9, 0.1]",
+        1,
+        "2500 mm",
+    ),
+    (
+        "rod_positions",
+        "places = [[0, 0], [0, 1]]\nangles = [0, 90]\nhinges = [[-0.5, 0.5], [3, 0]]\narms = [9, 9]",
+        0,
+        "pole",
+    ),
+    (
+        "rod_positions",
+        "places = [[0, 0], [1, 1], [2, 2]]\nangles = [0, 0, 0]\nhinges = [[1, 0], [3, 1]]",
+        0,
+        "parallel",
+    ),
+    (
+        "rod_positions",
+        "places = [[0, 0], [1, 0], [2, 0]]\nangles = [0, 10, 30]\nhinges = [[0, 0], [3, 1]]",
+        0,
+        "circle about",
+    ),
     ("rod_positions", f"{ROD}hinges = [[-0.2, 0.3], [0.3, 0.4]]", "hinges", "met by: B ("),
     ("function_points", f"{FUNCTION}crank = 0.1\nframe = 0.3\nrocker = 0.2", "rocker", "leave out"),
-    ("function_points", "inputs = [30, 60]\noutputs = [0, 5]\ncrank = 0.2\nframe = 0.3\nrocker = 0.01", "rocker", "at least"),
+    (
+        "function_points",
+        "inputs = [30, 60]\noutputs = [0, 5]\ncrank = 0.2\nframe = 0.3\nrocker = 0.01",
+        "rocker",
+        "at least",
+    ),
     ("function_points", "inputs = [30, 60, 90]\noutputs = [0, 20, 80]\ncrank = 0.2\nframe = 0.3", "crank", "met by: "),
     ("dwell", f"{BARS.replace('1.1', '2.1')}output = 0.9", "crank", "—"),
     ("dwell", f"{BARS.replace('0.3', '0.95')}output = 0.9", "crank", "less than 900 mm"),  # l2 + l3 - l4

@@ -5,13 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final
 
-from plans.analytic.synthesis import rocker, slider
+from plans.analytic.synthesis import dwell, guided, rocker, rocker_slider, slider
 from plans.model.synthesis.design import ANALYSIS, Reading, Synthesis, Task
 from plans.model.synthesis.extremes import RockerTask, SliderTask
+from plans.model.synthesis.positions import DwellTask, FunctionTask, RodTask
+from plans.model.synthesis.swings import RockerSliderTask
 
 ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
     RockerTask: rocker.readings,
     SliderTask: slider.readings,
+    RockerSliderTask: rocker_slider.readings,
+    RodTask: guided.rods,
+    FunctionTask: guided.functions,
+    DwellTask: dwell.readings,
 }
 
 

@@ -31,6 +31,12 @@ class RodTask(NamedTuple):
         arms = zip(("l_1", "l_3"), self.arms or (), strict=False)
         return {f"β_{k}": angle for k, angle in enumerate(self.angles, 1)} | dict(arms)
 
+    @property
+    def moves(self) -> tuple[tuple[complex, complex], ...]:
+        """How the rod goes from its first position to each: a point z to u z + shift."""
+        turns = [cmath.rect(1.0, angle - self.angles[0]) for angle in self.angles]
+        return tuple((turn, at - turn * self.places[0]) for turn, at in zip(turns, self.places, strict=True))
+
     def turn(self, i: int, j: int) -> float:
         """Give by how much the rod turns from one position to another, rad, by the shorter way."""
         return math.remainder(self.angles[j] - self.angles[i], math.tau)
@@ -93,6 +99,16 @@ class DwellTask(NamedTuple):
         """The five crank angles of the dwell whose places are drawn."""
         begin, end = self.dwell
         return tuple(begin + (end - begin) * k / 4 for k in range(5))
+
+
+def bent(places: Sequence[complex]) -> bool:
+    """Tell whether three places are on an arc, not all but on a line: its radius is no endless length.
+
+    >>> bent([0j, 1 + 0j, 2 + 0j]), bent([0j, 1 + 0.1j, 2 + 0j])
+    (False, True)
+    """
+    u, v = places[1] - places[0], places[-1] - places[0]
+    return abs(u * v * (u - v)) < 2 * abs((u.conjugate() * v).imag) * MOST_TIMES * max(abs(u), abs(v))
 
 
 def sense_of(angles: Sequence[float], dead: Iterable[float]) -> int:

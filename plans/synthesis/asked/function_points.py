@@ -6,13 +6,13 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from plans.analytic.synthesis.guided import centres, functions
 from plans.model.synthesis.design import Design
-from plans.model.synthesis.positions import FunctionTask
+from plans.model.synthesis.positions import FunctionTask, bent
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
-from plans.synthesis.asked import millimetres, number
+from plans.synthesis.asked import met, millimetres, number
 from plans.synthesis.asked.nearest import nearest
+from plans.synthesis.rod_positions import function_points
 from plans.synthesis.tables.positions import FunctionTable
 from plans.synthesis.written import SPEED, MechanismText
 
@@ -21,13 +21,13 @@ PATH: Path = ("synthesis", "function_points")
 
 def task(table: FunctionTable) -> FunctionTask:
     """Make the task."""
-    angles = (tuple(map(math.radians, one)) for one in (table.inputs, table.outputs))
-    return FunctionTask(*angles, float(table.crank), float(table.frame), number(table.rocker))
+    inputs, outputs = (tuple(map(math.radians, one)) for one in (table.inputs, table.outputs))
+    return FunctionTask(inputs, outputs, float(table.crank), float(table.frame), number(table.rocker))
 
 
 def faults(scene: Scene, task: FunctionTask) -> Iterator[Fault]:
     """Say that the rocker is too short, or with which crank the function is met."""
-    if functions(task)[0].found:
+    if met(function_points(task)):
         return
     pins = [cmath.rect(task.crank, angle) - task.frame for angle in task.inputs]
     seen = [pin * cmath.rect(1.0, task.outputs[0] - angle) for pin, angle in zip(pins, task.outputs, strict=True)]
@@ -36,10 +36,10 @@ def faults(scene: Scene, task: FunctionTask) -> Iterator[Fault]:
         if least >= task.rocker:
             yield scene.fault((*PATH, "rocker"), "synthesis_rocker", least=millimetres(least))
             return
-    times = nearest(lambda times: bool(functions(task._replace(crank=times * task.crank))[0].found))
-    met = "—" if times is None else f"{millimetres(times * task.crank)} mm"
-    none = task.rocker is None and not [*centres(seen, None)]
-    yield scene.fault((*PATH, "crank"), "synthesis_pins_straight" if none else "synthesis_function", met=met)
+    times = nearest(lambda times: met(function_points(task._replace(crank=times * task.crank))))
+    there = "—" if times is None else f"{millimetres(times * task.crank)} mm"
+    straight = task.rocker is None and not bent(seen)
+    yield scene.fault((*PATH, "crank"), "synthesis_pins_straight" if straight else "synthesis_function", met=there)
 
 
 def mechanism(made: Design) -> MechanismText:

@@ -27,5 +27,3 @@ def _closer(meets: Callable[[float], bool], failing: float, found: float) -> flo
         middle = (failing + found) / 2
         failing, found = (failing, middle) if meets(middle) else (middle, found)
     return found
-
-

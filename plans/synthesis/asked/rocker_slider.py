@@ -6,12 +6,12 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from plans.analytic.synthesis.rocker_slider import least_ratio, readings
 from plans.model.synthesis.design import Design
 from plans.model.synthesis.swings import RockerSliderTask
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
-from plans.synthesis.asked import number, radians
+from plans.synthesis.asked import met, number, radians
+from plans.synthesis.rocker_slider import drawn
 from plans.synthesis.tables.swings import RockerSliderTable
 from plans.synthesis.written import SPEED, MechanismText
 
@@ -32,9 +32,10 @@ def faults(scene: Scene, task: RockerSliderTask) -> Iterator[Fault]:
         yield scene.fault(PATH, "synthesis_any_ratio", most=most)
     elif task.angles is not None and task.ratio is not None and task.ratio * math.sin(task.steepest) >= 1:
         yield scene.fault((*PATH, "ratio"), "synthesis_reach", most=most)
-    elif not any(one.found for one in readings(task)):
+    elif not met(drawn(task)):
         assert task.pressure is not None  # with a ratio that reaches the slider moves, but of rods as long as rockers
-        yield scene.fault((*PATH, "ratio"), "synthesis_turns_back", least=f"{least_ratio(task.pressure):.6g}")
+        sine = math.sin(task.pressure)
+        yield scene.fault((*PATH, "ratio"), "synthesis_turns_back", least=f"{2 * sine / (1 - sine):.6g}")
 
 
 def mechanism(made: Design) -> MechanismText:

@@ -5,15 +5,16 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 from typing import Final
 
-from plans.analytic.synthesis.guided import centres, moves_of, rods
 from plans.model.synthesis.design import Design
-from plans.model.synthesis.positions import RodTask
+from plans.model.synthesis.positions import RodTask, bent
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
-from plans.synthesis.asked import millimetres
+from plans.synthesis.asked import met, millimetres
 from plans.synthesis.asked.nearest import nearest
+from plans.synthesis.rod_positions import rod_positions
 from plans.synthesis.tables.positions import Place, RodTable
 from plans.synthesis.written import SPEED, MechanismText
 
@@ -24,12 +25,16 @@ STANDS: Final = 1e-9  # m, the least length of a scene
 def task(table: RodTable) -> RodTask:
     """Make the task."""
     places, angles = tuple(map(_place, table.places)), tuple(map(math.radians, table.angles))
-    pairs = (None if pair is None else (_place(pair[0]), _place(pair[1])) for pair in (table.hinges, table.pivots))
-    return RodTask(places, angles, *pairs, None if table.arms is None else (float(table.arms[0]), float(table.arms[1])))
+    arms = None if table.arms is None else (float(table.arms[0]), float(table.arms[1]))
+    return RodTask(places, angles, _both(table.hinges), _both(table.pivots), arms)
 
 
 def _place(pair: Place) -> complex:
     return complex(*map(float, pair))
+
+
+def _both(pair: tuple[Place, Place] | None) -> tuple[complex, complex] | None:
+    return None if pair is None else (_place(pair[0]), _place(pair[1]))
 
 
 def _spot(at: complex) -> str:
@@ -38,42 +43,33 @@ def _spot(at: complex) -> str:
 
 def faults(scene: Scene, task: RodTask) -> Iterator[Fault]:
     """Say which hinge has no pivot, and by how much; or that no link leads through the positions in their order."""
-    if rods(task)[0].found:
+    if met(rod_positions(task)):
         return
     kind, known = ("hinges", task.hinges) if task.hinges else ("pivots", task.pivots)
     assert known is not None  # one of them is told
-    moves = [*moves_of(task)]
-    if kind == "pivots":
-        moves = [(1 / turn, -shift / turn) for turn, shift in moves]  # the frame, seen from the rod
-    alone = False
-    for k, (name, at) in enumerate(zip("AB" if kind == "hinges" else "OC", known, strict=True)):
-        places = [turn * at + shift for turn, shift in moves]
-        if not [*centres(places, task.arms and task.arms[k])]:
-            alone = True
-            yield _alone(scene, (*PATH, kind, k), name, places, moves, task)
-    if not alone:
-        yield _unled(scene, (*PATH, kind), task, known)
+    alone = [fault for k in (0, 1) for fault in _alone(scene, task, (*PATH, kind, k), known[k])]
+    yield from alone or [_unled(scene, task, kind, known)]
 
 
-def _alone(
-    scene: Scene,
-    at: Path,
-    name: str,
-    places: Sequence[complex],
-    moves: Sequence[tuple[complex, complex]],
-    task: RodTask,
-) -> Fault:
-    """Tell of a hinge that stands, that goes straight, or whose arm is too short."""
-    still = [(i, j) for i in range(len(places)) for j in range(i) if abs(places[i] - places[j]) < STANDS]
+def _alone(scene: Scene, task: RodTask, path: Path, at: complex) -> Iterator[Fault]:
+    """Tell of a hinge that stands, that goes straight, or whose arm is too short; of a pivot as the rod sees it."""
+    _, kind, k = path[1:]
+    moves = task.moves if kind == "hinges" else tuple((1 / turn, -shift / turn) for turn, shift in task.moves)
+    places, hinge = [turn * at + shift for turn, shift in moves], ("AB" if kind == "hinges" else "OC")[int(k)]
+    still = [pair for pair in combinations(range(len(places)), 2) if abs(places[pair[0]] - places[pair[1]]) < STANDS]
     if still:
-        return scene.fault(at, "synthesis_hinge_still", hinge=name, first=still[0][1] + 1, second=still[0][0] + 1)
-    if task.arms:
-        arms: Path = (*at[:2], "arms", at[-1])
-        return scene.fault(arms, "synthesis_arm", least=millimetres(abs(places[1] - places[0]) / 2))
-    centre, radius = straight(moves)
-    if not math.isfinite(radius):
-        return scene.fault(at, "synthesis_hinge_shifted", hinge=name)
-    return scene.fault(at, "synthesis_hinge_straight", hinge=name, centre=_spot(centre), radius=millimetres(radius))
+        yield scene.fault(path, "synthesis_hinge_still", hinge=hinge, first=still[0][0] + 1, second=still[0][1] + 1)
+    elif task.arms:
+        if abs(places[1] - places[0]) >= 2 * task.arms[int(k)]:
+            least = millimetres(abs(places[1] - places[0]) / 2)
+            yield scene.fault((*PATH, "arms", k), "synthesis_arm", least=least)
+    elif not bent(places):
+        centre, radius = straight(moves)
+        if math.isfinite(radius):
+            told = {"centre": _spot(centre), "radius": millimetres(radius)}
+            yield scene.fault(path, "synthesis_hinge_straight", hinge=hinge, **told)
+        else:
+            yield scene.fault(path, "synthesis_hinge_shifted", hinge=hinge)
 
 
 def straight(moves: Sequence[tuple[complex, complex]]) -> tuple[complex, float]:
@@ -89,17 +85,17 @@ def straight(moves: Sequence[tuple[complex, complex]]) -> tuple[complex, float]:
     return centre, math.sqrt(max(abs(centre) ** 2 - (s * t.conjugate()).imag / both, 0.0))
 
 
-def _unled(scene: Scene, path: Path, task: RodTask, known: tuple[complex, complex]) -> Fault:
+def _unled(scene: Scene, task: RodTask, kind: str, known: tuple[complex, complex]) -> Fault:
+    """Tell with what second point, on the line of both, one of the links leads."""
     first, second = known
 
-    def moved(times: float) -> RodTask:
+    def leads(times: float) -> bool:
         pair = first, first + times * (second - first)
-        return task._replace(hinges=pair) if task.hinges else task._replace(pivots=pair)
+        return met(rod_positions(task._replace(hinges=pair) if task.hinges else task._replace(pivots=pair)))
 
-    times = nearest(lambda times: bool(rods(moved(times))[0].found))
-    name = "B" if task.hinges else "C"
-    met = "—" if times is None else f"{name} {_spot(first + times * (second - first))}"
-    return scene.fault(path, "synthesis_not_led", met=met)
+    times, name = nearest(leads), "B" if task.hinges else "C"
+    there = "—" if times is None else f"{name} {_spot(first + times * (second - first))}"
+    return scene.fault((*PATH, kind), "synthesis_not_led", met=there)
 
 
 def mechanism(made: Design) -> MechanismText:
@@ -107,7 +103,7 @@ def mechanism(made: Design) -> MechanismText:
     size, place = made.sizes, made.places
     lengths = {"OA": size["l_1"], "AB": size["l_2"], "CB": size["l_3"]}
     links, pivot, letter = (("OA", "AB", "CB"), "O", "A") if "φ_12" in size else (("CB", "BA", "OA"), "C", "B")
-    (first, last) = links[1]
+    first, last = links[1][0], links[1][1]
     turns = [0.0, *(turn for name, turn in size.items() if name[:3] in ("φ_1", "ψ_1"))]
     begin = cmath.phase(place[f"{letter}_1"] - place[pivot])
     drive = {"link": 1, "speed": SPEED if turns[-1] > 0 else f"-{SPEED}"}

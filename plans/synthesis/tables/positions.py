@@ -49,7 +49,9 @@ class RodTable(Table):
         missing=Missing("places of the rod", "places = [[0, 0], [0.2, 0.1], [0.4, 0.1]]", ()),
     )
     angles: tuple[Decimal, ...] = key(
-        ANGLES, meaning="Angles of the rod there, degrees.", missing=Missing("angles of the rod", "angles = [0, 20, 50]", ())
+        ANGLES,
+        meaning="Angles of the rod there, degrees.",
+        missing=Missing("angles of the rod", "angles = [0, 20, 50]", ()),
     )
     hinges: tuple[Place, Place] | None = key(
         PLACES, None, meaning="Hinges A and B of the rod in its first position, m: the pivots are found."
@@ -89,10 +91,14 @@ class FunctionTable(Table):
         missing=Missing("angles of the rocker", "outputs = [0, 20, 45]", ()),
     )
     crank: Decimal = key(
-        f.LENGTH, meaning="Crank l1, m: chosen.", missing=Missing("length of the link", 'crank = "100 mm"', Decimal("0.1"))
+        f.LENGTH,
+        meaning="Crank l1, m: chosen.",
+        missing=Missing("length of the link", 'crank = "100 mm"', Decimal("0.1")),
     )
     frame: Decimal = key(
-        f.LENGTH, meaning="Frame l4, m: chosen.", missing=Missing("length of the link", 'frame = "300 mm"', Decimal("0.3"))
+        f.LENGTH,
+        meaning="Frame l4, m: chosen.",
+        missing=Missing("length of the link", 'frame = "300 mm"', Decimal("0.3")),
     )
     rocker: Decimal | None = key(f.LENGTH, None, meaning="Of two angles: the rocker l3, m.")
 
@@ -106,11 +112,17 @@ class DwellTable(Table):
     """A rocker that is wanted to rest while a point of a four-bar's coupler goes round an arc."""
 
     crank: Decimal = key(f.LENGTH, meaning="Crank l1, m.", missing=Missing("length of the link", 'crank = "100 mm"', 1))
-    coupler: Decimal = key(f.LENGTH, meaning="Coupler l2, m.", missing=Missing("length of the link", 'coupler = "250 mm"', 1))
-    rocker: Decimal = key(f.LENGTH, meaning="Rocker l3, m.", missing=Missing("length of the link", 'rocker = "250 mm"', 1))
+    coupler: Decimal = key(
+        f.LENGTH, meaning="Coupler l2, m.", missing=Missing("length of the link", 'coupler = "250 mm"', 1)
+    )
+    rocker: Decimal = key(
+        f.LENGTH, meaning="Rocker l3, m.", missing=Missing("length of the link", 'rocker = "250 mm"', 1)
+    )
     frame: Decimal = key(f.LENGTH, meaning="Frame l4, m.", missing=Missing("length of the link", 'frame = "200 mm"', 1))
     arm: Decimal = key(
-        f.LENGTH, meaning="AK, from the crank's end to K, m.", missing=Missing("length of the link", 'arm = "500 mm"', 1)
+        f.LENGTH,
+        meaning="AK, from the crank's end to K, m.",
+        missing=Missing("length of the link", 'arm = "500 mm"', 1),
     )
     lean: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle BAK of K from the coupler, degrees counter-clockwise.")
     dwell: tuple[Decimal, Decimal] = key(

@@ -6,12 +6,11 @@ from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any
 
-from plans.synthesis.tables.extremes import HALF, QUARTER, within
-
 from plans.scene import fields as f
 from plans.scene import units
 from plans.scene.faults import Wrong, wrong
 from plans.scene.tables import Missing, Table, key
+from plans.synthesis.tables.demands import HALF, QUARTER, within
 
 
 class RockerSliderTable(Table):

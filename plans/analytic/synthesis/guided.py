@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 
 from plans.model.synthesis.design import Design, Reading
-from plans.model.synthesis.positions import MOST_TIMES, TWO, FunctionTask, RodTask, crossing, sense_of, ways
+from plans.model.synthesis.positions import TWO, FunctionTask, RodTask, bent, crossing, sense_of, ways
 
 
 def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
@@ -25,7 +25,7 @@ def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
             yield from (first + u / 2 + side * 1j * u / abs(u) * rise for side in (1, -1))
         return
     turned = u.conjugate() * v - u * v.conjugate()
-    if abs(turned) * MOST_TIMES * max(abs(u), abs(v)) > abs(u * v * (u - v)) > 0:
+    if bent(places):
         yield first + (abs(u) ** 2 * v - abs(v) ** 2 * u) / turned
 
 
@@ -37,7 +37,7 @@ def rods(task: RodTask) -> tuple[Reading, ...]:
 
 def _rods(task: RodTask) -> Iterator[Design]:
     known, arms = task.hinges or task.pivots or (), task.arms or (None, None)
-    moves = [*moves_of(task)]
+    moves = task.moves
     for pair in product(*(_links(task, moves, at, arm) for at, arm in zip(known, arms, strict=True))):
         (pivot, hinges), (other, ends) = pair
         if design := _four_bar(pivot, other, hinges, ends):
@@ -55,13 +55,6 @@ def _told(design: Design, places: Mapping[str, complex]) -> Design:
 
 
 Move = tuple[complex, complex]  # z to u z + shift
-
-
-def moves_of(task: RodTask) -> Iterator[Move]:
-    """Give how the rod goes from its first position to each."""
-    for at, angle in zip(task.places, task.angles, strict=True):
-        turn = cmath.rect(1.0, angle - task.angles[0])
-        yield turn, at - turn * task.places[0]
 
 
 def pole(one: Move, other: Move) -> complex:

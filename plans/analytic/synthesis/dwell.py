@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Final
 
-from plans.analytic.guided import centres
+from plans.analytic.synthesis.guided import centres
 from plans.model.synthesis.design import Circle, Design, Reading
 from plans.model.synthesis.positions import DwellTask
 

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from plans.model.synthesis.design import Design, Reading
+from plans.model.synthesis.design import QUARTER, Design, Reading
 from plans.model.synthesis.swings import STILL, RockerSliderTask
 
 
@@ -20,9 +20,9 @@ def readings(task: RockerSliderTask) -> tuple[Reading, ...]:
 def symmetric(task: RockerSliderTask) -> Iterator[Design]:
     """Give the rocker-slider whose rod leans alike to both sides: r (1 - cos half) = 2 l sin alpha."""
     assert task.ratio is not None and task.pressure is not None  # asked before
-    if task.ratio <= least_ratio(task.pressure):
+    half = 2 * math.asin(min(math.sqrt(math.sin(task.pressure) / task.ratio), 1.0))
+    if half + task.pressure >= QUARTER:  # the slider turns back before the rocker does
         return
-    half = 2 * math.asin(math.sqrt(math.sin(task.pressure) / task.ratio))
     rocker = task.stroke / (2 * math.sin(half))
     rod, offset = rocker / task.ratio, rocker * math.cos(half / 2) ** 2
     pivot, rise = complex(0, -rocker * math.cos(half)), complex(0, 2 * rod * math.sin(task.pressure))
@@ -32,11 +32,6 @@ def symmetric(task: RockerSliderTask) -> Iterator[Design]:
     places |= {"A_2": ends[1], "B_2": ends[1] + up, "E": 0j}
     sizes = {"l_1": rocker, "l_2": rod, "e": offset, "ψ": 2 * half, "α_max": task.pressure, "H": task.stroke}
     yield Design(sizes, places)
-
-
-def least_ratio(pressure: float) -> float:
-    """Give the ratio rocker/rod over which the slider does not turn back before the rocker does."""
-    return 2 * math.sin(pressure) / (1 - math.sin(pressure))
 
 
 def axial(task: RockerSliderTask, sense: int) -> Iterator[Design]:
