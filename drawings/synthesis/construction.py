@@ -5,28 +5,33 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
-from drawings.lettering.words import with_index
+from drawings.lettering.words import Phrase, telling, with_index
 from drawings.page.page import Drafting
-from drawings.paper.strokes import INK, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Arc, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
-from drawings.symbols.figure import Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import block, fit_dashes, hinge
+from drawings.symbols.figure import ROOM, Dimension, Subject, around, heading, heading_width, point
+from drawings.symbols.symbols import HEAD, HINGE, TurnArrow, block, fit_dashes, fixed_hinge, hinge
+from drawings.synthesis.due import dimensioned
 from drawings.synthesis.due_shown import ShownSynthesis
 
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(4.0, 2.5, 2.0)
 LETTERS = 22.0  # it is drawn at least so many letters high
 DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
+OFF, SPARE, SHARE = 9.0, 0.1, 0.6  # mm to a dimension line; free beside it; of its shorter leg to an angle
 HATCH, APART = 3.0, 2.5  # mm: a stroke of the hatching of an arc, and how far apart they are
 
 
 def measure(found: ShownSynthesis, drafting: Drafting) -> Picture:
     """Measure the room that a construction needs."""
     hand, title = drafting.hand, _title(found, drafting)
-    margins = around(MARGINS, hand)
+    room = 2 * OFF * hand.symbol
+    margins = around(MARGINS, hand, room, room, room)
     width = heading_width(title, hand)
     return picture(found.name, found.known, (SYMBOL, UNIT), margins, width, LETTERS * hand.letter)
 
@@ -46,7 +51,7 @@ class _DrawnSynthesis:
     """A construction at its place on paper."""
 
     def __init__(self, found: ShownSynthesis, place: Place, drafting: Drafting) -> None:
-        self.found, self.place, self.hand = found, place, drafting.hand
+        self.found, self.place, self.hand, self.drafting = found, place, drafting.hand, drafting
         self.spots = {name: place.on(spot) for name, spot in found.places.items()}
 
     def lines(self) -> Iterator[Stroke]:
@@ -67,7 +72,53 @@ class _DrawnSynthesis:
             yield from fit_dashes([self._chain([spots[name] for name in chain], hand.extreme)])
         yield self._chain([spots[name] for name in found.figure.first], hand.result)
         yield from (block(self.place.on(spots[name]), way, hand) for name, way in found.figure.blocks.items())
+        yield from (stroke for size in self.sizes.values() for stroke in size.draw(hand))
+        for letter, angle in self.angles.items():
+            yield stating(Statement(Kind.ANGLE, found.name, letter), *_angle(angle, hand))
         yield from self._points()
+
+    @cached_property
+    def sizes(self) -> dict[str, Dimension]:
+        """The dimensioned lengths, each beside the mechanism where no point of it stands between."""
+        found = self.found
+        pairs = ((letter, (self.spots[one], self.spots[other])) for letter, one, other in found.lengths)
+        scale = self.place.scale.mu
+        return {
+            letter: Dimension(
+                self._said(letter), *ends, self._off(*ends), Statement(Kind.LENGTH, found.name, letter, scale=scale)
+            )
+            for letter, ends in pairs
+        }
+
+    def _off(self, start: complex, end: complex) -> complex:
+        """Give the way to a dimension line: away from the mechanism, past what stands between, or on its other side."""
+        along = (end - start) / abs(end - start)
+        across = OFF * self.hand.symbol * 1j * along
+        middle = self.place.on(self.found.view.centre)
+        away = across if ((start - middle) * across.conjugate()).real > 0 else -across
+        others = [(spot - start) / along for spot in self.spots.values() if spot not in (start, end)]
+        for off in (times * side for times in (1, 2, 3) for side in (away, -away)):
+            reach = (off / along).imag
+            if not any(
+                0 < spot.imag / reach < 1 + SPARE and -SPARE < spot.real / abs(end - start) < 1 + SPARE
+                for spot in others
+            ):
+                return off
+        return away
+
+    @cached_property
+    def angles(self) -> dict[str, TurnArrow]:
+        """The dimensioned angles, each across the shorter of its legs."""
+        found = {}
+        for letter, *corners in self.found.angles:
+            vertex, start, end = (self.spots[name] for name in corners)
+            legs = start - vertex, end - vertex
+            radius = SHARE * min(map(abs, legs))
+            found[letter] = TurnArrow(vertex, radius, cmath.phase(legs[0]), cmath.phase(legs[1] / legs[0]))
+        return found
+
+    def _said(self, letter: str) -> Phrase:
+        return dimensioned(letter, self.found.design.sizes[letter], self.drafting)
 
     def _points(self) -> Iterator[Stroke]:
         found, hand = self.found, self.hand
@@ -75,6 +126,8 @@ class _DrawnSynthesis:
         for name, value in found.places.items():
             spot = self.spots[name]
             hinged = name in found.figure.hinges | found.figure.fixed
+            if name in found.figure.fixed:
+                yield from fixed_hinge(spot, hand, HINGE * hand.symbol)
             circle = hinge(spot, hand)[0] if hinged else Circle(spot, DOT * hand.symbol, INK)
             yield point(subject, name, value, self.place, circle, "point" if value else "pole")
 
@@ -98,3 +151,29 @@ class _DrawnSynthesis:
         for name, spot in self.spots.items():
             side = cmath.phase(spot - middle) if spot != middle else math.pi / 4
             yield labels.beside(spot, with_index(name), self.hand.letter, BESIDE, side)
+        for letter, size in self.sizes.items():
+            yield self._told(
+                labels.along(
+                    *size.lines[0], self._said(letter), size=self.hand.number, gap=BESIDE, prefer=cmath.phase(size.off)
+                ),
+                letter,
+            )
+        for letter, arc in self.angles.items():
+            at, turn = arc.middle
+            yield self._told(labels.beside(at, self._said(letter), self.hand.number, BESIDE, turn), letter)
+
+    def _told(self, stroke: Stroke, letter: str) -> Stroke:
+        return telling(self.found.name, stroke, self._said(letter))
+
+
+def _angle(arc: TurnArrow, hand: Hand) -> Iterator[Stroke]:
+    """Draw an angle with its arrows within or, where there is no room, outside."""
+    head = HEAD[0] * hand.symbol / arc.radius
+    if abs(arc.sweep) > ROOM * head:
+        yield from arc.angle(hand)
+        return
+    tail = math.copysign(ROOM * head, arc.sweep)
+    first, last = sorted((arc.start, arc.start + arc.sweep))
+    yield Arc(arc.centre, arc.radius, first, last, hand.drafted)
+    for start, sweep in ((arc.start - tail, tail), (arc.start + arc.sweep + tail, -tail)):
+        yield from TurnArrow(arc.centre, arc.radius, start, sweep).draw(hand, hand.drafted)

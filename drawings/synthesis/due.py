@@ -5,28 +5,51 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from drawings.checks.expected import NOTES, Cell, Expected, by_hand, cells
-from drawings.lettering.words import with_index
+import numpy as np
+
+from drawings.checks.expected import NOTES, Cell, Expected, by_hand, cells, course, measured
+from drawings.lettering.words import Phrase, Slot, joined, with_index
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Kind, Leaf
-from drawings.synthesis.due_shown import NAME, shown
-from plans.analytic.synthesis import analysed
+from drawings.synthesis.due_shown import NAME, ShownSynthesis, shown
+from plans.analytic.synthesis import analysed, region_of
 from plans.model.synthesis.design import unit_of
 from plans.quantity import Comparison, Quantity
 from plans.quantity import by_hand as slipping
 from plans.study import Study
 from plans.synthesis.study import SynthesisStudy
 
-VALUES = "values"
+VALUES, BEST = "values", "O_0"
 UNITS = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "°")}  # times which a quantity is told, in which
+NEAR = 1e-6  # of a curve: as its best place is known
 FAR = 1e-9  # of a place: both roads agree far better
-TOLD = 6  # digits of a number of the notes
+TOLD, DIGITS = 6, 4  # digits of a number of the notes, of a dimension
+TURNED = 1e-3  # rad: the resolution of the paper over an arrow
+
+
+def region_name(letter: str) -> str:
+    """Name the graph of a size over the place of O."""
+    return f"region-{letter}"
 
 
 def told_in(name: str) -> tuple[float, str]:
     """Give how many times larger a size is told, and in which unit."""
     unit = unit_of(name)
     return UNITS.get(unit, (1.0, unit))
+
+
+def told(name: str, value: float, drafting: Drafting) -> Phrase:
+    """Tell a size with its letter and unit in the notes."""
+    unit = told_in(name)[1]
+    after = "" if not unit or unit == "°" else f" {drafting.word(unit)}"
+    return joined("", (dimensioned(name, value, drafting, TOLD), after))
+
+
+def dimensioned(name: str, value: float, drafting: Drafting, digits: int = DIGITS) -> Phrase:
+    """Tell a size with its letter beside a dimension: there mm have no unit."""
+    times, unit = told_in(name)
+    number = drafting.slot(Slot(name, times * value, digits))
+    return joined("", (f"{with_index(name)} = ", number, "°" if unit == "°" else ""))
 
 
 def rows(comparison: Comparison, drafting: Drafting) -> Iterator[tuple[str, Quantity]]:
@@ -55,6 +78,7 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         hand: Cell = None if error is None else by_hand(error, quantity.largest)
         value = float(quantity.analysis[0]), FAR
         yield from cells(VALUES, row, (value, value, hand), digits=TOLD)
+    yield from _region(found)
     for name, number in found.task.asked.items():
         told = told_in(name)[0] * number
         yield Expected(Kind.PHRASE, NOTES, name, told, FAR * max(told, 1.0), digits=TOLD)
@@ -69,6 +93,31 @@ def _figures(found: SynthesisStudy) -> Iterator[Expected]:
         # the pole is what the others are measured from
         spots = ((letter, spot) for letter, spot in due.places.items() if spot)
         yield from (Expected(Kind.POINT, one.name, letter, spot, off) for letter, spot in spots)
+        yield from _sizes(due)
         yield from (
             Expected(Kind.CURVE, one.name, letter, curve, off) for letter, curve in (due.circles | due.barred).items()
         )
+
+
+def _sizes(due: ShownSynthesis) -> Iterator[Expected]:
+    """Give the dimensions with their numbers."""
+    kinds = ((Kind.LENGTH, due.lengths), (Kind.ANGLE, due.angles))
+    for kind, letter in ((kind, letter) for kind, rows in kinds for letter, *_ in rows):
+        size, times = due.design.sizes[letter], told_in(letter)[0]
+        row = Expected(kind, due.name, letter, size, FAR * size + (TURNED if kind == Kind.ANGLE else 0.0))
+        yield from measured(row, times * size, digits=DIGITS, unit=times)
+
+
+def _region(found: SynthesisStudy) -> Iterator[Expected]:
+    """Give the curves over the place of O, and the ordinates of O and of the best place."""
+    region = region_of(found.task, analysed(found.task).chosen)
+    if region is None:
+        return
+    x, marks = np.degrees(region.places), {"O": region.chosen, BEST: region.best[0]}
+    for letter, curve in region.curves.items():
+        name, values = region_name(letter), told_in(letter)[0] * curve
+        most = float(np.abs(values).max())
+        yield Expected(Kind.CURVE, name, letter, course(x, values), NEAR * most, ends=(float(x[0]), float(x[-1])))
+        for mark, place in marks.items():
+            value = float(np.interp(place, region.places, values))
+            yield Expected(Kind.VECTOR, name, mark, 1j * value, NEAR * most, may_lack=mark == BEST)

@@ -61,6 +61,16 @@ class ShownSynthesis(NamedTuple):
         return {name: spot for name, spot in self.design.places.items() if self.holds(spot)}
 
     @property
+    def lengths(self) -> list[tuple[str, ...]]:
+        """The dimensioned lengths whose places are shown: letter, ends."""
+        return [row for row in self.figure.lengths if self.places.keys() >= {*row[1:]}]
+
+    @property
+    def angles(self) -> list[tuple[str, ...]]:
+        """The dimensioned angles whose places are shown: letter, vertex, ends of the legs."""
+        return [row for row in self.figure.angles if self.places.keys() >= {*row[1:]}]
+
+    @property
     def circles(self) -> dict[str, Complexes]:
         """The circles by points: whole, or what of them is in view."""
         return {name: _arc(one, *self._part(one)) for name, one in self.design.circles.items()}

@@ -8,14 +8,14 @@ from typing import Final
 
 from drawings.layout.table import RuledTable, table
 from drawings.layout.value_table import COLUMNS, value_row
-from drawings.lettering.words import Slot, joined, with_index
+from drawings.lettering.words import joined
 from drawings.page.page import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.kind import PLAN, SheetKind
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, exhibit, figures_facts
-from drawings.synthesis import construction
-from drawings.synthesis.due import TOLD, VALUES, expected, rows, slips, told_in
+from drawings.synthesis import construction, region
+from drawings.synthesis.due import VALUES, expected, rows, slips, told
 from drawings.synthesis.due_shown import NAME, shown
 from plans.study import Study
 from plans.synthesis.study import SynthesisStudy
@@ -25,6 +25,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's task."""
     found, drafting = study.of(SynthesisStudy), drafting_of(study.scene)
     shows = tuple(exhibit(construction, one, drafting, weight=2.0 if one.name == NAME else 1.0) for one in shown(found))
+    shows += tuple(exhibit(region, one, drafting) for one in region.shown(found.region))
     title, said = drafting.word("synthesis sheet title"), tuple(_notes(found, drafting))
     later = partial(slips, study.comparison(NAME))
     draft = Draft(NAME, title, shows, (values(study, drafting),), said, figures_facts, NAME, later=later)
@@ -40,15 +41,11 @@ def values(study: Study, drafting: Drafting) -> RuledTable:
 
 def _notes(study: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
     """Say what was asked, and what the family says of how it is found."""
-    parts = [_told(name, one, drafting) for name, one in study.task.asked.items()]
+    parts = [told(name, one, drafting) for name, one in study.task.asked.items()]
     yield drafting.phrase("synthesis asked", parts=joined(", ", parts))
     yield from map(drafting.word, study.family.notes(study.task))
-
-
-def _told(name: str, value: float, drafting: Drafting) -> str:
-    times, unit = told_in(name)
-    after = "" if not unit else drafting.word(unit) if unit == "°" else f" {drafting.word(unit)}"
-    return joined("", (f"{with_index(name)} = ", drafting.slot(Slot(name, times * value, TOLD)), after))
+    if study.region is not None:
+        yield drafting.word("synthesis region")
 
 
 SCALES: Final = {NAME: "synthesis"}

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final, NamedTuple
 
 from plans.model.synthesis.design import Design
+from plans.model.synthesis.region import Region
 from plans.scene.faults import Fault
 from plans.scene.scene import Scene
 from plans.synthesis import dwell, rocker, rocker_slider, rod_positions, slider
@@ -27,6 +28,7 @@ class Family(NamedTuple):
     faults: Callable[[Scene, Any], Iterable[Fault]]
     mechanism: Callable[[Design], MechanismText]
     notes: Callable[[Any], Iterable[str]]  # the names of phrases
+    region: Callable[[Any, Design], Region | None] = lambda task, design: None  # of a free parameter
 
 
 def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Family:
@@ -34,7 +36,7 @@ def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Fam
 
 
 FAMILIES: Final[Mapping[str, Family]] = {
-    "crank_rocker": _family(rocker.drawn, asked_rocker),
+    "crank_rocker": _family(rocker.drawn, asked_rocker)._replace(region=rocker.region),
     "slider_crank": _family(slider.drawn, asked_slider),
     "rocker_slider": _family(rocker_slider.drawn, asked_rocker_slider),
     "rod_positions": _family(rod_positions.rod_positions, asked_rod),

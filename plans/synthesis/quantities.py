@@ -10,15 +10,16 @@ from typing import Any
 import numpy as np
 
 from geometry.board import Board, behind
-from plans.analytic.synthesis import analysed
+from plans.analytic.synthesis import analysed, region_of
 from plans.explanation import Explanation, NoMark, explained_by
-from plans.model.synthesis.design import ANALYSIS, EPS, Design, unit_of
+from plans.model.synthesis.design import ANALYSIS, EPS, Design, Synthesis, unit_of
 from plans.quantity import Comparison, Numbers, Quantity, pairs
 from plans.study import Study
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import Drawn
 from plans.synthesis.study import SynthesisStudy
 
+NEAR = 1e-6  # rad, of what is best
 WEAR = 32.0  # roundings of what is read off several lines
 
 
@@ -31,7 +32,17 @@ def compare_synthesis(study: SynthesisStudy) -> Comparison:
         for k, (made, other) in enumerate(zip_longest(drawn.found, known.found))
         for finding in _findings(drawn.board, made, other, suffix(number, k))
     ]
-    return Comparison(study.synthesis, theirs, tuple(findings))
+    return Comparison(study.synthesis, theirs, (*findings, *_best(study, theirs)))
+
+
+def _best(study: SynthesisStudy, theirs: Synthesis) -> Iterator[Quantity]:
+    """Compare the best place of a pivot on its arc, which is known to the square root of a rounding, and its value."""
+    if not any(reading.found for reading in theirs.readings) or (ours := study.region) is None:
+        return
+    known, value = region_of(study.task, theirs.chosen), next(iter(ours.curves))
+    others = (math.nan, math.nan) if known is None else known.best
+    for name, *pair in zip(("γ_best", f"{value[0]}_best"), ours.best, others, strict=True):
+        yield Quantity.of((SYNTHESIS, name, unit_of(name)), (pair[0], pair[1]), NEAR)
 
 
 def suffix(number: int, place: int) -> str:

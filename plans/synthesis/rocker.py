@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,13 +15,13 @@ from geometry.meet import Sizes, Vectors
 from plans.model.motion import Floats
 from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design
 from plans.model.synthesis.extremes import CENTRES, RockerTask
+from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, cross, read
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.search import best_of
 from plans.words.words import because
 
-STATIONS = 361  # of O on an arc, where the best is looked for; then closer about the best of them
-CLOSER = 5  # times
 PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding
 KEPT = ("rocker", "swing", "overlap")
 
@@ -39,6 +39,26 @@ class _Base(NamedTuple):
     @property
     def side(self) -> int:
         return self.task.sides[0]
+
+    @property
+    def admits(self) -> bool:
+        """Whether some of its arc admits O."""
+        return self.side > 0 or self.task.swing / 2 + self.task.overlap < QUARTER
+
+    @property
+    def left(self) -> Mark:
+        """The end of the arc left of the axis."""
+        return min(self.ends, key=lambda end: complex(end.point).real)
+
+    @property
+    def end(self) -> float:
+        """The angle rad at M from B2 to there."""
+        near, far = (complex(between(self.board[CENTRES[self.side]], one)) for one in (self.chord.folded, self.left))
+        return self.side * cmath.phase(far / near) % math.tau
+
+    def place(self, turned: Floats | float) -> Any:
+        """Give the angle rad at M of what is turned on from B2."""
+        return cmath.phase(complex(between(self.board[CENTRES[self.side]], self.chord.folded))) + self.side * turned
 
     @property
     def barred(self) -> tuple[BarredArc, ...]:
@@ -115,13 +135,14 @@ def _drawn(base: _Base, crank: Crank) -> Drawn:
     theta, arm = crank.overlap
     sizes = {"l_1": first, "l_2": rest, "l_3": abs(rockers[0]), "l_4": abs(frame)}
     sizes |= {"ψ": cmath.phase(rockers[1] / rockers[0]), "θ": theta, "μ_min": least}
-    sizes |= {"μ_best": least} if task.best else {}
     places = {"C": complex(base.rocker.point), **crank.places}
     circles = dict[str, Circle]()
     if task.overlap:
         name = CENTRES[base.side]
         places |= {one.name: complex(one.point) for one in (board[name], *base.ends)}
         circles[name] = circle_of(base.locus)
+        rays = [complex(between(board[name], one)) for one in (chord.folded, crank.pivot)]
+        sizes["γ"] = base.side * cmath.phase(rays[1] / rays[0]) % math.tau
     shown: dict[str, Shown] = {
         "l_1": crank.crank,
         "l_2": crank.coupler,
@@ -129,15 +150,15 @@ def _drawn(base: _Base, crank: Crank) -> Drawn:
         "θ": crank.seen,
     }
     flat = math.sin(least) * min(rest, task.rocker)
-    arms = {"θ": arm, "ψ": task.rocker, "μ_min": flat}
+    arms = {"θ": arm, "ψ": task.rocker, "μ_min": flat, "γ": min([task.half, *(one.radius for one in circles.values())])}
     design = Design(sizes, places, circles, base.barred, least)
-    return Drawn(design, shown, arms, _figure(places), {"μ_best": 10.0**-PLACED})
+    return Drawn(design, shown, arms, _figure(places))
 
 
 def _figure(places: dict[str, complex]) -> Figure:
     centres = [name for name in CENTRES.values() if name in places]
     lines = [("B_1", "B_2"), *((end, centre) for centre in centres for end in ("B_1", "B_2"))]
-    lines += [("C", end) for end in ("K_1", "K_2") if end in places]
+    lines += [("O", centre) for centre in centres] + [("C", end) for end in ("K_1", "K_2") if end in places]
     return Figure(
         ("O", "A_1", "B_1", "C"),
         (("O", "A_2", "B_2", "C"),),
@@ -146,7 +167,7 @@ def _figure(places: dict[str, complex]) -> Figure:
         frozenset(("A_1", "A_2", "B_1", "B_2")),
         frozenset(("O", "C")),
         lengths=(("l_3", "C", "B_1"), ("l_4", "C", "O")),
-        angles=(("ψ", "C", "B_1", "B_2"), ("θ", "O", "B_1", "B_2")),
+        angles=(("ψ", "C", "B_1", "B_2"), ("θ", "O", "B_1", "B_2"), *(("γ", centre, "B_2", "O") for centre in centres)),
     )
 
 
@@ -165,44 +186,53 @@ def _transmission(made: Crank, frame: Vectors, rocker: float) -> Sizes:
 
 
 def with_best(task: RockerTask) -> RockerTask:
-    """Give a task with the place of O that has the largest of all least transmission angles, if none is told.
-
-    The arc is divided, then divided again about its best place, and so on; right of the axis all is mirrored.
-    """
+    """Give a task with the place of O that has the largest of all least transmission angles, if none is told."""
     if task.frame is not None or task.place is not None or not task.overlap:
         return task
-    _, place, side = max((*_best_on(task, side), side) for side in task.sides)
-    return task._replace(side=side, place=round(place, PLACED), best=True)
+    found = [(*_best(base), base) for base in (_base(task._replace(side=side)) for side in task.sides) if base.admits]
+    if not found:
+        return task
+    turned, _, base = max(found, key=lambda one: one[1])
+    return task._replace(side=base.side, place=round(base.place(turned) % math.tau, PLACED), best=True)
 
 
-def _best_on(task: RockerTask, side: int) -> tuple[float, float]:
-    least, most = QUARTER, 3 * QUARTER
-    found, place = -math.inf, math.pi
-    for _ in range(CLOSER):
-        places = np.linspace(least, most, STATIONS)
-        values = stations(task._replace(side=side), places)
-        k = int(np.argmax(values))
-        found, place = float(values[k]), float(places[k])
-        least, most = places[max(k - 2, 0)], places[min(k + 2, STATIONS - 1)]
-    return found, place
+def _best(base: _Base) -> tuple[float, float]:
+    return best_of(lambda turned: _sizes_over(base.task, base.place(turned))["μ_min"], 0.0, base.end)
 
 
-def stations(task: RockerTask, places: Floats) -> Floats:
-    """Give the least transmission angle rad with O at each of some places; less than 0 where none is admitted."""
+def region(task: RockerTask, design: Design) -> Region | None:
+    """Move O over the arc of the circle that a mechanism is on, from B2 to the middle of the circle."""
+    if not task.overlap:
+        return None
+    base = _base(task._replace(side=next(side for side, name in CENTRES.items() if name in design.circles)))
+    places = stations(base.end)
+    return Region(
+        places,
+        _sizes_over(base.task, base.place(places)),
+        base.end,
+        math.pi - task.overlap,
+        _best(base),
+        design.sizes["γ"],
+    )
+
+
+def _sizes_over(task: RockerTask, places: Floats) -> dict[str, Floats]:
+    """Give sizes with O at each of some angles rad at M: the least transmission angle first; NaN where none is."""
     base = _base(task)
     at = base.board.divide("O", base.locus, base.board.given("O:r", np.exp(1j * places)))
     with np.errstate(invalid="ignore", divide="ignore"):
-        admitted = _admits(base, at)
-        least = _transmission(read(base.chord, at), between(at, base.rocker), task.rocker)
-    return np.where(admitted & np.isfinite(least), least, -1.0)
+        crank, frame = read(base.chord, at), between(at, base.rocker)
+        least = _transmission(crank, frame, task.rocker)
+    lengths = np.array([*crank.lengths, np.full(len(places), task.rocker), np.abs(frame)])
+    margin = lengths.sum(axis=0) - 2 * (lengths.min(axis=0) + lengths.max(axis=0))
+    rows = {"μ_min": least, "L": lengths.max(axis=0) / task.rocker, "Δ": margin / task.rocker}
+    return {name: np.where(_admits(base, at), row, np.nan) for name, row in rows.items()}
 
 
 def admitted(task: RockerTask) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
     """Give the places rad at M, and the frames m, between which the arcs left of the axis admit O."""
-    for side in task.sides:
-        base = _base(task._replace(side=side))
-        if side > 0 or task.swing / 2 + task.overlap < QUARTER:
-            left = min(base.ends, key=lambda end: complex(end.point).real)
-            rays = (complex(between(base.board[CENTRES[side]], end)) for end in (base.chord.folded, left))
-            low, high = sorted(cmath.phase(ray) % math.tau for ray in rays)
-            yield (low, high), tuple(sorted((task.rocker, abs(complex(left.point)))))  # type: ignore[misc]
+    for base in (_base(task._replace(side=side)) for side in task.sides):
+        if base.admits:
+            low, high = sorted(base.place(turned) % math.tau for turned in (0.0, base.end))
+            short, long = sorted((task.rocker, abs(complex(base.left.point))))
+            yield (low, high), (short, long)

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from geometry.board import Board
 from plans.model.synthesis.design import CONSTRUCTION, Reading, Synthesis, Task
+from plans.model.synthesis.region import Region
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import DrawnReading
 from plans.synthesis.families import FAMILIES, Family
@@ -41,3 +42,8 @@ class SynthesisStudy:
         """What the constructions give."""
         readings = (Reading(one.kept, tuple(made.design for made in one.found)) for one in self.drawn)
         return Synthesis(CONSTRUCTION, tuple(readings))
+
+    @cached_property
+    def region(self) -> Region | None:
+        """What the free parameter of the task makes of the mechanism that is taken, if there is one."""
+        return self.family.region(self.task, self.synthesis.chosen)

@@ -6,9 +6,10 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final
 
 from plans.analytic.synthesis import dwell, guided, rocker, rocker_slider, slider
-from plans.model.synthesis.design import ANALYSIS, Reading, Synthesis, Task
+from plans.model.synthesis.design import ANALYSIS, Design, Reading, Synthesis, Task
 from plans.model.synthesis.extremes import RockerTask, SliderTask
 from plans.model.synthesis.positions import DwellTask, FunctionTask, RodTask
+from plans.model.synthesis.region import Region
 from plans.model.synthesis.swings import RockerSliderTask
 
 ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
@@ -24,3 +25,12 @@ ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
 def analysed(task: Task) -> Synthesis:
     """Solve a task: every mechanism of each of its readings."""
     return Synthesis(ANALYSIS, tuple(ROADS[type(task)](task)))
+
+
+REGIONS: Final[Mapping[type, Callable[[Any, Design], Region | None]]] = {RockerTask: rocker.region}
+
+
+def region_of(task: Task, design: Design) -> Region | None:
+    """Give what the free parameter of a task makes of a mechanism that does what is asked, if it has one."""
+    found = REGIONS.get(type(task))
+    return None if found is None else found(task, design)

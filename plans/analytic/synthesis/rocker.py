@@ -11,8 +11,11 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Final, NamedTuple
 
+import numpy as np
+
 from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design, Reading
 from plans.model.synthesis.extremes import CENTRES, RockerTask
+from plans.model.synthesis.region import Region, stations
 
 
 def readings(task: RockerTask) -> Iterator[Reading]:
@@ -42,8 +45,6 @@ def _design(task: RockerTask, made: CrankRocker) -> Design:
     ends = complex(task.half, task.height), complex(-task.half, task.height)
     sizes = {"l_1": made.crank, "l_2": made.coupler, "l_3": made.rocker, "l_4": made.frame}
     sizes |= {"ψ": task.swing, "θ": task.overlap, "μ_min": made.transmission}
-    if task.best:
-        sizes["μ_best"] = max(best(task, side) for side in CENTRES)
     places = {"C": 0j, **extremes(made.pivot, made.crank, *ends)}
     return Design(sizes, places, merit=made.transmission) if not task.overlap else _seen(task, sizes, places)
 
@@ -57,6 +58,7 @@ def _seen(task: RockerTask, sizes: dict[str, float], places: dict[str, complex])
     left = centre + cmath.rect(radius, end)
     ends = (left, complex(-left.real, left.imag))  # CB1, produced through C, is left of it
     line = dict(zip(("K_1", "K_2") if left.imag < 0 else ("K_2", "K_1"), ends, strict=True))
+    sizes["γ"] = side * (cmath.phase(places["O"] - centre) - start_of_arc(task, side)) % math.tau
     start = end if side > 0 else math.pi - end
     between = BarredArc(name, start, side * (math.pi - 2 * end) % math.tau)
     barred = (between, BarredArc(name, side * QUARTER - task.overlap, 2 * task.overlap))
@@ -145,20 +147,37 @@ def _framed(task: RockerTask) -> Iterator[CrankRocker]:
         yield made
 
 
-def best(task: RockerTask, side: int) -> float:
-    """Give the largest least transmission angle rad on an arc, by the golden section about the best of many places."""
+def region(task: RockerTask, design: Design) -> Region | None:
+    """Give the sizes over the place of O on the circle that a mechanism is on."""
+    side = next((side for side, name in CENTRES.items() if name in design.circles), 0)
+    end = end_of_arc(task, side) if side else None
+    if end is None:
+        return None
+    start = start_of_arc(task, side)
+    away = abs(end - start)
+    places = stations(away)
+    made = [one for turned in places.tolist() if (one := at_place(task, side, start + side * turned))]
+    rows = {
+        "μ_min": [one.transmission for one in made],
+        "L": [max(one[:4]) / one.rocker for one in made],
+        "Δ": [(sum(one[:4]) - 2 * min(one[:4]) - 2 * max(one[:4])) / one.rocker for one in made],
+    }
+    place, value = best(task, side)
+    curves = {name: np.array(row) for name, row in rows.items()}
+    return Region(places, curves, away, math.pi - task.overlap, (side * (place - start), value), design.sizes["γ"])
+
+
+def best(task: RockerTask, side: int) -> tuple[float, float]:
+    """Give the place and the value rad of the largest least transmission angle on an arc."""
     end = end_of_arc(task, side)
     if end is None:
-        return -math.inf
-    start = start_of_arc(task, side)
-    step = (end - start) / SAMPLES
+        return math.nan, -math.inf
 
     def value(place: float) -> float:
         made = at_place(task, side, place)
         return -math.inf if made is None else made.transmission
 
-    k = max(range(SAMPLES + 1), key=lambda k: value(start + k * step))
-    return _golden(value, start + max(k - 1, 0) * step, start + min(k + 1, SAMPLES) * step)
+    return largest(value, start_of_arc(task, side), end)
 
 
 SAMPLES: Final = 240
@@ -166,8 +185,12 @@ GOLDEN: Final = (math.sqrt(5) - 1) / 2
 SECTIONS: Final = 60  # each leaves 0.62 of the one before: below a rounding of the first
 
 
-def _golden(value: Callable[[float], float], least: float, most: float) -> float:
+def largest(value: Callable[[float], float], start: float, end: float) -> tuple[float, float]:
+    """Give where a value is largest, and that value, by the golden section about the best of many places."""
+    step = (end - start) / SAMPLES
+    k = max(range(SAMPLES + 1), key=lambda k: value(start + k * step))
+    least, most = start + max(k - 1, 0) * step, start + min(k + 1, SAMPLES) * step
     for _ in range(SECTIONS):
         low, high = most - GOLDEN * (most - least), least + GOLDEN * (most - least)
         least, most = (least, high) if value(low) > value(high) else (low, most)
-    return value((least + most) / 2)
+    return (least + most) / 2, value((least + most) / 2)

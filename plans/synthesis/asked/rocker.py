@@ -14,13 +14,15 @@ from plans.synthesis.rocker import admitted, drawn, with_best
 from plans.synthesis.tables.extremes import RockerTable
 from plans.synthesis.written import MechanismText
 
+RIGHT = 90.0  # degrees
 PATH: Path = ("synthesis", "crank_rocker")
 
 
 def task(table: RockerTable) -> RockerTask:
     """Make the task; where no parameter is told, O is put where it is best."""
     place = radians(table.place)
-    side = None if place is None else BEYOND if table.beyond else TOWARDS
+    told = place is not None or "beyond" in table.given
+    side = (BEYOND if table.beyond else TOWARDS) if told else None
     theta = overlap(table)
     assert theta is not None  # the form has asked for it
     swing = math.radians(table.swing)
@@ -29,7 +31,10 @@ def task(table: RockerTable) -> RockerTask:
 
 def faults(scene: Scene, task: RockerTask) -> Iterator[Fault]:
     """Say what frames or places can be met, where that asked for cannot."""
-    if task.frame is None and task.place is None:
+    outside = math.degrees(task.swing / 2 + task.overlap)
+    if task.side == BEYOND and task.overlap and outside >= RIGHT:
+        yield scene.fault((*PATH, "beyond"), "synthesis_beyond", sum=f"{outside:.6g}")
+    elif task.frame is None and task.place is None:
         yield scene.fault(PATH, "synthesis_centric", least=millimetres(task.rocker))
     elif not met(drawn(task)):
         name = "frame" if task.place is None else "place"

@@ -35,7 +35,12 @@ class RockerTable(DemandTable):
         meaning="Where O is on the circle that sees the chord, degrees at M, instead of the frame; the rocker's middle "
         "position is at 90.",
     )
-    beyond: bool = key(f.FLAG, False, meaning="Whether a place is told of the circle whose centre is beyond the chord.")
+    beyond: bool = key(
+        f.FLAG,
+        False,
+        meaning="Whether O lies on the circle whose centre is beyond the chord; else a frame, or the best "
+        "place, is looked for on both circles.",
+    )
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:

@@ -1,0 +1,24 @@
+"""The best place of a pivot on an arc, by dividing it more and more closely (наилучшее место шарнира)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from plans.model.motion import Floats
+
+STATIONS = 361  # of an arc, where the best is looked for; then closer about the best of them
+CLOSER = 5  # times
+
+
+def best_of(values: Callable[[Floats], Floats], least: float, most: float) -> tuple[float, float]:
+    """Give the place with the largest value, and that value; where there is none it is NaN."""
+    place = found = np.nan
+    for _ in range(CLOSER):
+        places = np.linspace(least, most, STATIONS)
+        known = np.nan_to_num(values(places), nan=-np.inf)
+        k = int(np.argmax(known))
+        place, found = float(places[k]), float(known[k])
+        least, most = places[max(k - 2, 0)], places[min(k + 2, STATIONS - 1)]
+    return place, found
