@@ -32,8 +32,8 @@ def centres(
 
 def _at_length(board: Board, name: str, line: Mark, about: Mark, arm: float) -> Iterator[Mark]:
     arc = board.arc(f"{name}:o", about, arm, because("arm_length"))
-    for sense in (1.0, -1.0):
-        found = board.meet(name, line, arc, sense, because("bisector_arm"))
+    for prime, sense in (("", 1.0), ("'", -1.0)):
+        found = board.meet(f"{name}{prime}", line, arc, sense, because("bisector_arm"))
         if abs(complex(found.point)) >= 0:  # it does meet
             yield found
 
@@ -51,6 +51,12 @@ def _bisector(board: Board, first: Mark, second: Mark) -> Mark:
     along = board.turn(f"{name}:u", chord, 1 / abs(complex(chord.point)))
     middle = board.lay_off(f"{name}:m", first, board.turn(f"{name}/2", chord, 0.5, because("half_way")))
     return board.square(f"{name}:n", middle, along, because("bisector"))
+
+
+def middles(board: Board, letter: str, places: Sequence[Mark]) -> dict[str, Mark]:
+    """Give the middles of the ways between places, from which their bisectors go."""
+    pairs = enumerate(pairwise(places), 1)
+    return {f"{letter}_{k}{k + 1}": board[f"{first.name}{second.name}:m"] for k, (first, second) in pairs}
 
 
 def pole(board: Board, name: str, first: Mark, second: Mark, turn: float) -> Mark:

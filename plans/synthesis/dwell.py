@@ -131,7 +131,16 @@ def _figure(rocker: _Resting) -> Figure:
     lines = tuple(("D", f"K_{k}") for k in (1, 5))
     curve = rocker.point(np.linspace(0.0, math.tau, SHOWN))
     hinges = frozenset(("O", "C", "A_3", "B_3", "K_3", "D", "F"))
-    return Figure(first, chains, lines, (), hinges, frozenset("OCF"), curves={"K": np.asarray(curve)})
+    return Figure(
+        first,
+        chains,
+        lines,
+        (),
+        hinges,
+        frozenset("OCF"),
+        lengths=(("l_5", "D", "K_3"), ("l_6", "D", "F")),
+        curves={"K": np.asarray(curve)},
+    )
 
 
 class _Resting(NamedTuple):

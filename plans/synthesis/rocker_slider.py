@@ -68,9 +68,10 @@ def _leaning(larger: _Larger, pivot: Mark, similar: dict[str, tuple[Mark, Mark]]
     slid = [board.lay_off(f"B_{k}", end, rods["A_1"]) for k, end in enumerate(ends, 1)]
     last = board.lay_off("B", top, rods["A"])
     guide = board.parallel("B:l", slid[0], half, because("guide_level"))
-    offset = board.join("e", centre, board.meet("G", guide, board.square("C:n", centre, half)), because("guide_off"))
+    foot = board.meet("G", guide, board.square("C:n", centre, half))
+    offset = board.join("e", centre, foot, because("guide_off"))
     lean = max(abs(cmath.phase(complex(rod.point))) for rod in rods.values())
-    marks = (centre, top, last, ends[0], slid[0], ends[1], slid[1], middle)
+    marks = (centre, top, last, ends[0], slid[0], ends[1], slid[1], middle, foot)
     places = {one.name: complex(one.point) for one in marks}
     sizes = {**_lengths(l_1=rocker, l_2=rods["A_1"], e=offset), "ψ": _angle(centre, *ends), "α_max": lean}
     sizes["H"] = abs(complex(between(slid[1], slid[0])))
@@ -80,9 +81,11 @@ def _leaning(larger: _Larger, pivot: Mark, similar: dict[str, tuple[Mark, Mark]]
         (("C", "A", "B"), ("C", "A_2", "B_2")),
         (("A_1", "A_2"),),
         (("B_1", "B_2"), ("C", "A")),
-        frozenset(places) - {"E"},
+        frozenset(places) - {"E", "G"},
         frozenset("C"),
         {"B_1": 1 + 0j, "B_2": 1 + 0j, "B": 1 + 0j},
+        lengths=(("H", "B_2", "B_1"), ("e", "C", "G"), ("l_1", "C", "A_1"), ("l_2", "A_1", "B_1")),
+        angles=(("ψ", "C", "A_1", "A_2"),),
     )
     return Drawn(Design(sizes, places), shown, {"ψ": sizes["l_1"], "α_max": sizes["l_2"]}, figure)
 
@@ -131,6 +134,8 @@ def _laid(board: Board, task: RockerSliderTask, sense: float) -> Iterator[Drawn]
     blocks = {"B_1": 1 + 0j, "B_2": 1 + 0j}
     hinges, chains = frozenset(places), (("C", "A_1", "B_1"), ("C", "A_2", "B_2"))
     figure = Figure(chains[0], chains[1:], (), (("C", "B_1"), ("C", "B_2")), hinges, frozenset("C"), blocks)
+    lengths = ("H", "B_1", "B_2"), ("l_1", "C", "A_1"), ("l_2", "A_1", "B_1")
+    figure = figure._replace(lengths=lengths, angles=(("ψ", "C", "A_1", "A_2"),))
     arms = {"ψ": sizes["l_1"], "α_max": sizes["l_2"] * math.cos(lean)}
     lost = WEAR * EPS * (1 + rod) / (abs(way) * math.cos(lean))  # the way is a difference of these lengths
     within = {name: lost * sizes[name] for name in ("l_1", "l_2")}

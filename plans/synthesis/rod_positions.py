@@ -5,14 +5,14 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from itertools import product
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from geometry.board import Board, Mark, Span
 from plans.model.synthesis.design import Design
 from plans.model.synthesis.positions import FunctionTask, RodTask
 from plans.quantity import Shown
-from plans.synthesis.centre_points import Bars, centres, pole
+from plans.synthesis.centre_points import Bars, centres, middles, pole
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
 from plans.words.words import because
@@ -45,6 +45,7 @@ class _Rod:
             for k, angle in enumerate(task.angles, 1)
         ]
         self.inverted: dict[str, Mark] = {}
+        self.middles: dict[str, Mark] = {}  # of the ways whose bisectors are drawn, by the letter of what moves
 
     def four_bars(self) -> Iterator[Drawn]:
         """Put every link of the one side together with every one of the other."""
@@ -60,20 +61,23 @@ class _Rod:
         if self.task.hinges:
             first = board.given(f"{hinge}_1", at, because("hinge_chosen"))
             places = [first, *self._carried(hinge, first)]
-            yield from (_Link(centre, places) for centre in centres(board, pivot, places, arm))
+            for centre in centres(board, pivot, places, arm):
+                self.middles |= middles(board, hinge.lower(), places)
+                yield _Link(centre, places)
             return
         fixed = board.given(pivot, at, because("pivot_chosen"))
         seen = [fixed, *self._seen(pivot, fixed)]
         self.inverted |= {mark.name: mark for mark in seen[1:]}
         for first in centres(board, f"{hinge}_1", seen, arm):
+            self.middles |= middles(board, pivot.lower(), seen)
             yield _Link(fixed, [first, *self._carried(hinge, first)])
 
     def _carried(self, name: str, first: Mark) -> Iterator[Mark]:
         """Carry a hinge with the rod into its other positions."""
-        ray = self.board.join(f"D_1{first.name}", self.places[0], first)
+        ray, prime = self.board.join(f"D_1{first.name}", self.places[0], first), first.name.removeprefix(f"{name}_1")
         for k, (place, way) in enumerate(zip(self.places[1:], self.ways[1:], strict=True), 2):
-            turned = self.board.similar(f"D_{k}{name}_{k}", way, self.ways[0], ray, why=because("as_rod"))
-            yield self.board.lay_off(f"{name}_{k}", place, turned)
+            turned = self.board.similar(f"D_{k}{name}_{k}{prime}", way, self.ways[0], ray, why=because("as_rod"))
+            yield self.board.lay_off(f"{name}_{k}{prime}", place, turned)
 
     def _seen(self, name: str, fixed: Mark) -> Iterator[Mark]:
         """Carry a pivot with the rod back into the first position: inversion (обращение движения)."""
@@ -88,15 +92,30 @@ class _Rod:
             if (turns := leading.led()) is not None:
                 told = {f"{letter}_1{k}": turn for k, turn in enumerate(turns[1:], 2)}
                 arm = min(leading.lengths[0], *(math.sin(leading.tightest) * one for one in leading.lengths[1:3]))
-                extra = {mark.name: mark for mark in (*self.places, *self._poles(bars))} | self.inverted
-                return drawn(bars, told, leading.tightest, arm, extra)
+                poles = {f"P_{i + 1}{j + 1}": self._pole(bars, i, j) for i, j in self.task.poles}
+                places = {mark.name: mark for mark in self.places}
+                made = drawn(bars, told, leading.tightest, arm, places | poles | self.inverted | self.middles)
+                turned = ("O", "A") if letter == "φ" else ("C", "B")
+                angles = tuple((name, turned[0], f"{turned[1]}_1", f"{turned[1]}_{name[-1]}") for name in told)
+                figure = made.figure._replace(lines=(*made.figure.lines, *self._lines()), angles=angles)
+                return made._replace(figure=figure)
         return None
 
-    def _poles(self, bars: Bars) -> Iterator[Mark]:
-        """Draw the poles from the hinge that goes farther."""
+    def _pole(self, bars: Bars, i: int, j: int) -> Mark:
+        """Draw a pole from the hinge that goes farther."""
+        far = max((bars.hinges, bars.ends), key=lambda at: abs(complex(at[j].point) - complex(at[i].point)))
+        return pole(self.board, f"P_{i + 1}{j + 1}", far[i], far[j], self.task.turn(i, j))
+
+    def _lines(self) -> Iterator[tuple[str, str]]:
+        """Give what is drawn beside the links: the rod's point, the bisectors, what the poles see."""
+        ends = dict(zip("ab", "OC", strict=True)) | dict(zip("oc", ("A_1", "B_1"), strict=True))
+        yield from ((ends[name[0]], name) for name in self.middles)
         for i, j in self.task.poles:
-            far = max((bars.hinges, bars.ends), key=lambda at: abs(complex(at[j].point) - complex(at[i].point)))
-            yield pole(self.board, f"P_{i + 1}{j + 1}", far[i], far[j], self.task.turn(i, j))
+            yield from ((f"P_{i + 1}{j + 1}", f"A_{k + 1}") for k in (i, j))
+        for k in range(1, len(self.places) + 1):
+            yield from ((f"A_{k}", f"D_{k}"), (f"D_{k}", f"B_{k}"))
+        for one in (name for name in self.inverted if name[-1] == "2"):
+            yield from ((one[0], one), *((one, one[0] + "_3") for _ in self.places[2:]))
 
 
 def drawn(bars: Bars, told: dict[str, float], tightest: float, arm: float, extra: dict[str, Mark]) -> Drawn:
@@ -111,6 +130,7 @@ def drawn(bars: Bars, told: dict[str, float], tightest: float, arm: float, extra
     chains = [("O", f"A_{k}", f"B_{k}", "C") for k in range(1, len(bars.hinges) + 1)]
     lines = tuple((f"{one}_{k}", f"{one}_{k + 1}") for one in HINGES for k in range(1, len(bars.hinges)))
     figure = Figure(chains[0], tuple(chains[1:]), lines, (), frozenset(hinged), frozenset(PIVOTS))
+    figure = figure._replace(lengths=tuple((f"l_{k}", *pair) for k, pair in enumerate(pairs, 1)))
     return Drawn(Design(sizes, places, merit=tightest), shown, dict.fromkeys((*told, "μ_min"), arm), figure)
 
 
@@ -152,5 +172,9 @@ def _function(task: FunctionTask, first: Bars, seen: list[Mark]) -> Drawn | None
     if not all(bars.lengths) or bars.led() is None:
         return None
     arm = min(bars.lengths[2], *(math.sin(bars.tightest) * one for one in bars.lengths[1:3]))
-    extra = {mark.name: mark for mark in seen[1:]}
-    return drawn(bars, {"ψ_1": cmath.phase(complex(ray.point))}, bars.tightest, arm, extra)
+    between = middles(board, "a", seen)
+    extra = {mark.name: mark for mark in seen[1:]} | between
+    made = drawn(bars, {"ψ_1": cmath.phase(complex(ray.point))}, bars.tightest, arm, extra)
+    lines = [(name, "B_1") for name in between] + [("C", mark.name) for mark in (*bars.hinges[1:], *seen[1:])]
+    lines += [*pairwise(mark.name for mark in seen)]
+    return made._replace(figure=made.figure._replace(lines=(*made.figure.lines, *lines)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from itertools import chain
 
 import numpy as np
 import pytest
@@ -33,10 +34,10 @@ def designs(task):
     assert [(one.name, one.excess.max()) for one in comparison.findings if one.excess.max() > 1] == []
     places = [[one.places for one in reading.found] for reading in comparison.analysis.readings]
     drawn = [[one.places for one in reading.found] for reading in comparison.construction.readings]
-    for theirs, ours in zip(sum(places, []), sum(drawn, []), strict=True):
+    for theirs, ours in zip(chain(*places), chain(*drawn), strict=True):
         size = max(map(abs, theirs.values()))
         assert theirs.keys() == ours.keys() and max(abs(theirs[k] - ours[k]) for k in theirs) < 1e-10 * size
-    return sum(([*one.found] for one in comparison.analysis.readings), [])
+    return [*chain(*(one.found for one in comparison.analysis.readings))]
 
 
 def printed(value: float, text: str) -> bool:

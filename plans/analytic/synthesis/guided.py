@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import product
+from itertools import pairwise, product
 
 from plans.model.synthesis.design import Design, Reading
 from plans.model.synthesis.positions import TWO, FunctionTask, RodTask, bent, crossing, sense_of, ways
@@ -42,12 +42,16 @@ def _rods(task: RodTask) -> Iterator[Design]:
         (pivot, hinges), (other, ends) = pair
         if design := _four_bar(pivot, other, hinges, ends):
             poles = {f"P_{i + 1}{j + 1}": pole(moves[i], moves[j]) for i, j in task.poles}
-            turned = dict[str, complex]()
-            if task.pivots:
-                for name, at in zip("OC", task.pivots, strict=True):
-                    turned |= {f"{name}_{j}": (at - shift) / u for j, (u, shift) in enumerate(moves[1:], 2)}
+            turned = _middles("a", hinges) | _middles("b", ends) if task.hinges else {}
+            for name, at in zip("OC", task.pivots or (), strict=bool(task.pivots)):
+                seen = [(at - shift) / u for u, shift in moves]
+                turned |= {f"{name}_{j}": one for j, one in enumerate(seen[1:], 2)} | _middles(name.lower(), seen)
             given = {f"D_{k}": at for k, at in enumerate(task.places, 1)}
             yield _told(design, given | poles | turned)
+
+
+def _middles(letter: str, places: Sequence[complex]) -> dict[str, complex]:
+    return {f"{letter}_{k}{k + 1}": (one + other) / 2 for k, (one, other) in enumerate(pairwise(places), 1)}
 
 
 def _told(design: Design, places: Mapping[str, complex]) -> Design:
@@ -144,7 +148,7 @@ def _functions(task: FunctionTask) -> Iterator[Design]:
             sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), lengths, strict=True))
             sizes |= {"ψ_1": cmath.phase(end - frame), "μ_min": tight}
             places = {"O": 0j, "C": frame} | {f"A_{k}": at for k, at in enumerate(pins, 1)}
-            places |= {f"B_{k}": at for k, at in enumerate(ends, 1)}
+            places |= {f"B_{k}": at for k, at in enumerate(ends, 1)} | _middles("a", inverted)
             yield Design(sizes, places | {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)}, merit=tight)
 
 

@@ -29,7 +29,7 @@ def symmetric(task: RockerSliderTask) -> Iterator[Design]:
     ends = complex(task.stroke / 2), complex(-task.stroke / 2)
     up, down = cmath.rect(rod, task.pressure), cmath.rect(rod, -task.pressure)
     places = {"C": pivot, "A": rise, "B": rise + down, "A_1": ends[0], "B_1": ends[0] + up}
-    places |= {"A_2": ends[1], "B_2": ends[1] + up, "E": 0j}
+    places |= {"A_2": ends[1], "B_2": ends[1] + up, "E": 0j, "G": complex(0, rise.imag / 2)}
     sizes = {"l_1": rocker, "l_2": rod, "e": offset, "ψ": 2 * half, "α_max": task.pressure, "H": task.stroke}
     yield Design(sizes, places)
 
