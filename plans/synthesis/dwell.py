@@ -121,7 +121,7 @@ def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | 
     places = {name: complex(mark.point) for name, mark in marks.items()}
     design = Design(sizes, places, {"D": Circle(places["D"], sizes["l_5"])}, merit=swing)
     arms = {"ψ": task.output, "ψ_d": task.output}
-    return Drawn(design, {"l_5": Span(centre, poses[2].point), "l_6": Span(centre, pivot)}, arms, _figure(rocker))
+    return Drawn(design, {"l_5": Span(centre, poses[2].point)}, arms, _figure(rocker))
 
 
 def _figure(rocker: _Resting) -> Figure:

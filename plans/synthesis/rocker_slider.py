@@ -1,10 +1,11 @@
-"""A rocker-slider from a similar figure whose rocker or rod is 1: the stroke tells how much larger it is (theme 6)."""
+"""A rocker-slider from a similar figure: the stroke tells how much larger it is (theme 6; подобие)."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 from geometry.board import Board, Mark, between
@@ -19,9 +20,16 @@ WEAR = 32.0  # roundings
 
 def drawn(task: RockerSliderTask) -> tuple[DrawnReading, ...]:
     """Draw each reading of a task; axial ones on a board for each side of the rod."""
-    return tuple(
-        one for each in task.readings for one in ((_symmetric(each),) if each.angles is None else _axial(each))
-    )
+    if task.angles is None:
+        return (_about_as_large(partial(_symmetric, task), task),)
+    sides = [(one, sense) for one in task.readings for sense in (1.0, -1.0)]
+    return tuple(_about_as_large(partial(_axial, one, sense), one) for one, sense in sides)
+
+
+def _about_as_large(figure: Callable[[float], DrawnReading], task: RockerSliderTask) -> DrawnReading:
+    """Draw by a similar figure with a rocker of the length of the stroke, then, as it is about as large, a round one."""
+    trial = figure(task.stroke)
+    return figure(float(f"{trial.found[0].design.sizes['l_1']:.0e}")) if trial.found else trial
 
 
 class _Larger(NamedTuple):
@@ -37,17 +45,17 @@ class _Larger(NamedTuple):
         return self.board.similar(name, self.wanted, self.unit, shape, why=because("as_stroke"))
 
 
-def _symmetric(task: RockerSliderTask) -> DrawnReading:
-    """Draw the rod of length 1 leaning to both sides: by so much is the chord of the rocker's end below its top."""
+def _symmetric(task: RockerSliderTask, rocker: float) -> DrawnReading:
+    """Draw the rod leaning to both sides: by so much is the chord of the rocker's end below its top."""
     assert task.ratio is not None and task.pressure is not None  # asked before
     board, why = Board(SYNTHESIS), because("rod_leans", angle=f"{math.degrees(task.pressure):.10g}")
-    up, down = (board.given(f"l_2:{k}", cmath.rect(1.0, k * task.pressure), why) for k in (1, -1))
+    up, down = (board.given(f"l_2:{k}", cmath.rect(rocker / task.ratio, k * task.pressure), why) for k in (1, -1))
     pivot = board.given("C:1", 0j, because("rocker_pivot"))
-    top = board.lay_off("A:1", pivot, board.given("l_1:1", 1j * task.ratio, because("rocker_square")))
+    top = board.lay_off("A:1", pivot, board.given("l_1:1", 1j * rocker, because("rocker_square")))
     end = board.lay_off("B:1", top, down)
     low = board.lay_off("E:1", end, board.turn("B_1A_1:1", up, -1.0, because("rod_back")))
     level = board.parallel("E:l", low, board.given("guide", 1 + 0j), because("chord_level"))
-    first = board.meet("A_1:1", board.arc("C:o", pivot, task.ratio, because("rocker_circle")), level, 1.0)
+    first = board.meet("A_1:1", board.arc("C:o", pivot, rocker, because("rocker_circle")), level, 1.0)
     half = board.given("EA_1", complex(task.stroke / 2), because("half_stroke"))
     larger = _Larger(board, half, board.join("EA_1:1", low, first))
     admitted = cross(up.point, between(pivot, first)) > 0  # else the slider turns back before the rocker does
@@ -99,27 +107,26 @@ def _angle(pivot: Mark, first: Mark, second: Mark) -> float:
     return abs(cmath.phase(complex(between(pivot, first)) / complex(between(pivot, second))))
 
 
-def _axial(task: RockerSliderTask) -> Iterator[DrawnReading]:
-    """Draw a rocker of length 1 in both its ends, the rod to either side, and measure the slider's way."""
-    for sense in (1.0, -1.0):
-        board = Board(SYNTHESIS)
-        yield DrawnReading(task.kept, board, tuple(_laid(board, task, sense)))
+def _axial(task: RockerSliderTask, sense: float, rocker: float) -> DrawnReading:
+    """Draw a rocker in both its ends, the rod to one side, and measure the slider's way."""
+    board = Board(SYNTHESIS)
+    return DrawnReading(task.kept, board, tuple(_laid(board, task, sense, rocker)))
 
 
-def _laid(board: Board, task: RockerSliderTask, sense: float) -> Iterator[Drawn]:
+def _laid(board: Board, task: RockerSliderTask, sense: float, rocker: float) -> Iterator[Drawn]:
     assert task.angles is not None  # it is axial
     pivot = board.given("C", 0j, because("rocker_pivot"))
     guide = board.parallel("C:l", pivot, board.given("guide", 1 + 0j, because("guide_through")))
-    circle = board.arc("C:o", pivot, 1.0, because("rocker_unit"))
+    circle = board.arc("C:o", pivot, rocker, because("rocker_unit", length=f"{1000 * rocker:.10g}"))
     top = _rocker(board, circle, "A:1", task.steepest)
-    rod = _rod(board, guide, top, task)
+    rod = _rod(board, guide, top, task, rocker)
     ends = [_rocker(board, circle, f"A_{k}:1", angle) for k, angle in enumerate(task.angles, 1)]
     slid = [
         board.meet(f"B{end.name[1:]}", guide, board.arc(f"{end.name}:o", end, rod, because("rod_length")), sense)
         for end in (*ends, top)
     ]
     way = complex(between(slid[1], slid[0]))
-    if not abs(way) >= STILL:  # the rod is too short, or as long as the rocker
+    if not abs(way) >= STILL * rocker:  # the rod is too short, or as long as the rocker
         return
     stroke = board.given("H", complex(math.copysign(task.stroke, way.real)), because("stroke_given"))
     larger = _Larger(board, stroke, board.join("H:1", slid[1], slid[0], because("unit_way")))
@@ -137,7 +144,7 @@ def _laid(board: Board, task: RockerSliderTask, sense: float) -> Iterator[Drawn]
     lengths = ("H", "B_1", "B_2"), ("l_1", "C", "A_1"), ("l_2", "A_1", "B_1")
     figure = figure._replace(lengths=lengths, angles=(("ψ", "C", "A_1", "A_2"),))
     arms = {"ψ": sizes["l_1"], "α_max": sizes["l_2"] * math.cos(lean)}
-    lost = WEAR * EPS * (1 + rod) / (abs(way) * math.cos(lean))  # the way is a difference of these lengths
+    lost = WEAR * EPS * (rocker + rod) / (abs(way) * math.cos(lean))  # the way is a difference of these lengths
     within = {name: lost * sizes[name] for name in ("l_1", "l_2")}
     yield Drawn(Design(sizes, places), {"l_1": rockers[0], "l_2": rods[0]}, arms, figure, within)
 
@@ -147,11 +154,11 @@ def _rocker(board: Board, circle: Mark, name: str, angle: float) -> Mark:
     return board.divide(name, circle, ray)
 
 
-def _rod(board: Board, guide: Mark, top: Mark, task: RockerSliderTask) -> float:
-    """Give the length of the rod of a rocker 1: by the ratio, or as it leans where the rocker is farthest off."""
+def _rod(board: Board, guide: Mark, top: Mark, task: RockerSliderTask, rocker: float) -> float:
+    """Give the length of the rod: by the ratio, or as it leans where the rocker is farthest off."""
     if task.pressure is None:
         assert task.ratio is not None  # asked before
-        return 1 / task.ratio
+        return rocker / task.ratio
     why = because("rod_leans", angle=f"{math.degrees(task.pressure):.10g}")
     ray = board.parallel("A:b", top, board.given("l_2:r", cmath.rect(1.0, -task.pressure), why))
     return abs(complex(between(top, board.meet("B:p", guide, ray, why=because("rod_to_guide")))))

@@ -96,7 +96,11 @@ class _Rod:
                 places = {mark.name: mark for mark in self.places}
                 made = drawn(bars, told, leading.tightest, arm, places | poles | self.inverted | self.middles)
                 turned = ("O", "A") if letter == "φ" else ("C", "B")
-                angles = tuple((name, turned[0], f"{turned[1]}_1", f"{turned[1]}_{name[-1]}") for name in told)
+                angles = tuple(
+                    (name, turned[0], f"{turned[1]}_1", f"{turned[1]}_{name[-1]}")
+                    for name, turn in told.items()
+                    if abs(turn) < math.pi
+                )
                 figure = made.figure._replace(lines=(*made.figure.lines, *self._lines()), angles=angles)
                 return made._replace(figure=figure)
         return None
