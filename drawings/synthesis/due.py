@@ -104,7 +104,7 @@ def _sizes(due: ShownSynthesis) -> Iterator[Expected]:
     kinds = ((Kind.LENGTH, due.lengths), (Kind.ANGLE, due.angles))
     for kind, letter in ((kind, letter) for kind, rows in kinds for letter, *_ in rows):
         size, times = due.design.sizes[letter], told_in(letter)[0]
-        row = Expected(kind, due.name, letter, size, FAR * abs(size) + (TURNED if kind == Kind.ANGLE else 0.0))
+        row = Expected(kind, due.name, letter, size, FAR * size + (TURNED if kind == Kind.ANGLE else 0.0))
         yield from measured(row, times * size, digits=DIGITS, unit=times)
 
 

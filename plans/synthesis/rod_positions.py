@@ -99,7 +99,7 @@ class _Rod:
                 angles = tuple(
                     (name, turned[0], f"{turned[1]}_1", f"{turned[1]}_{name[-1]}")
                     for name, turn in told.items()
-                    if abs(turn) < math.pi
+                    if 0 < turn < math.pi
                 )
                 figure = made.figure._replace(lines=(*made.figure.lines, *self._lines()), angles=angles)
                 return made._replace(figure=figure)
