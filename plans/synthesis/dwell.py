@@ -13,7 +13,7 @@ from geometry.board import Board, Mark, Span, between
 from geometry.meet import Vectors
 from plans.model.motion import Floats
 from plans.model.synthesis.design import Circle, Design
-from plans.model.synthesis.positions import DwellTask
+from plans.model.synthesis.positions import TIED, DwellTask
 from plans.synthesis.centre_points import centres
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
@@ -119,7 +119,7 @@ def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | 
     sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), task.lengths, strict=True))
     sizes |= {"l_5": abs(complex(rod.point)), "l_6": abs(complex(arm.point)), "ψ": swing, "ψ_d": off, "h": deviation}
     places = {name: complex(mark.point) for name, mark in marks.items()}
-    design = Design(sizes, places, {"D": Circle(places["D"], sizes["l_5"])}, merit=swing)
+    design = Design(sizes, places, {"D": Circle(places["D"], sizes["l_5"])}, merit=round(swing, TIED))
     arms = {"ψ": task.output, "ψ_d": task.output}
     return Drawn(design, {"l_5": Span(centre, poses[2].point)}, arms, _figure(rocker))
 

@@ -9,7 +9,7 @@ from typing import Final
 
 from plans.analytic.synthesis.guided import centres
 from plans.model.synthesis.design import Circle, Design, Reading
-from plans.model.synthesis.positions import DwellTask
+from plans.model.synthesis.positions import TIED, DwellTask
 
 SAMPLES: Final = 720
 GOLDEN: Final = (math.sqrt(5) - 1) / 2
@@ -53,7 +53,7 @@ def _dwells(task: DwellTask) -> Iterator[Design]:
                     places |= {f"A_{k}": pin, f"B_{k}": end, f"K_{k}": point}
                 sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), task.lengths, strict=True))
                 sizes |= {"l_5": radius, "l_6": task.output, "ψ": swing, "ψ_d": off, "h": deviation}
-                yield Design(sizes, places, {"D": Circle(centre, radius)}, merit=swing)
+                yield Design(sizes, places, {"D": Circle(centre, radius)}, merit=round(swing, TIED))
 
 
 def _missing(task: DwellTask, centre: complex, radius: float) -> Callable[[float], float]:

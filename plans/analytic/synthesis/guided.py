@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
 
 from plans.model.synthesis.design import Design, Reading
-from plans.model.synthesis.positions import TWO, FunctionTask, RodTask, bent, crossing, sense_of, ways
+from plans.model.synthesis.positions import TIED, TWO, FunctionTask, RodTask, bent, crossing, sense_of, ways
 
 
 def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
@@ -95,7 +95,7 @@ def _four_bar(pivot: complex, other: complex, hinges: Sequence[complex], ends: S
         if turned is not None:
             tight = min(crossing(a - b, c - b) for a, b, c in _bars(*leading))
             told = {f"{letter}_1{k}": turn for k, turn in enumerate(turned[1:], 2)}
-            return Design({**sizes, **told, "μ_min": tight}, places, merit=tight)
+            return Design({**sizes, **told, "μ_min": tight}, places, merit=round(tight, TIED))
     return None
 
 
@@ -149,7 +149,7 @@ def _functions(task: FunctionTask) -> Iterator[Design]:
             sizes |= {"ψ_1": cmath.phase(end - frame), "μ_min": tight}
             places = {"O": 0j, "C": frame} | {f"A_{k}": at for k, at in enumerate(pins, 1)}
             places |= {f"B_{k}": at for k, at in enumerate(ends, 1)} | _middles("a", inverted)
-            yield Design(sizes, places | {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)}, merit=tight)
+            yield Design(sizes, places | {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)}, merit=round(tight, TIED))
 
 
 def _beside(pins: Sequence[complex], pivot: complex, arm: float) -> Iterator[complex]:

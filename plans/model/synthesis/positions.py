@@ -10,6 +10,7 @@ from typing import Final, NamedTuple
 
 TWO, THREE = 2, 3
 FAR: Final = 3.0  # times the way between two positions: a pole farther off is not shown
+TIED: Final = 9  # decimals of a merit: of mechanisms alike but for rounding the first is taken
 MOST_TIMES: Final = 1000.0  # the way of a hinge: a longer link is one for a hinge that goes straight
 
 
