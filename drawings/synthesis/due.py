@@ -38,11 +38,11 @@ def told_in(name: str) -> tuple[float, str]:
     return UNITS.get(unit, (1.0, unit))
 
 
-def told(name: str, value: float, drafting: Drafting) -> Phrase:
+def told(name: str, value: float, drafting: Drafting, digits: int = TOLD) -> Phrase:
     """Tell a size with its letter and unit in the notes."""
     unit = told_in(name)[1]
     after = "" if not unit or unit == "°" else f" {drafting.word(unit)}"
-    return joined("", (dimensioned(name, value, drafting, TOLD), after))
+    return joined("", (dimensioned(name, value, drafting, digits), after))
 
 
 def dimensioned(name: str, value: float, drafting: Drafting, digits: int = DIGITS) -> Phrase:

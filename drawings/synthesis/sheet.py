@@ -19,6 +19,7 @@ from drawings.synthesis.due import VALUES, expected, rows, slips, told
 from drawings.synthesis.due_shown import NAME, shown
 from plans.study import Study
 from plans.synthesis.study import SynthesisStudy
+from plans.words.words import term
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -26,10 +27,24 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     found, drafting = study.of(SynthesisStudy), drafting_of(study.scene)
     shows = tuple(exhibit(construction, one, drafting, weight=2.0 if one.name == NAME else 1.0) for one in shown(found))
     shows += tuple(exhibit(region, one, drafting) for one in region.shown(found.region))
-    title, said = drafting.word("synthesis sheet title"), tuple(_notes(found, drafting))
+    said = tuple(notes(found, drafting))
     later = partial(slips, study.comparison(NAME))
-    draft = Draft(NAME, title, shows, (values(study, drafting),), said, figures_facts, NAME, later=later)
+    draft = Draft(
+        NAME,
+        drafting.word("synthesis sheet title"),
+        shows,
+        (values(study, drafting),),
+        said,
+        figures_facts,
+        NAME,
+        later=later,
+    )
     return lay_out(study.scene, [draft])
+
+
+def family(found: SynthesisStudy, language: str) -> str:
+    """Name the mechanism that is asked for."""
+    return term(language, "family", found.key)
 
 
 def values(study: Study, drafting: Drafting) -> RuledTable:
@@ -39,10 +54,10 @@ def values(study: Study, drafting: Drafting) -> RuledTable:
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=VALUES)
 
 
-def _notes(study: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
+def notes(study: SynthesisStudy, drafting: Drafting) -> Iterator[str]:
     """Say what was asked, and what the family says of how it is found."""
     parts = [told(name, one, drafting) for name, one in study.task.asked.items()]
-    yield drafting.phrase("synthesis asked", parts=joined(", ", parts))
+    yield drafting.phrase("synthesis asked", mechanism=family(study, drafting.language), parts=joined(", ", parts))
     yield from map(drafting.word, study.family.notes(study.task))
     if study.region is not None:
         yield drafting.word("synthesis region")

@@ -28,7 +28,7 @@ class Chord(NamedTuple):
     @classmethod
     def between(cls, board: Board, stretched: Mark, folded: Mark) -> Chord:
         """Halve the chord of two places."""
-        half = board.turn("B_2E", board.join("B_2B_1", folded, stretched), 0.5, because("half_chord"))
+        half = board.turn("E:h", board.join("B_2B_1", folded, stretched), 0.5, because("half_chord"))
         middle = board.lay_off("E", folded, half, because("middle_chord"))
         along = board.turn("E:u", half, 1 / abs(complex(half.point)), because("chord_way"))
         return cls(board, stretched, folded, middle, along)
@@ -42,17 +42,17 @@ class Chord(NamedTuple):
         """Draw the circle that sees the chord under an angle; +1: its centre left of the way from B1 to B2."""
         board, turned = self.board, math.pi / 2 - overlap
         to = -complex(math.cos(turned), sense * math.sin(turned))
-        ray = board.turn(f"{name}:b", self.along, to, because("ray_overlap", angle=f"{math.degrees(turned):.10g}"))
+        ray = board.turn(f"{name}:b", self.along, to, because("ray_overlap", angle=f"{math.degrees(turned):.6g}"))
         line = board.parallel(f"{name}:c", self.stretched, ray)
         centre = board.meet(name, self.bisector, line, why=because("centre_overlap"))
         radius = np.abs(between(centre, self.stretched))
-        return board.arc(f"{name}:o", centre, radius, because("sees_chord", angle=f"{math.degrees(overlap):.10g}"))
+        return board.arc(f"{name}:o", centre, radius, because("sees_chord", angle=f"{math.degrees(overlap):.6g}"))
 
     def proportioned(self, ratio: float) -> Mark:
         """Draw the circle of Apollonius: of its points the distances of B1 and B2 are as l2 + l1 to l2 - l1."""
-        board, why = self.board, because("apollonius", ratio=f"{ratio:.10g}")
-        inner = board.lay_off("D_1", self.folded, board.turn("B_2D_1", board["B_2E"], (ratio - 1) / ratio, why))
-        outer = board.lay_off("D_2", self.folded, board.turn("B_2D_2", board["B_2E"], 1 - ratio, why))
+        board, why = self.board, because("apollonius", ratio=f"{ratio:.6g}")
+        inner = board.lay_off("D_1", self.folded, board.turn("N:D_1", board["E:h"], (ratio - 1) / ratio, why))
+        outer = board.lay_off("D_2", self.folded, board.turn("N:D_2", board["E:h"], 1 - ratio, why))
         half = board.turn("D_2N", board.join("D_2D_1", outer, inner), 0.5)
         centre = board.lay_off("N", outer, half, because("middle_chord"))
         return board.arc("N:o", centre, np.abs(half.point), because("sees_ratio"))

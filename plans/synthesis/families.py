@@ -37,7 +37,7 @@ def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Fam
 
 FAMILIES: Final[Mapping[str, Family]] = {
     "crank_rocker": _family(rocker.drawn, asked_rocker)._replace(region=rocker.region),
-    "slider_crank": _family(slider.drawn, asked_slider),
+    "slider_crank": _family(slider.drawn, asked_slider)._replace(region=slider.region),
     "rocker_slider": _family(rocker_slider.drawn, asked_rocker_slider),
     "rod_positions": _family(rod_positions.rod_positions, asked_rod),
     "function_points": _family(rod_positions.function_points, asked_function),

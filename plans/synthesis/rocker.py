@@ -19,10 +19,9 @@ from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, cross, read
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
-from plans.synthesis.search import best_of
+from plans.synthesis.search import PLACED, best_of
 from plans.words.words import because
 
-PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding
 KEPT = ("rocker", "swing", "overlap")
 
 
@@ -80,7 +79,7 @@ def _base(task: RockerTask) -> _Base:
     """Draw the rocker in both extreme places; O being on the left, B1, farther from it, is on the right."""
     board = Board(SYNTHESIS)
     pivot = board.given("C", 0j, because("rocker_pivot"))
-    why = because("rocker_extreme", angle=f"{math.degrees(task.swing):.10g}")
+    why = because("rocker_extreme", angle=f"{math.degrees(task.swing):.6g}")
     ends = [complex(sense * task.half, task.height) for sense in (1, -1)]
     far, near = (board.given(f"C{name}", end, why) for name, end in zip(("B_1", "B_2"), ends, strict=True))
     chord = Chord.between(board, board.lay_off("B_1", pivot, far), board.lay_off("B_2", pivot, near))

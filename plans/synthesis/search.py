@@ -10,6 +10,7 @@ from plans.model.motion import Floats
 
 STATIONS = 361  # of an arc, where the best is looked for; then closer about the best of them
 CLOSER = 5  # times
+PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding
 
 
 def best_of(values: Callable[[Floats], Floats], least: float, most: float) -> tuple[float, float]:

@@ -5,15 +5,19 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
 from geometry.board import Board, Mark, Span, between
+from plans.model.motion import Floats
 from plans.model.synthesis.design import BarredArc, Design
 from plans.model.synthesis.extremes import SliderTask
+from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, read
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.search import PLACED, best_of
 from plans.words.words import because
 
 FIGURE = Figure(
@@ -33,15 +37,32 @@ def drawn(task: SliderTask) -> tuple[DrawnReading, ...]:
 
 
 def _met(task: SliderTask) -> DrawnReading:
+    chord = _chord(task)
+    loci = dict(_loci(chord, task))
+    made = [_drawn(chord, read(chord, pivot), loci) for pivot in _pivots(chord, task, loci) if _admits(chord, pivot)]
+    return DrawnReading(task.demands, chord.board, tuple(sorted(made, key=lambda one: -one.design.sizes["l_1"])))
+
+
+def _chord(task: SliderTask) -> Chord:
     board = Board(SYNTHESIS)
     folded = board.given("B_2", complex(-task.stroke / 2, 0.0), because("guide_end"))
     along = board.given("H", complex(task.stroke, 0.0), because("stroke_given"))
-    chord = Chord.between(board, board.lay_off("B_1", folded, along), folded)
-    loci = dict(_loci(chord, task))
-    first, second = loci.values()
-    pivots = (board.meet(name, first, second, side, because("pivot_loci")) for name, side in (("O", -1.0), ("O'", 1.0)))
-    made = [_drawn(chord, read(chord, pivot), loci) for pivot in pivots if _admits(chord, pivot)]
-    return DrawnReading(task.demands, board, tuple(sorted(made, key=lambda one: -one.design.sizes["l_1"])))
+    return Chord.between(board, board.lay_off("B_1", folded, along), folded)
+
+
+def _pivots(chord: Chord, task: SliderTask, loci: Mapping[str, Mark]) -> Iterator[Mark]:
+    """Put O where two loci meet, or at an angle on one."""
+    first, *others = loci.values()
+    if task.turned is not None:
+        yield chord.board.divide("O", first, _ray(chord, task.turned), because("pivot_place"))
+    for name, side in (("O", -1.0), ("O'", 1.0)) if others else ():
+        yield chord.board.meet(name, first, others[0], side, because("pivot_loci"))
+
+
+def _ray(chord: Chord, turned: Floats | float) -> Mark:
+    """Turn the ray from M to B2 on."""
+    near = complex(between(chord.board["M"], chord.folded))
+    return chord.board.given("O:r", np.exp(1j * (cmath.phase(near) + turned)), because("chosen_place"))
 
 
 def _loci(chord: Chord, task: SliderTask) -> Iterator[tuple[str, Mark]]:
@@ -50,14 +71,14 @@ def _loci(chord: Chord, task: SliderTask) -> Iterator[tuple[str, Mark]]:
         yield "M", chord.seen(task.overlap, 1)
     if task.ratio is not None:
         yield "N", chord.proportioned(task.ratio)
-    if task.offset or not task.overlap:
+    if task.offset or not (task.overlap or task.turned):
         yield "e", chord.offset(task.offset or 0.0)
 
 
-def _admits(chord: Chord, pivot: Mark) -> bool:
+def _admits(chord: Chord, pivot: Mark) -> Any:
     """Tell whether O is before the chord, not above it: over it B1 and B2 are of two assemblies."""
-    from_folded = complex(between(pivot, chord.folded))
-    return from_folded.real > 0 and from_folded.imag >= 0  # no meeting is not a number, and no more than anything
+    from_folded = np.asarray(between(pivot, chord.folded))
+    return (from_folded.real > 0) & (from_folded.imag >= 0)  # no meeting is not a number, and no more than anything
 
 
 def _drawn(chord: Chord, crank: Crank, loci: dict[str, Mark]) -> Drawn:
@@ -79,8 +100,14 @@ def _drawn(chord: Chord, crank: Crank, loci: dict[str, Mark]) -> Drawn:
     points |= {"F": complex(foot.point)} if offset else {}
     circles = {name: circle_of(mark) for name, mark in centres.items()}
     lines = tuple((end, "M") for end in ("B_1", "B_2") if "M" in centres)
-    design = Design(_sizes(first, rod, offset, stroke, theta), crank.places | points, circles, _barred(chord, centres))
-    return _made(design, shown, arm, FIGURE._replace(lines=lines))
+    sizes = _sizes(first, rod, offset, stroke, theta)
+    figure = FIGURE._replace(lines=lines)
+    if len(loci) == 1 and centres:
+        rays = [complex(between(board["M"], one)) for one in (chord.folded, crank.pivot)]
+        sizes["γ"] = cmath.phase(rays[1] / rays[0]) % math.tau
+        figure = figure._replace(lines=(*lines, ("O", "M")), angles=(("γ", "M", "B_2", "O"),))
+    design = Design(sizes, crank.places | points, circles, _barred(chord, centres))
+    return _made(design, shown, arm, figure)
 
 
 def _barred(chord: Chord, centres: dict[str, Mark]) -> tuple[BarredArc, ...]:
@@ -116,7 +143,7 @@ def _similar(task: SliderTask) -> DrawnReading:
     ratio = 1 / sine if task.ratio is None else task.ratio
     unit = board.given("l_1:1", 1 + 0j, because("unit_crank"))
     pivot = board.given("O:1", 0j)
-    long = board.turn("l_2:1", unit, ratio, because("times_ratio", ratio=f"{ratio:.10g}"))
+    long = board.turn("l_2:1", unit, ratio, because("times_ratio", ratio=f"{ratio:.6g}"))
     height = 0.0 if task.ratio is None else ratio * sine - 1
     if height < 0:
         return DrawnReading(task.demands, board, ())
@@ -129,7 +156,7 @@ def _similar(task: SliderTask) -> DrawnReading:
     there = board.meet("B:1", guide, lean, 1.0, because("steep_rod"))
     crank = read(Chord.between(board, *places), pivot)
     scale = task.stroke / abs(complex(board.join("H:1", places[1], places[0], because("unit_stroke")).point))
-    why = because("times_stroke", times=f"{scale:.10g}")
+    why = because("times_stroke", times=f"{scale:.6g}")
     shown = {
         one.name.removesuffix(":1"): board.turn(one.name.removesuffix(":1"), one, scale, why)
         for one in (unit, long, up)
@@ -149,3 +176,37 @@ def _end(board: Board, pivot: Mark, guide: Mark, crank: Mark, rod: Mark, sense: 
     reach = abs(complex(rod.point)) + sense * abs(complex(crank.point))
     arc = board.arc(f"O:{sense}", pivot, reach, because("extreme_reach"))
     return board.meet("B_1" if sense > 0 else "B_2", guide, arc, 1.0, because("extreme_place"))
+
+
+def with_best(task: SliderTask) -> SliderTask:
+    """Give a task of an overlap alone with the place of O whose least transmission angle is the largest."""
+    if task.demands != ("overlap",) or not task.overlap:
+        return task
+    return task._replace(turned=round(_best(task)[0], PLACED))
+
+
+def _best(task: SliderTask) -> tuple[float, float]:
+    assert task.overlap is not None  # asked before
+    return best_of(lambda turned: _sizes_over(task, turned)["μ_min"], 0.0, math.pi - 2 * task.overlap)
+
+
+def region(task: SliderTask, design: Design) -> Region | None:
+    """Move O over the arc, where it is free: from B2 to the middle of the circle, as far as it is before the chord."""
+    if task.turned is None or task.overlap is None:
+        return None
+    end = math.pi - 2 * task.overlap
+    places = stations(end)
+    curves = _sizes_over(task, places)
+    return Region(places, curves, end, math.pi - task.overlap, _best(task), design.sizes["γ"])
+
+
+def _sizes_over(task: SliderTask, turned: Floats) -> dict[str, Floats]:
+    """Give sizes with O at some angles rad from B2 on: the least transmission angle first; NaN where none is."""
+    chord = _chord(task)
+    circle = dict(_loci(chord, task))["M"]
+    at = chord.board.divide("O", circle, _ray(chord, turned))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        crank, rod = read(chord, at).lengths
+        offset = -np.asarray(at.point).imag
+        rows = {"μ_min": np.arccos((offset + crank) / rod), "λ": rod / crank, "ε": offset / task.stroke}
+    return {name: np.where(_admits(chord, at), row, np.nan) for name, row in rows.items()}

@@ -17,7 +17,7 @@ class SynthesisStudy:
     """A task of a family, and what is drawn of it."""
 
     def __init__(self, key: str, task: Task) -> None:
-        self.task = task
+        self.key, self.task = key, task
         self.family: Family = FAMILIES[key]
         self.made: set[str] = set()
 

@@ -11,11 +11,13 @@ import pytest
 from plans.analytic.synthesis import analysed
 from plans.analytic.synthesis.rocker import admissible, at_place, best, end_of_arc, start_of_arc
 from plans.analytic.synthesis.slider import SliderCrank
+from plans.analytic.synthesis.slider import sliders as closed
 from plans.model.synthesis.extremes import RockerTask, SliderTask
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.synthesis.quantities import compare_synthesis
 from plans.synthesis.rocker import with_best
+from plans.synthesis.slider import with_best as with_best_slider
 from plans.synthesis.study import SynthesisStudy
 from plans.synthesis.written import written
 
@@ -203,6 +205,20 @@ def test_the_best_place_is_best(swing, overlap) -> None:
     made = [at_place(task, side, float(place)) for side, place in tries]
     assert max(each.transmission for each in made if each) <= chosen + 1e-7
     assert all(admissible(task, each.pivot) for each in made if each)
+
+
+@pytest.mark.parametrize("degrees", [0.5, 3, 8.2, 20, 44])
+def test_the_best_slider_crank_of_an_overlap_is_best(degrees) -> None:
+    """None of many offsets with stroke and overlap as asked has a larger least transmission angle."""
+    task = SliderTask(0.12, overlap=math.radians(degrees))
+    one = study(with_best_slider(task))
+    agree(one.task)
+    chosen = math.pi / 2 - one.synthesis.chosen.sizes["α_max"]
+    assert math.isclose(one.synthesis.chosen.sizes["θ"], task.overlap, rel_tol=1e-11)
+    # e/H from nothing to where B2 is over O: there the overlap is atan(H/e).
+    offsets = np.linspace(0, task.stroke / math.tan(task.overlap), 20_001)[1:-1]
+    tries = [[*closed(task._replace(offset=float(offset)))] for offset in offsets]
+    assert max(math.pi / 2 - each.pressures[1] for (each,) in tries) == pytest.approx(chosen, abs=1e-6)
 
 
 WRITTEN = [

@@ -27,7 +27,10 @@ def analysed(task: Task) -> Synthesis:
     return Synthesis(ANALYSIS, tuple(ROADS[type(task)](task)))
 
 
-REGIONS: Final[Mapping[type, Callable[[Any, Design], Region | None]]] = {RockerTask: rocker.region}
+REGIONS: Final[Mapping[type, Callable[[Any, Design], Region | None]]] = {
+    RockerTask: rocker.region,
+    SliderTask: slider.region,
+}
 
 
 def region_of(task: Task, design: Design) -> Region | None:

@@ -7,9 +7,12 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from plans.analytic.synthesis.rocker import extremes
+import numpy as np
+
+from plans.analytic.synthesis.rocker import extremes, largest
 from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design, Reading
 from plans.model.synthesis.extremes import SliderTask
+from plans.model.synthesis.region import Region, stations
 
 
 class SliderCrank(NamedTuple):
@@ -53,6 +56,8 @@ def _design(task: SliderTask, made: SliderCrank) -> Design:
     least, most = made.pressures
     sizes = {"l_1": made.crank, "l_2": made.rod, "e": made.offset, "H": task.stroke}
     sizes |= {"θ": made.overlap, "λ": made.ratio, "α_max": most, "α_min": least}
+    if task.turned is not None:
+        sizes["γ"] = task.turned
     if task.pressure is not None:  # a similar mechanism is drawn, from O
         steep, away = complex(0, -made.crank), complex(0, made.offset)
         ends = complex(foot + half) + away, complex(foot - half) + away
@@ -82,6 +87,8 @@ def sliders(task: SliderTask) -> Iterator[SliderCrank]:
     elif ratio is None:
         if offset and theta:
             yield from _seen(stroke, offset, theta)
+        elif task.turned is not None and theta:
+            yield turned_on(task, task.turned)
     elif theta is None and offset:
         yield from _proportioned(stroke, offset, ratio)
     elif offset is None and theta:
@@ -129,3 +136,33 @@ def _pressed(task: SliderTask) -> Iterator[SliderCrank]:
         far, near = ((task.ratio + one - offset) * (task.ratio + one + offset) for one in (1, -1))
         crank = task.stroke * (math.sqrt(far) + math.sqrt(near)) / (far - near)
         yield SliderCrank(crank, task.ratio * crank, offset * crank)
+
+
+def turned_on(task: SliderTask, turned: float) -> SliderCrank:
+    """Give the slider-crank whose O is an angle rad from B2 on its circle: chords by their sines."""
+    theta = task.overlap or 0.0
+    near, far = (task.stroke * math.sin(angle) / math.sin(theta) for angle in (turned / 2, turned / 2 + theta))
+    return SliderCrank((far - near) / 2, (far + near) / 2, near * far * math.sin(theta) / task.stroke)
+
+
+def region(task: SliderTask, design: Design) -> Region | None:
+    """Give the sizes over the place of O on the circle, where it is free."""
+    if task.turned is None or task.overlap is None:
+        return None
+    end = math.pi - 2 * task.overlap
+    places = stations(end)
+    made = [turned_on(task, turned) for turned in places.tolist()]
+    rows = {
+        "μ_min": [_led(one) for one in made],
+        "λ": [one.ratio for one in made],
+        "ε": [one.offset / task.stroke for one in made],
+    }
+    best = largest(lambda turned: _led(turned_on(task, turned)) if turned else 0.0, 0.0, end)
+    curves = {name: np.array(row) for name, row in rows.items()}
+    return Region(places, curves, end, math.pi - task.overlap, best, design.sizes["γ"])
+
+
+def _led(made: SliderCrank) -> float:
+    """Give the least transmission angle rad, by the half angle of the right triangle where the rod leans most."""
+    rise, rod = made.offset + made.crank, made.rod
+    return 2 * math.atan2(math.sqrt(max(rod - rise, 0.0)), math.sqrt(rod + rise))

@@ -65,13 +65,17 @@ class RockerTask(NamedTuple):
 
 
 class SliderTask(NamedTuple):
-    """A slider-crank is wanted: its stroke m, and of offset m, overlap rad, ratio l2/l1, pressure angle rad some."""
+    """A slider-crank is wanted: its stroke m, and of offset m, overlap rad, ratio l2/l1, pressure angle rad some.
+
+    With the overlap alone O is free on its circle: it is put where it is best, an angle rad at M from B2 on.
+    """
 
     stroke: float
     offset: float | None = None
     overlap: float | None = None
     ratio: float | None = None
     pressure: float | None = None
+    turned: float | None = None
 
     @property
     def demands(self) -> tuple[str, ...]:
@@ -80,7 +84,7 @@ class SliderTask(NamedTuple):
         >>> SliderTask(0.12, 0.03, ratio=5.0).demands
         ('offset', 'ratio')
         """
-        return tuple(name for name in self._fields[1:] if getattr(self, name) is not None)
+        return tuple(name for name in self._fields[1:5] if getattr(self, name) is not None)
 
     @property
     def asked(self) -> dict[str, float]:

@@ -10,7 +10,7 @@ from plans.model.synthesis.extremes import PAIR, SliderTask
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
 from plans.synthesis.asked import degrees, met, millimetres, number, overlap, radians
-from plans.synthesis.slider import drawn
+from plans.synthesis.slider import drawn, with_best
 from plans.synthesis.tables.extremes import SliderTable
 from plans.synthesis.written import MechanismText
 
@@ -21,7 +21,7 @@ def task(table: SliderTable) -> SliderTask:
     """Make the task; no offset and no overlap are one demand."""
     demands = number(table.offset), overlap(table), number(table.ratio), radians(table.pressure)
     made = SliderTask(float(table.stroke), *demands)
-    return made._replace(overlap=None) if made.overlap == 0 and made.offset == 0 else made
+    return made._replace(overlap=None) if made.overlap == 0 and made.offset == 0 else with_best(made)
 
 
 def faults(scene: Scene, task: SliderTask) -> Iterator[Fault]:
@@ -29,7 +29,7 @@ def faults(scene: Scene, task: SliderTask) -> Iterator[Fault]:
     known = frozenset(task.demands)
     if "pressure" in known and known & {"offset", "overlap"} and (task.offset or task.overlap):
         yield scene.fault((*PATH, "pressure"), "synthesis_pressure")
-    elif len(known) < PAIR and not known & {"ratio", "pressure"}:
+    elif len(known) < PAIR and not (known & {"ratio", "pressure"} or task.turned):
         yield scene.fault(PATH, "synthesis_free")
     elif task.overlap is not None and task.offset is not None and bool(task.overlap) != bool(task.offset):
         yield scene.fault((*PATH, "offset"), "synthesis_axial")
@@ -65,6 +65,8 @@ def mechanism(made: Design) -> MechanismText:
 
 def notes(task: SliderTask) -> Iterator[str]:
     """Name what the sheet says of readings, and of what is read."""
+    if task.turned is not None:
+        yield "synthesis best"
     if len(task.readings) > 1:
         yield "synthesis readings"
     yield "synthesis read" if task.pressure is None else "synthesis similar"

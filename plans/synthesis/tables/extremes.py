@@ -61,7 +61,10 @@ class RockerTable(DemandTable):
 
 
 class SliderTable(DemandTable):
-    """A slider-crank that is wanted: its stroke, and two of offset, overlap, ratio of lengths, pressure angle."""
+    """A slider-crank that is wanted: its stroke, and two of offset, overlap, ratio of lengths, pressure angle.
+
+    With an overlap alone it is that with the largest least transmission angle.
+    """
 
     stroke: Decimal = key(
         f.LENGTH, meaning="Stroke H (ход), m.", missing=Missing("stroke", 'stroke = "120 mm"', "120 mm"), also=("H",)
