@@ -49,8 +49,8 @@ def _bisector(board: Board, first: Mark, second: Mark) -> Mark:
         return board[f"{name}:n"]
     chord = board.join(name, first, second)
     along = board.turn(f"{name}:u", chord, 1 / abs(complex(chord.point)))
-    middle = board.lay_off(f"{name}:m", first, board.turn(f"{name}/2", chord, 0.5, because("half_way")))
-    return board.square(f"{name}:n", middle, along, because("bisector"))
+    middle = board.lay_off(f"{name}:m", first, board.turn(f"{name}:h", chord, 0.5))
+    return board.square(f"{name}:n", middle, along, because("bisector", way=name))
 
 
 def middles(board: Board, letter: str, places: Sequence[Mark]) -> dict[str, Mark]:
