@@ -161,7 +161,10 @@ def _bench(commands: Commands) -> None:
 
 def _synthesise(commands: Commands) -> None:
     synthesise = _command(commands, "synthesise", "write the mechanism of a task of synthesis as a scene of its own")
-    synthesise.add_argument("-o", "--output", type=Path, metavar="FILE", help="the new scene (default: print it)")
+    add = synthesise.add_argument
+    add("-o", "--output", type=Path, metavar="FILE", help="the new scene (default: print it)")
+    add("--tables", type=Path, metavar="FILE", help="further tables of the new scene, such as [masses] and [loads]")
+    add("--draw", type=Path, metavar="DIR", help="draw the task and the new scene into a folder: a whole project")
 
 
 def _other_than(ending: str, told: str, text: str) -> Path:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from drawings.commands import draw
 from drawings.commands.stderr import noted
 from drawings.files import atomic_files
 from drawings.files.atomic_files import FileError
@@ -18,15 +19,12 @@ FAILED = 5
 
 
 def run(options: argparse.Namespace) -> int:
-    """Solve the task, see that both roads agree, and write the scene, never over a file that is there."""
+    """Solve the task, see that both roads agree, write the scene, never over a file that is there, draw both."""
     study = Study(read_scene(options.scene), ("synthesis",))
     noted(study)
     if not study.comparison("synthesis").agrees:
         return FAILED
-    scene = study.scene
-    found = study.of(SynthesisStudy)
-    made = found.family.mechanism(found.synthesis.chosen)
-    text = written(made, scene.title, Path(scene.file).name, scene.sheet.language)
+    text = _text(study, options.tables)
     if options.output is None:
         print(text, end="")
         return 0
@@ -34,4 +32,12 @@ def run(options: argparse.Namespace) -> int:
     if not atomic_files.write_new(options.output, text.encode()):
         raise FileError(options.output, message("file.exists"))
     print(options.output)
-    return 0
+    scenes = (options.scene, options.output) if options.draw else ()
+    return max((draw.run(argparse.Namespace(scene=one, output=options.draw, trace=None)) for one in scenes), default=0)
+
+
+def _text(study: Study, tables: Path | None) -> str:
+    scene, found = study.scene, study.of(SynthesisStudy)
+    further = "" if tables is None else tables.read_text("utf-8-sig")
+    made = found.family.mechanism(found.synthesis.chosen)
+    return written(made, scene.title, Path(scene.file).name, scene.sheet.language, further)

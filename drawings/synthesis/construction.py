@@ -59,6 +59,8 @@ class _DrawnSynthesis:
         found, hand, spots = self.found, self.hand, self.found.design.places
         for name, curve in found.circles.items():
             yield stating(Statement(Kind.CURVE, found.name, name), self._chain(curve.tolist(), hand.other))
+        for name, curve in found.design.curves.items():
+            yield stating(Statement(Kind.CURVE, found.name, name), self._chain(curve.tolist(), hand.path))
         for name, arc in found.barred.items():
             hatched = self._hatched(arc.tolist())
             yield stating(Statement(Kind.CURVE, found.name, name), self._chain(arc.tolist(), hand.other))

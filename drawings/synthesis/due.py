@@ -95,7 +95,8 @@ def _figures(found: SynthesisStudy) -> Iterator[Expected]:
         yield from (Expected(Kind.POINT, one.name, letter, spot, off) for letter, spot in spots)
         yield from _sizes(due)
         yield from (
-            Expected(Kind.CURVE, one.name, letter, curve, off) for letter, curve in (due.circles | due.barred).items()
+            Expected(Kind.CURVE, one.name, letter, curve, off)
+            for letter, curve in (due.circles | due.barred | {**due.design.curves}).items()
         )
 
 

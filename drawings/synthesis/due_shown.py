@@ -18,6 +18,7 @@ from plans.synthesis.study import SynthesisStudy
 NAME = "synthesis"
 POINTS = 181  # of an arc
 AROUND = 0.7  # of the size of a mechanism, from its middle: what is shown of the lines about it
+LEAST = 1e-6  # rad: a smaller angle is none but for rounding
 LARGE = 1.0  # of the size of a mechanism: circles with larger radii are cut
 
 
@@ -34,7 +35,7 @@ class ShownSynthesis(NamedTuple):
         """The places of the mechanism."""
         names = {*self.figure.first, *self.figure.fixed, *(name for chain in self.figure.others for name in chain)}
         return [self.design.places[name] for name in sorted(names)] + [
-            complex(spot) for curve in self.figure.curves.values() for spot in curve[::6]
+            complex(spot) for curve in self.design.curves.values() for spot in curve[::6]
         ]
 
     @property
@@ -68,7 +69,8 @@ class ShownSynthesis(NamedTuple):
     @property
     def angles(self) -> list[tuple[str, ...]]:
         """The dimensioned angles whose places are shown: letter, vertex, ends of the legs."""
-        return [row for row in self.figure.angles if self.places.keys() >= {*row[1:]}]
+        rows = (row for row in self.figure.angles if self.places.keys() >= {*row[1:]})
+        return [row for row in rows if self.design.sizes[row[0]] > LEAST]
 
     @property
     def circles(self) -> dict[str, Complexes]:

@@ -7,7 +7,6 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from geometry.board import Board
-from plans.model.motion import Complexes
 from plans.model.synthesis.design import Design
 from plans.quantity import Shown
 
@@ -26,7 +25,6 @@ class Figure(NamedTuple):
     hinges: frozenset[str] = frozenset()
     fixed: frozenset[str] = frozenset()  # pivots in the frame
     blocks: Mapping[str, complex] = MappingProxyType({})
-    curves: Mapping[str, Complexes] = MappingProxyType({})  # that are no circles: a coupler's curve
     lengths: tuple[tuple[str, str, str], ...] = ()
     angles: tuple[tuple[str, str, str, str], ...] = ()
 

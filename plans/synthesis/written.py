@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from plans.words.words import message
 
+TABLE = re.compile(r"^\s*\[+([\w.]+)\]", re.MULTILINE)
 SPEED = "60 rpm"  # of the crank, where a task does not ask for one
 
 
@@ -23,18 +25,23 @@ class MechanismText(NamedTuple):
     points: Mapping[str, Mapping[str, Any]] = {}  # by their places in the frames of links
 
 
-def written(made: MechanismText, title: str, source: str, language: str) -> str:
-    """Write a scene with all digits of the lengths; the crank's speed is left to be changed.
+def written(made: MechanismText, title: str, source: str, language: str, further: str = "") -> str:
+    """Write a scene with all digits of the lengths, and further keys and tables, which stand instead of its own.
 
     >>> made = MechanismText({"O": 0j}, ("OA",), {"OA": 0.06}, {})
     >>> print(*written(made, "Pump", "task.toml", "en").splitlines()[1:5], sep="|")
     title = "Pump"||[mechanism.frame]|O = [0.0, 0.0]
     """
     heads = [f"# {message('synthesis.written', source=source).worded(language)}"]
-    return "\n".join((*heads, *_rows({"title": title} if title else {}), *_mechanism(made, language), ""))
+    first = TABLE.search(further)
+    keys, tables = (further[: first.start()], further[first.start() :]) if first else (further, "")
+    own = {"title": title} if title and not re.search("^title", keys, re.MULTILINE) else {}
+    others = {found[1] for found in TABLE.finditer(tables)}
+    parts = *heads, *_rows(own), *keys.strip().splitlines(), *_mechanism(made, language, others), ""
+    return "\n".join((*parts, *tables.splitlines(), "") if tables else parts)
 
 
-def _mechanism(made: MechanismText, language: str) -> Iterator[str]:
+def _mechanism(made: MechanismText, language: str, others: Collection[str]) -> Iterator[str]:
     yield from _table("[mechanism.frame]", made.frame)
     yield from _table("[mechanism.links]", {str(k): link for k, link in enumerate(made.links, 1)})
     for slide in made.slides:
@@ -42,8 +49,9 @@ def _mechanism(made: MechanismText, language: str) -> Iterator[str]:
     yield from _table("[mechanism.lengths]", made.lengths)
     yield from _table("[mechanism.points]", made.points)
     yield from _table("[mechanism.sketch]", made.sketch)
-    yield from _table("[drive]", made.drive)
-    yield from _table("[sheet]", {"language": language})
+    for name, rows in (("drive", made.drive), ("sheet", {"language": language})):
+        if name not in others:
+            yield from _table(f"[{name}]", rows)
 
 
 def _table(head: str, rows: Mapping[str, Any]) -> Iterator[str]:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple, Protocol
 
-from plans.model.motion import Gap
+from plans.model.motion import Complexes, Gap
 
 EPS: Final = 2.0**-52
 QUARTER: Final = math.pi / 2
@@ -55,6 +55,7 @@ class Design:
     circles: Mapping[str, Circle] = field(default_factory=dict)
     barred: tuple[BarredArc, ...] = ()
     merit: float = 0.0
+    curves: Mapping[str, Complexes] = field(default_factory=dict)  # that are no circles: a coupler's curve, m
 
 
 class Reading(NamedTuple):
