@@ -13,7 +13,7 @@ from geometry.board import Board, Mark, Span, between
 from geometry.meet import Vectors
 from plans.model.motion import Floats
 from plans.model.synthesis.design import Circle, Design
-from plans.model.synthesis.positions import TIED, DwellTask
+from plans.model.synthesis.positions import PATH, TIED, DwellTask
 from plans.synthesis.centre_points import centres
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
@@ -21,7 +21,6 @@ from plans.words.words import because
 
 STATIONS = 721  # over the turn; then closer about the largest
 CLOSER = 4  # times
-SHOWN = 181  # places of the coupler's curve
 
 
 class Pose(NamedTuple):
@@ -119,28 +118,21 @@ def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | 
     sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), task.lengths, strict=True))
     sizes |= {"l_5": abs(complex(rod.point)), "l_6": abs(complex(arm.point)), "ψ": swing, "ψ_d": off, "h": deviation}
     places = {name: complex(mark.point) for name, mark in marks.items()}
-    design = Design(sizes, places, {"D": Circle(places["D"], sizes["l_5"])}, merit=round(swing, TIED))
+    path = {"K": np.asarray(rocker.point(np.linspace(0.0, math.tau, PATH)))}
+    circles = {"D": Circle(places["D"], sizes["l_5"])}
+    design = Design(sizes, places, circles, merit=round(swing, TIED), curves=path)
     arms = {"ψ": task.output, "ψ_d": task.output}
-    return Drawn(design, {"l_5": Span(centre, poses[2].point)}, arms, _figure(rocker))
+    return Drawn(design, {"l_5": Span(centre, poses[2].point)}, arms, _figure())
 
 
-def _figure(rocker: _Resting) -> Figure:
+def _figure() -> Figure:
     first, last = (("O", f"A_{k}", f"B_{k}", "C") for k in (3, 1))
     plate = ("A_3", "K_3", "B_3")
     chains = plate, ("K_3", "D", "F"), last, ("O", "A_5", "B_5", "C")
     lines = tuple(("D", f"K_{k}") for k in (1, 5))
-    curve = rocker.point(np.linspace(0.0, math.tau, SHOWN))
     hinges = frozenset(("O", "C", "A_3", "B_3", "K_3", "D", "F"))
-    return Figure(
-        first,
-        chains,
-        lines,
-        (),
-        hinges,
-        frozenset("OCF"),
-        lengths=(("l_5", "D", "K_3"), ("l_6", "D", "F")),
-        curves={"K": np.asarray(curve)},
-    )
+    lengths = ("l_5", "D", "K_3"), ("l_6", "D", "F")
+    return Figure(first, chains, lines, (), hinges, frozenset("OCF"), lengths=lengths)
 
 
 class _Resting(NamedTuple):

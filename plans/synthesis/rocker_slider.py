@@ -27,7 +27,7 @@ def drawn(task: RockerSliderTask) -> tuple[DrawnReading, ...]:
 
 
 def _about_as_large(figure: Callable[[float], DrawnReading], task: RockerSliderTask) -> DrawnReading:
-    """Draw by a similar figure with a rocker of the length of the stroke, then, as it is about as large, a round one."""
+    """Draw by a similar figure as large as the stroke, then by one about as large as was found."""
     trial = figure(task.stroke)
     return figure(float(f"{trial.found[0].design.sizes['l_1']:.0e}")) if trial.found else trial
 

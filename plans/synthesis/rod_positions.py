@@ -135,7 +135,9 @@ def drawn(bars: Bars, told: dict[str, float], tightest: float, arm: float, extra
     lines = tuple((f"{one}_{k}", f"{one}_{k + 1}") for one in HINGES for k in range(1, len(bars.hinges)))
     figure = Figure(chains[0], tuple(chains[1:]), lines, (), frozenset(hinged), frozenset(PIVOTS))
     figure = figure._replace(lengths=tuple((f"l_{k}", *pair) for k, pair in enumerate(pairs, 1)))
-    return Drawn(Design(sizes, places, merit=round(tightest, TIED)), shown, dict.fromkeys((*told, "μ_min"), arm), figure)
+    return Drawn(
+        Design(sizes, places, merit=round(tightest, TIED)), shown, dict.fromkeys((*told, "μ_min"), arm), figure
+    )
 
 
 def function_points(task: FunctionTask) -> tuple[DrawnReading, ...]:

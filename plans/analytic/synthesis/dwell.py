@@ -7,9 +7,11 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Final
 
+import numpy as np
+
 from plans.analytic.synthesis.guided import centres
 from plans.model.synthesis.design import Circle, Design, Reading
-from plans.model.synthesis.positions import TIED, DwellTask
+from plans.model.synthesis.positions import PATH, TIED, DwellTask
 
 SAMPLES: Final = 720
 GOLDEN: Final = (math.sqrt(5) - 1) / 2
@@ -42,6 +44,7 @@ def _dwells(task: DwellTask) -> Iterator[Design]:
     if not turns(task):
         return
     poses = [crank(task, angle) for angle in task.stations]
+    path = np.array([crank(task, math.tau * k / (PATH - 1))[2] for k in range(PATH)])
     for centre in centres([poses[k][2] for k in (0, 2, 4)], None):
         radius = abs(poses[2][2] - centre)
         deviation = _most(_missing(task, centre, radius), *task.dwell)
@@ -53,7 +56,7 @@ def _dwells(task: DwellTask) -> Iterator[Design]:
                     places |= {f"A_{k}": pin, f"B_{k}": end, f"K_{k}": point}
                 sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), task.lengths, strict=True))
                 sizes |= {"l_5": radius, "l_6": task.output, "ψ": swing, "ψ_d": off, "h": deviation}
-                yield Design(sizes, places, {"D": Circle(centre, radius)}, merit=round(swing, TIED))
+                yield Design(sizes, places, {"D": Circle(centre, radius)}, (), round(swing, TIED), {"K": path})
 
 
 def _missing(task: DwellTask, centre: complex, radius: float) -> Callable[[float], float]:

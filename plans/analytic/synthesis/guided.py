@@ -149,7 +149,9 @@ def _functions(task: FunctionTask) -> Iterator[Design]:
             sizes |= {"ψ_1": cmath.phase(end - frame), "μ_min": tight}
             places = {"O": 0j, "C": frame} | {f"A_{k}": at for k, at in enumerate(pins, 1)}
             places |= {f"B_{k}": at for k, at in enumerate(ends, 1)} | _middles("a", inverted)
-            yield Design(sizes, places | {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)}, merit=round(tight, TIED))
+            yield Design(
+                sizes, places | {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)}, merit=round(tight, TIED)
+            )
 
 
 def _beside(pins: Sequence[complex], pivot: complex, arm: float) -> Iterator[complex]:

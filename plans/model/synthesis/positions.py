@@ -102,6 +102,9 @@ class DwellTask(NamedTuple):
         return tuple(begin + (end - begin) * k / 4 for k in range(5))
 
 
+PATH: Final = 181  # crank angles of a turn that the path of K is drawn by
+
+
 def bent(places: Sequence[complex]) -> bool:
     """Tell whether three places are on an arc, not all but on a line: its radius is no endless length.
 
