@@ -16,6 +16,14 @@ TASKS = [
     "slider_crank]\nstroke = 0.12\nratio = 4",
     "slider_crank]\nstroke = 0.12\nratio = 4\npressure = 20",
     "slider_crank]\nstroke = 0.12\noffset = 0.05\nratio = 2.2",  # two mechanisms
+    "rocker_slider]\nstroke = 0.12\npressure = 20\nratio = 10",  # theme 6, task 8
+    "rocker_slider]\nstroke = 0.15\nangles = [8, 30]\nratio = 0.5",  # theme 6, task 9
+    "rod_positions]\nplaces = [[0, 0], [0.3, 0.1], [0.4, 0.3]]\nangles = [0, 30, 80]\nhinges = [[0, 0.1], [0.3, 0.05]]",
+    "rod_positions]\nplaces = [[0, 0], [0.3, 0.1]]\nangles = [0, 34]\npivots = [[-0.2, -0.2], [0.4, -0.3]]"
+    "\narms = [0.5, 0.4]",
+    "function_points]\ninputs = [30, 60, 95]\noutputs = [0, 18, 45]\ncrank = 0.1\nframe = 0.3",
+    "dwell]\ncrank = 0.1\ncoupler = 0.23\nrocker = 0.25\nframe = 0.21\narm = 0.47\nlean = 60\n"
+    "dwell = [149, 219]\noutput = 0.13",
 ]
 
 
