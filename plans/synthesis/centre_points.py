@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from geometry.board import Board, Mark, between
-from plans.model.synthesis.positions import MOST_TIMES, TWO, crossing, sense_of, ways
+from plans.model.synthesis.positions import MOST_TIMES, TOUCH, TWO, crossing, sense_of, ways
 from plans.synthesis.chord import cross
 from plans.words.words import because
 
@@ -34,7 +34,7 @@ def _at_length(board: Board, name: str, line: Mark, about: Mark, arm: float) -> 
     arc = board.arc(f"{name}:o", about, arm, because("arm_length"))
     for prime, sense in (("", 1.0), ("'", -1.0)):
         found = board.meet(f"{name}{prime}", line, arc, sense, because("bisector_arm"))
-        if abs(complex(found.point)) >= 0:  # it does meet
+        if found.sharpness is not None and float(found.sharpness) > TOUCH:  # not where there is none
             yield found
 
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from geometry.board import Board, Mark, between
 from plans.model.synthesis.design import EPS, Design
+from plans.model.synthesis.positions import TOUCH
 from plans.model.synthesis.swings import STILL, RockerSliderTask
 from plans.synthesis.chord import SYNTHESIS, cross
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
@@ -58,7 +59,8 @@ def _symmetric(task: RockerSliderTask, rocker: float) -> DrawnReading:
     first = board.meet("A_1:1", board.arc("C:o", pivot, rocker, because("rocker_circle")), level, 1.0)
     half = board.given("EA_1", complex(task.stroke / 2), because("half_stroke"))
     larger = _Larger(board, half, board.join("EA_1:1", low, first))
-    admitted = cross(up.point, between(pivot, first)) > 0  # else the slider turns back before the rocker does
+    across = cross(up.point, between(pivot, first)) * task.ratio
+    admitted = across > STILL * rocker**2  # else the slider turns back before the rocker does
     slid = board.lay_off("B_1:1", first, up)
     found = (_leaning(larger, pivot, {"A": (top, end), "A_1": (first, slid)}),) if admitted else ()
     return DrawnReading(task.kept, board, found)
@@ -126,7 +128,8 @@ def _laid(board: Board, task: RockerSliderTask, sense: float, rocker: float) -> 
         for end in (*ends, top)
     ]
     way = complex(between(slid[1], slid[0]))
-    if not abs(way) >= STILL * rocker:  # the rod is too short, or as long as the rocker
+    sharp = slid[2].sharpness
+    if sharp is None or not sharp > TOUCH or not abs(way) >= STILL * rocker:  # too short, or as long as the rocker
         return
     stroke = board.given("H", complex(math.copysign(task.stroke, way.real)), because("stroke_given"))
     larger = _Larger(board, stroke, board.join("H:1", slid[1], slid[0], because("unit_way")))

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
 
 from plans.model.synthesis.design import Design, Reading
-from plans.model.synthesis.positions import TIED, TWO, FunctionTask, RodTask, bent, crossing, sense_of, ways
+from plans.model.synthesis.positions import TIED, TOUCH, TWO, FunctionTask, RodTask, bent, crossing, sense_of, ways
 
 
 def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
@@ -20,8 +20,8 @@ def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
     u, v = places[1] - first, places[-1] - first
     if len(places) == TWO:
         assert arm is not None  # asked before
-        if 0 < abs(u) < 2 * arm:
-            rise = math.sqrt((2 * arm - abs(u)) * (2 * arm + abs(u))) / 2
+        rise = math.sqrt(max((2 * arm - abs(u)) * (2 * arm + abs(u)), 0.0)) / 2
+        if u and rise > TOUCH * arm:
             yield from (first + u / 2 + side * 1j * u / abs(u) * rise for side in (1, -1))
         return
     turned = u.conjugate() * v - u * v.conjugate()
@@ -161,6 +161,6 @@ def _beside(pins: Sequence[complex], pivot: complex, arm: float) -> Iterator[com
         return
     along = chord / abs(chord)
     off = ((pivot - middle) * along.conjugate()).real  # of the pivot from the line of such points
-    if abs(off) < arm:
-        rise = math.sqrt((arm - off) * (arm + off))
+    rise = math.sqrt(max((arm - off) * (arm + off), 0.0))
+    if rise > TOUCH * arm:
         yield from (pivot + along * complex(-off, side * rise) for side in (1, -1))

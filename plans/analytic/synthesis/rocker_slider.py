@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 
 from plans.model.synthesis.design import QUARTER, Design, Reading
+from plans.model.synthesis.positions import TOUCH
 from plans.model.synthesis.swings import STILL, RockerSliderTask
 
 
@@ -21,7 +22,7 @@ def symmetric(task: RockerSliderTask) -> Iterator[Design]:
     """Give the rocker-slider whose rod leans alike to both sides: r (1 - cos half) = 2 l sin alpha."""
     assert task.ratio is not None and task.pressure is not None  # asked before
     half = 2 * math.asin(min(math.sqrt(math.sin(task.pressure) / task.ratio), 1.0))
-    if half + task.pressure >= QUARTER:  # the slider turns back before the rocker does
+    if half + task.pressure >= QUARTER - STILL:  # the slider turns back before the rocker does
         return
     rocker = task.stroke / (2 * math.sin(half))
     rod, offset = rocker / task.ratio, rocker * math.cos(half / 2) ** 2
@@ -44,7 +45,7 @@ def axial(task: RockerSliderTask, sense: int) -> Iterator[Design]:
         ratio = sine / high
     else:
         ratio, sine = task.ratio, task.ratio * high
-    if sine < 1:
+    if (1 - sine) * (1 + sine) > TOUCH**2:
         yield from _laid(task, ratio, sine, sense)
 
 

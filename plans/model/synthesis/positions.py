@@ -102,6 +102,7 @@ class DwellTask(NamedTuple):
         return tuple(begin + (end - begin) * k / 4 for k in range(5))
 
 
+TOUCH: Final = 1e-6  # sine of the angle of two loci: flatter ones touch, and no digit of where they do is sure
 PATH: Final = 181  # crank angles of a turn that the path of K is drawn by
 
 

@@ -45,4 +45,4 @@ class RockerSliderTask(NamedTuple):
         return min(max(math.pi / 2, min(self.angles)), max(self.angles))
 
 
-STILL: Final = 1e-9  # of the rocker: a slider that goes no farther stands, for rod and rocker are of one length
+STILL: Final = 1e-9  # of the rocker: a slider that goes no farther, or no farther a radian, stands

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 
 from plans.model.synthesis.design import Design
-from plans.model.synthesis.positions import FunctionTask, bent
+from plans.model.synthesis.positions import TOUCH, FunctionTask, bent
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
 from plans.synthesis.asked import met, millimetres, number
@@ -33,7 +33,7 @@ def faults(scene: Scene, task: FunctionTask) -> Iterator[Fault]:
     seen = [pin * cmath.rect(1.0, task.outputs[0] - angle) for pin, angle in zip(pins, task.outputs, strict=True)]
     if task.rocker is not None and abs(seen[1] - seen[0]) > 0:
         least = abs(abs(seen[1]) ** 2 - abs(seen[0]) ** 2) / (2 * abs(seen[1] - seen[0]))
-        if least >= task.rocker:
+        if least >= task.rocker * (1 - TOUCH**2):
             yield scene.fault((*PATH, "rocker"), "synthesis_rocker", least=millimetres(least))
             return
     times = nearest(lambda times: met(function_points(task._replace(crank=times * task.crank))))

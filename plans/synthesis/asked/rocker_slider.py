@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 
 from plans.model.synthesis.design import Design
+from plans.model.synthesis.positions import TOUCH
 from plans.model.synthesis.swings import RockerSliderTask
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
@@ -30,7 +31,7 @@ def faults(scene: Scene, task: RockerSliderTask) -> Iterator[Fault]:
     most = "" if task.angles is None else f"{1 / math.sin(task.steepest):.6g}"
     if task.angles is not None and task.ratio is None and task.pressure is None:
         yield scene.fault(PATH, "synthesis_any_ratio", most=most)
-    elif task.angles is not None and task.ratio is not None and task.ratio * math.sin(task.steepest) >= 1:
+    elif task.angles is not None and task.ratio is not None and task.ratio * math.sin(task.steepest) >= 1 - TOUCH**2:
         yield scene.fault((*PATH, "ratio"), "synthesis_reach", most=most)
     elif not met(drawn(task)):
         assert task.pressure is not None  # with a ratio that reaches the slider moves, but of rods as long as rockers

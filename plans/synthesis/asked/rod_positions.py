@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import Final
 
 from plans.model.synthesis.design import Design
-from plans.model.synthesis.positions import RodTask, bent
+from plans.model.synthesis.positions import TOUCH, RodTask, bent
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
 from plans.synthesis.asked import met, millimetres
@@ -60,7 +60,7 @@ def _alone(scene: Scene, task: RodTask, path: Path, at: complex) -> Iterator[Fau
     if still:
         yield scene.fault(path, "synthesis_hinge_still", hinge=hinge, first=still[0][0] + 1, second=still[0][1] + 1)
     elif task.arms:
-        if abs(places[1] - places[0]) >= 2 * task.arms[int(k)]:
+        if abs(places[1] - places[0]) >= 2 * task.arms[int(k)] * (1 - TOUCH**2):
             least = millimetres(abs(places[1] - places[0]) / 2)
             yield scene.fault((*PATH, "arms", k), "synthesis_arm", least=least)
     elif not bent(places):

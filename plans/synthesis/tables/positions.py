@@ -104,7 +104,10 @@ class FunctionTable(Table):
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
-        """See that there are as many outputs as inputs."""
+        """See that there are as many outputs as inputs, and that the rocker turns."""
+        outputs = value.get("outputs")
+        if isinstance(outputs, list) and len(set(map(str, outputs))) == 1:
+            yield wrong("synthesis_no_swing", at=("outputs",))
         yield from _alike(value, "inputs", "outputs", "rocker")
 
 
