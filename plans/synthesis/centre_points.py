@@ -104,7 +104,7 @@ class Bars(NamedTuple):
         ]
         angles = [cmath.phase(complex(between(self.pivot, a))) for a in self.hinges]
         sense = sense_of(angles, self._dead())
-        if not sense or min(hands) < 0 < max(hands):
+        if not sense or min(hands) < 0 < max(hands) or self.tightest < TOUCH:
             return None
         return [sense * way for way in ways(angles, sense)]
 

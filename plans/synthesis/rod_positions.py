@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from geometry.board import Board, Mark, Span
 from plans.model.synthesis.design import Design
-from plans.model.synthesis.positions import TIED, FunctionTask, RodTask
+from plans.model.synthesis.positions import TIED, FunctionTask, RodTask, real
 from plans.quantity import Shown
 from plans.synthesis.centre_points import Bars, centres, middles, pole
 from plans.synthesis.chord import SYNTHESIS
@@ -53,7 +53,7 @@ class _Rod:
         sides = [[*self._links(k, at, arm)] for k, (at, arm) in enumerate(zip(known, arms, strict=True))]
         for first, second in product(*sides):
             bars = Bars(self.board, first.pivot, first.hinges, second.hinges, second.pivot)
-            if all(bars.lengths) and (made := self._read(bars)):
+            if real(bars.lengths) and (made := self._read(bars)):
                 yield made
 
     def _links(self, side: int, at: complex, arm: float | None) -> Iterator[_Link]:
@@ -175,7 +175,7 @@ def _function(task: FunctionTask, first: Bars, seen: list[Mark]) -> Drawn | None
         turned = board.turn(f"CB_{k}", ray, cmath.rect(1.0, angle - task.outputs[0]), because("rocker_turned"))
         ends.append(board.lay_off(f"B_{k}", first.other, turned))
     bars = first._replace(ends=ends)
-    if not all(bars.lengths) or bars.led() is None:
+    if not real(bars.lengths) or bars.led() is None:
         return None
     arm = min(bars.lengths[2], *(math.sin(bars.tightest) * one for one in bars.lengths[1:3]))
     between = middles(board, "a", seen)

@@ -8,7 +8,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
 
 from plans.model.synthesis.design import Design, Reading
-from plans.model.synthesis.positions import TIED, TOUCH, TWO, FunctionTask, RodTask, bent, crossing, sense_of, ways
+from plans.model.synthesis.positions import (
+    TIED,
+    TOUCH,
+    TWO,
+    FunctionTask,
+    RodTask,
+    bent,
+    crossing,
+    real,
+    sense_of,
+    ways,
+)
 
 
 def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
@@ -85,7 +96,7 @@ def _four_bar(pivot: complex, other: complex, hinges: Sequence[complex], ends: S
     places = {"O": pivot, "C": other}
     places |= {f"A_{k}": at for k, at in enumerate(hinges, 1)} | {f"B_{k}": at for k, at in enumerate(ends, 1)}
     sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), lengths, strict=True))
-    if not all(lengths):
+    if not real(lengths):
         return None
     for letter, (crank, coupler, rocker, frame), leading in (
         ("φ", lengths, (pivot, other, hinges, ends)),
@@ -121,7 +132,8 @@ def led(
     hands = [((other - a).conjugate() * (b - a)).imag for a, b in zip(hinges, ends, strict=True)]
     angles = [cmath.phase(a - pivot) for a in hinges]
     sense = sense_of(angles, barred)
-    if not sense or min(hands) < 0 < max(hands):
+    tight = min(crossing(a - b, other - b) for a, b in zip(hinges, ends, strict=True))
+    if not sense or min(hands) < 0 < max(hands) or tight < TOUCH:
         return None
     return [sense * way for way in ways(angles, sense)]
 
@@ -140,7 +152,7 @@ def _functions(task: FunctionTask) -> Iterator[Design]:
     for end in centres(inverted, None) if task.rocker is None else _beside(inverted, frame, task.rocker):
         ends = [frame + (end - frame) * turn for turn in turns]
         lengths = task.crank, abs(end - pins[0]), abs(end - frame), task.frame
-        if not all(lengths):
+        if not real(lengths):
             continue
         turned = led(0j, frame, pins, ends, dead(frame, *lengths))
         if turned is not None:

@@ -141,6 +141,11 @@ def ways(angles: Sequence[float], sense: int) -> Iterator[float]:
     return ((sense * (one - angles[0])) % math.tau for one in angles)
 
 
+def real(lengths: Sequence[float]) -> bool:
+    """Tell whether no link of a four-bar is of no length."""
+    return min(lengths) > TOUCH**2 * max(lengths)
+
+
 def crossing(one: complex, other: complex) -> float:
     """Give the angle rad between two lines, at most a right one."""
     angle = abs(cmath.phase(other / one))
