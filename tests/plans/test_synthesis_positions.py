@@ -74,8 +74,10 @@ def slid(made, rocker: float, sense: int) -> tuple[float, float]:
 
 
 def rocker_slider_tasks(count: int):
+    for times in (0.98, 1.02):  # of the ratio where the slider turns back as the rocker does
+        yield RockerSliderTask(0.1, LEAN, times * 2 * math.sin(LEAN) / (1 - math.sin(LEAN)))
     random = np.random.default_rng(11)
-    for _ in range(count):
+    for _ in range(count - 2):
         stroke, pressure = random.uniform(0.02, 2), math.radians(random.uniform(3, 50))
         if random.random() < 0.5:
             yield RockerSliderTask(stroke, pressure, 10 ** random.uniform(-1, 1.3))
@@ -147,7 +149,7 @@ def third(near: complex, far: complex, radii: tuple[float, float], hand: float) 
     return near + way / abs(way) * complex(along, math.copysign(math.sqrt(radii[0] ** 2 - along**2), hand))
 
 
-def follows(pivots, hinges, ends, steps: int = 1500) -> bool:
+def follows(pivots, hinges, ends, steps: int = 600) -> bool:
     """Lead a four-bar by trial: turn its first link by small steps, both ways, and see what positions it comes to."""
     lengths = abs(ends[0] - hinges[0]), abs(ends[0] - pivots[1])
     hand = ((pivots[1] - hinges[0]).conjugate() * (ends[0] - hinges[0])).imag
