@@ -15,7 +15,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import ROOM, Dimension, Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import HEAD, HINGE, TurnArrow, block, fit_dashes, fixed_hinge, hinge
+from drawings.symbols.symbols import HEAD, HINGE, STAND, TurnArrow, block, fit_dashes, fixed_hinge, hinge
 from drawings.synthesis.due import dimensioned
 from drawings.synthesis.due_shown import ShownSynthesis
 
@@ -23,7 +23,8 @@ SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(4.0, 2.5, 2.0)
 LETTERS = 22.0  # it is drawn at least so many letters high
 DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
-OFF, SPARE, SHARE = 9.0, 0.1, 0.6  # mm to a dimension line; free beside it; of its shorter leg to an angle
+OFF, SPARE = 9.0, 0.1  # mm to a dimension line; its share that stays free beyond it
+SHARE, NEAR = 0.6, 0.3  # of its shorter leg to an angle, to one about the centre of a circle
 HATCH, APART = 3.0, 2.5  # mm: a stroke of the hatching of an arc, and how far apart they are
 
 
@@ -98,13 +99,11 @@ class _DrawnSynthesis:
         across = OFF * self.hand.symbol * 1j * along
         middle = self.place.on(self.found.view.centre)
         away = across if ((start - middle) * across.conjugate()).real > 0 else -across
-        others = [(spot - start) / along for spot in self.spots.values() if spot not in (start, end)]
+        stands = (self.spots[name] - 1j * STAND[0] * self.hand.symbol for name in self.found.figure.fixed)
+        others = [(spot - start) / along for spot in (*self.spots.values(), *stands) if spot not in (start, end)]
         for off in (times * side for times in (1, 2, 3) for side in (away, -away)):
             reach = (off / along).imag
-            if not any(
-                0 < spot.imag / reach < 1 + SPARE and -SPARE < spot.real / abs(end - start) < 1 + SPARE
-                for spot in others
-            ):
+            if not any(0 < spot.imag / reach < 1 + SPARE and 0 < spot.real / abs(end - start) < 1 for spot in others):
                 return off
         return away
 
@@ -115,7 +114,8 @@ class _DrawnSynthesis:
         for letter, *corners in self.found.angles:
             vertex, start, end = (self.spots[name] for name in corners)
             legs = start - vertex, end - vertex
-            radius = SHARE * min(map(abs, legs))
+            share = NEAR if corners[0] in self.found.design.circles else SHARE
+            radius = share * min(map(abs, legs))
             found[letter] = TurnArrow(vertex, radius, cmath.phase(legs[0]), cmath.phase(legs[1] / legs[0]))
         return found
 

@@ -16,6 +16,7 @@ from plans.synthesis.quantities import letter_of
 from plans.synthesis.study import SynthesisStudy
 
 NAME = "synthesis"
+LETTERS = {"offset": "e", "overlap": "θ", "ratio": "λ", "pressure": "α_{max}"}  # of demands that readings keep
 POINTS = 181  # of an arc
 AROUND = 0.7  # of the size of a mechanism, from its middle: what is shown of the lines about it
 LEAST = 1e-6  # rad: a smaller angle is none but for rounding
@@ -122,4 +123,6 @@ def shown(study: SynthesisStudy) -> Iterator[ShownSynthesis]:
     found = [(k, one) for k, one in enumerate(study.synthesis.readings) if one.found]
     for number, (k, reading) in enumerate(found, 1):
         name, letter = f"{NAME}-{number}" if number > 1 else NAME, letter_of(k) if len(found) > 1 else ""
+        if len({one.kept for _, one in found}) > 1:
+            letter += f": {', '.join(LETTERS.get(one, one) for one in reading.kept)}"
         yield ShownSynthesis(name, letter, reading.found[reading.best], study.drawn[k].found[reading.best].figure)
