@@ -35,8 +35,8 @@ class RockerSliderTask(NamedTuple):
 
     @property
     def kept(self) -> tuple[str, ...]:
-        """The demands beside the stroke, by their names."""
-        return tuple(name for name in ("angles", "ratio", "pressure") if getattr(self, name) is not None)
+        """The demands beside the stroke and the angles, by their names."""
+        return tuple(name for name in ("ratio", "pressure") if getattr(self, name) is not None)
 
     @property
     def steepest(self) -> float:
