@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.board import Board, Mark, Span, between
+from geometry.board import Board, Mark, between
 from geometry.meet import Vectors
 from plans.model.motion import Floats
 from plans.model.synthesis.design import Circle, Design
@@ -122,7 +122,7 @@ def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | 
     circles = {"D": Circle(places["D"], sizes["l_5"])}
     design = Design(sizes, places, circles, merit=round(swing, TIED), curves=path)
     arms = {"ψ": task.output, "ψ_d": task.output}
-    return Drawn(design, {"l_5": Span(centre, poses[2].point)}, arms, _figure())
+    return Drawn(design, {"l_5": rod}, arms, _figure())
 
 
 def _figure() -> Figure:

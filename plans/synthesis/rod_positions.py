@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import pairwise, product
 from typing import NamedTuple
 
-from geometry.board import Board, Mark, Span
+from geometry.board import Board, Mark
 from plans.model.synthesis.design import Design
 from plans.model.synthesis.positions import TIED, FunctionTask, RodTask, real
 from plans.quantity import Shown
@@ -130,7 +130,9 @@ def drawn(bars: Bars, told: dict[str, float], tightest: float, arm: float, extra
     sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), bars.lengths, strict=True)) | told | {"μ_min": tightest}
     places = {name: complex(mark.point) for name, mark in (hinged | extra).items()}
     pairs = ("O", "A_1"), ("A_1", "B_1"), ("C", "B_1"), ("O", "C")
-    shown: dict[str, Shown] = {f"l_{k}": Span(hinged[a], hinged[b]) for k, (a, b) in enumerate(pairs, 1)}
+    shown: dict[str, Shown] = {
+        f"l_{k}": bars.board.join(f"l_{k}", hinged[a], hinged[b]) for k, (a, b) in enumerate(pairs, 1)
+    }
     chains = [("O", f"A_{k}", f"B_{k}", "C") for k in range(1, len(bars.hinges) + 1)]
     lines = tuple((f"{one}_{k}", f"{one}_{k + 1}") for one in HINGES for k in range(1, len(bars.hinges)))
     figure = Figure(chains[0], tuple(chains[1:]), lines, (), frozenset(hinged), frozenset(PIVOTS))
