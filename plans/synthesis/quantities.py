@@ -19,7 +19,7 @@ from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import Drawn
 from plans.synthesis.study import SynthesisStudy
 
-NEAR = 1e-6  # rad, of what is best
+NEAR = 1e-8  # rad, of a largest value; its place is known to the root of it
 WEAR = 32.0  # roundings of what is read off several lines
 
 
@@ -36,13 +36,14 @@ def compare_synthesis(study: SynthesisStudy) -> Comparison:
 
 
 def _best(study: SynthesisStudy, theirs: Synthesis) -> Iterator[Quantity]:
-    """Compare the best place of a pivot on its arc, which is known to the square root of a rounding, and its value."""
+    """Compare the best place of a pivot on its arc, and its value there."""
     if not any(reading.found for reading in theirs.readings) or (ours := study.region) is None:
         return
     known, value = region_of(study.task, theirs.chosen), next(iter(ours.curves))
     others = (math.nan, math.nan) if known is None else known.best
-    for name, *pair in zip(("γ_best", f"{value[0]}_best"), ours.best, others, strict=True):
-        yield Quantity.of((SYNTHESIS, name, unit_of(name)), (pair[0], pair[1]), NEAR)
+    names = {"γ_best": math.sqrt(NEAR), f"{value[0]}_best": NEAR}
+    for (name, near), mine, other in zip(names.items(), ours.best, others, strict=True):
+        yield Quantity.of((SYNTHESIS, name, unit_of(name)), (mine, other), near)
 
 
 def suffix(number: int, place: int) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from plans.model.motion import Floats
 
 STATIONS = 361  # of an arc, where the best is looked for; then closer about the best of them
-CLOSER = 5  # times
+CLOSER = 7  # times
 PLACED = 7  # decimals of a radian: the place of a largest value is known to the square root of a rounding
 
 

@@ -8,9 +8,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from plans.analytic.synthesis import analysed
+from plans.analytic.synthesis import analysed, slider
 from plans.analytic.synthesis.rocker import admissible, at_place, best, end_of_arc, start_of_arc
-from plans.analytic.synthesis.slider import SliderCrank
 from plans.analytic.synthesis.slider import sliders as closed
 from plans.model.synthesis.extremes import RockerTask, SliderTask
 from plans.scene.scene import read_scene
@@ -23,6 +22,20 @@ from plans.synthesis.written import written
 
 TASK = RockerTask(0.30, math.radians(40), math.radians(15), place=math.radians(200), side=1)
 STROKE = SliderTask(0.12, 0.03, math.radians(6.5), 5.0)  # theme 6, task 7
+
+
+class SliderCrank(slider.SliderCrank):
+    """A slider-crank with what it does, from its lengths alone (M1.6)."""
+
+    @property
+    def overlap(self) -> float:
+        near, far = self.rod - self.crank, self.rod + self.crank
+        return math.asin(self.offset / near) - math.asin(self.offset / far)
+
+    @property
+    def stroke(self) -> float:
+        near, far = self.rod - self.crank, self.rod + self.crank
+        return math.sqrt(far**2 - self.offset**2) - math.sqrt(near**2 - self.offset**2)
 
 
 def study(task) -> SynthesisStudy:

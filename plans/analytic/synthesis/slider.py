@@ -32,18 +32,6 @@ class SliderCrank(NamedTuple):
         """The least and the largest signed pressure angle, rad (угол давления)."""
         return math.asin((self.offset - self.crank) / self.rod), math.asin((self.offset + self.crank) / self.rod)
 
-    @property
-    def overlap(self) -> float:
-        """The overlap angle rad that it has."""
-        near, far = self.rod - self.crank, self.rod + self.crank
-        return math.asin(self.offset / near) - math.asin(self.offset / far)
-
-    @property
-    def stroke(self) -> float:
-        """The stroke m that it has."""
-        near, far = self.rod - self.crank, self.rod + self.crank
-        return math.sqrt(far**2 - self.offset**2) - math.sqrt(near**2 - self.offset**2)
-
 
 def readings(task: SliderTask) -> Iterator[Reading]:
     """Give every slider-crank of each reading of a task."""
@@ -55,7 +43,8 @@ def _design(task: SliderTask, made: SliderCrank) -> Design:
     half, foot = task.stroke / 2, 2 * made.crank * made.rod / task.stroke
     least, most = made.pressures
     sizes = {"l_1": made.crank, "l_2": made.rod, "e": made.offset, "H": task.stroke}
-    sizes |= {"θ": made.overlap, "λ": made.ratio, "α_max": most, "α_min": least}
+    theta = math.atan2(made.offset, foot - half) - math.atan2(made.offset, foot + half)
+    sizes |= {"θ": theta, "λ": made.ratio, "α_max": most, "α_min": least}
     if task.turned is not None:
         sizes["γ"] = task.turned
     if task.pressure is not None:  # a similar mechanism is drawn, from O
@@ -66,7 +55,8 @@ def _design(task: SliderTask, made: SliderCrank) -> Design:
     places = {"E": 0j, **extremes(complex(-foot, -made.offset), made.crank, complex(half), complex(-half))}
     places |= {"F": complex(-foot)} if made.offset else {}
     circles, barred = dict[str, Circle](), tuple[BarredArc, ...]()
-    if theta := task.overlap:
+    if task.overlap:
+        theta = task.overlap
         circles["M"] = Circle(complex(0, -half / math.tan(theta)), half / math.sin(theta))
         barred = (BarredArc("M", QUARTER - theta, 2 * theta), BarredArc("M", -QUARTER - theta, 2 * theta))
     if task.ratio is not None:
