@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import pairwise, product
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
 from plans.model.synthesis.design import Design
 from plans.model.synthesis.positions import TIED, FunctionTask, RodTask, real
-from plans.quantity import Shown
 from plans.synthesis.centre_points import Bars, centres, middles, pole
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
 from plans.words.words import because
 
 HINGES, PIVOTS = "AB", "OC"
+LENGTHS = {"l_1": ("O", "A_1"), "l_2": ("A_1", "B_1"), "l_3": ("C", "B_1"), "l_4": ("O", "C")}
 
 
 def rod_positions(task: RodTask) -> tuple[DrawnReading, ...]:
@@ -88,22 +89,9 @@ class _Rod:
 
     def _read(self, bars: Bars) -> Drawn | None:
         """Read a four-bar that one of its links can lead."""
-        for letter, leading in (("φ", bars), ("ψ", bars.turned)):
-            if (turns := leading.led()) is not None:
-                told = {f"{letter}_1{k}": turn for k, turn in enumerate(turns[1:], 2)}
-                arm = min(leading.lengths[0], *(math.sin(leading.tightest) * one for one in leading.lengths[1:3]))
-                poles = {f"P_{i + 1}{j + 1}": self._pole(bars, i, j) for i, j in self.task.poles}
-                places = {mark.name: mark for mark in self.places}
-                made = drawn(bars, told, leading.tightest, arm, places | poles | self.inverted | self.middles)
-                turned = ("O", "A") if letter == "φ" else ("C", "B")
-                angles = tuple(
-                    (name, turned[0], f"{turned[1]}_1", f"{turned[1]}_{name[-1]}")
-                    for name, turn in told.items()
-                    if 0 < turn < math.pi
-                )
-                figure = made.figure._replace(lines=(*made.figure.lines, *self._lines()), angles=angles)
-                return made._replace(figure=figure)
-        return None
+        poles = {f"P_{i + 1}{j + 1}": self._pole(bars, i, j) for i, j in self.task.poles}
+        places = {mark.name: mark for mark in self.places}
+        return read(bars, "φψ", places | poles | self.inverted | self.middles, self._lines())
 
     def _pole(self, bars: Bars, i: int, j: int) -> Mark:
         """Draw a pole from the hinge that goes farther."""
@@ -122,24 +110,29 @@ class _Rod:
             yield from ((one[0], one), *((one, one[0] + "_3") for _ in self.places[2:]))
 
 
-def drawn(bars: Bars, told: dict[str, float], tightest: float, arm: float, extra: dict[str, Mark]) -> Drawn:
-    """Give a four-bar in its positions as it is read off the board."""
-    hinged = {"O": bars.pivot, "C": bars.other}
-    hinged |= {f"A_{k}": mark for k, mark in enumerate(bars.hinges, 1)}
-    hinged |= {f"B_{k}": mark for k, mark in enumerate(bars.ends, 1)}
-    sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), bars.lengths, strict=True)) | told | {"μ_min": tightest}
-    places = {name: complex(mark.point) for name, mark in (hinged | extra).items()}
-    pairs = ("O", "A_1"), ("A_1", "B_1"), ("C", "B_1"), ("O", "C")
-    shown: dict[str, Shown] = {
-        f"l_{k}": bars.board.join(f"l_{k}", hinged[a], hinged[b]) for k, (a, b) in enumerate(pairs, 1)
-    }
-    chains = [("O", f"A_{k}", f"B_{k}", "C") for k in range(1, len(bars.hinges) + 1)]
-    lines = tuple((f"{one}_{k}", f"{one}_{k + 1}") for one in HINGES for k in range(1, len(bars.hinges)))
-    figure = Figure(chains[0], tuple(chains[1:]), lines, (), frozenset(hinged), frozenset(PIVOTS))
-    figure = figure._replace(lengths=tuple((f"l_{k}", *pair) for k, pair in enumerate(pairs, 1)))
-    return Drawn(
-        Design(sizes, places, merit=round(tightest, TIED)), shown, dict.fromkeys((*told, "μ_min"), arm), figure
-    )
+def read(bars: Bars, letters: str, extra: dict[str, Mark], more: Iterable[tuple[str, str]]) -> Drawn | None:
+    """Read a four-bar in its positions, where OA, by φ, or CB, by ψ, leads from one to the next."""
+    for letter in letters:
+        leading, ends = (bars, ("O", "A")) if letter == "φ" else (bars.turned, ("C", "B"))
+        if (turns := leading.led()) is None:
+            continue
+        told = {f"{letter}_1{k}": turn for k, turn in enumerate(turns[1:], 2)}
+        angles = [(name, ends[0], f"{ends[1]}_1", f"{ends[1]}_{name[-1]}") for name in told if 0 < told[name] < math.pi]
+        hinged = {"O": bars.pivot, "C": bars.other}
+        hinged |= {f"A_{k}": mark for k, mark in enumerate(bars.hinges, 1)}
+        hinged |= {f"B_{k}": mark for k, mark in enumerate(bars.ends, 1)}
+        sizes = dict(zip(LENGTHS, bars.lengths, strict=True)) | told | {"μ_min": leading.tightest}
+        places = {name: complex(mark.point) for name, mark in (hinged | extra).items()}
+        shown = {name: bars.board.join(name, *(hinged[end] for end in ends)) for name, ends in LENGTHS.items()}
+        chains = [("O", f"A_{k}", f"B_{k}", "C") for k in range(1, len(bars.hinges) + 1)]
+        ways = ((f"{one}_{k}", f"{one}_{k + 1}") for one in HINGES for k in range(1, len(bars.hinges)))
+        figure = Figure(chains[0], tuple(chains[1:]), (*ways, *more), (), frozenset(hinged), frozenset(PIVOTS))
+        dimensions = tuple((name, *ends) for name, ends in LENGTHS.items())
+        figure = figure._replace(lengths=dimensions, angles=tuple(angles))
+        arm = min(leading.lengths[0], *(math.sin(leading.tightest) * one for one in leading.lengths[1:3]))
+        design = Design(sizes, places, merit=round(leading.tightest, TIED))
+        return Drawn(design, shown, dict.fromkeys((*told, "μ_min", "ψ_1"), arm), figure)
+    return None
 
 
 def function_points(task: FunctionTask) -> tuple[DrawnReading, ...]:
@@ -176,13 +169,11 @@ def _function(task: FunctionTask, first: Bars, seen: list[Mark]) -> Drawn | None
     for k, angle in enumerate(task.outputs[1:], 2):
         turned = board.turn(f"CB_{k}", ray, cmath.rect(1.0, angle - task.outputs[0]), because("rocker_turned"))
         ends.append(board.lay_off(f"B_{k}", first.other, turned))
-    bars = first._replace(ends=ends)
-    if not real(bars.lengths) or bars.led() is None:
-        return None
-    arm = min(bars.lengths[2], *(math.sin(bars.tightest) * one for one in bars.lengths[1:3]))
-    between = middles(board, "a", seen)
+    bars, between = first._replace(ends=ends), middles(board, "a", seen)
     extra = {mark.name: mark for mark in seen[1:]} | between
-    made = drawn(bars, {"ψ_1": cmath.phase(complex(ray.point))}, bars.tightest, arm, extra)
     lines = [(name, "B_1") for name in between] + [("C", mark.name) for mark in (*bars.hinges[1:], *seen[1:])]
-    lines += [*pairwise(mark.name for mark in seen)]
-    return made._replace(figure=made.figure._replace(lines=(*made.figure.lines, *lines)))
+    made = read(bars, "φ", extra, [*lines, *pairwise(mark.name for mark in seen)]) if real(bars.lengths) else None
+    if made is None:
+        return None
+    sizes = {**made.design.sizes, "ψ_1": cmath.phase(complex(ray.point))}
+    return made._replace(design=replace(made.design, sizes=sizes))

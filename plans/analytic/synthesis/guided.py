@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise, product
 
 from plans.model.synthesis.design import Design, Reading
@@ -57,16 +57,12 @@ def _rods(task: RodTask) -> Iterator[Design]:
             for name, at in zip("OC", task.pivots or (), strict=bool(task.pivots)):
                 seen = [(at - shift) / u for u, shift in moves]
                 turned |= {f"{name}_{j}": one for j, one in enumerate(seen[1:], 2)} | _middles(name.lower(), seen)
-            given = {f"D_{k}": at for k, at in enumerate(task.places, 1)}
-            yield _told(design, given | poles | turned)
+            places = {**design.places, **_numbered("D", task.places), **poles, **turned}
+            yield Design(design.sizes, places, merit=design.merit)
 
 
 def _middles(letter: str, places: Sequence[complex]) -> dict[str, complex]:
     return {f"{letter}_{k}{k + 1}": (one + other) / 2 for k, (one, other) in enumerate(pairwise(places), 1)}
-
-
-def _told(design: Design, places: Mapping[str, complex]) -> Design:
-    return Design(design.sizes, {**design.places, **places}, merit=design.merit)
 
 
 Move = tuple[complex, complex]  # z to u z + shift
@@ -90,52 +86,43 @@ def _links(
         yield at, [turn * hinge + shift for turn, shift in moves]
 
 
-def _four_bar(pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex]) -> Design | None:
-    """Give the four-bar of two links, where one of them can lead it from position to position in their order."""
+def _four_bar(
+    pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex], letters: str = "φψ"
+) -> Design | None:
+    """Give the four-bar of two links where OA, by φ, or CB, by ψ, leads it from position to position in their order."""
     lengths = abs(hinges[0] - pivot), abs(ends[0] - hinges[0]), abs(ends[0] - other), abs(other - pivot)
-    places = {"O": pivot, "C": other}
-    places |= {f"A_{k}": at for k, at in enumerate(hinges, 1)} | {f"B_{k}": at for k, at in enumerate(ends, 1)}
     sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), lengths, strict=True))
-    if not real(lengths):
-        return None
-    for letter, (crank, coupler, rocker, frame), leading in (
-        ("φ", lengths, (pivot, other, hinges, ends)),
-        ("ψ", (lengths[2], lengths[1], lengths[0], lengths[3]), (other, pivot, ends, hinges)),
-    ):
-        turned = led(*leading, dead(other - pivot if letter == "φ" else pivot - other, crank, coupler, rocker, frame))
-        if turned is not None:
-            tight = min(crossing(a - b, c - b) for a, b, c in _bars(*leading))
+    places = {"O": pivot, "C": other} | _numbered("A", hinges) | _numbered("B", ends)
+    for letter in letters if real(lengths) else "":
+        leading = (pivot, other, hinges, ends) if letter == "φ" else (other, pivot, ends, hinges)
+        if turned := led(*leading):
+            tight = min(crossing(a - b, leading[1] - b) for a, b in zip(*leading[2:], strict=True))
             told = {f"{letter}_1{k}": turn for k, turn in enumerate(turned[1:], 2)}
-            return Design({**sizes, **told, "μ_min": tight}, places, merit=round(tight, TIED))
+            if tight > TOUCH:
+                return Design({**sizes, **told, "μ_min": tight}, places, merit=round(tight, TIED))
     return None
 
 
-def _bars(
-    pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex]
-) -> Iterator[tuple[complex, complex, complex]]:
-    """Give coupler's start, its end, and the pivot of the driven link in each position."""
-    return ((hinge, end, other) for hinge, end in zip(hinges, ends, strict=True))
+def _numbered(letter: str, places: Sequence[complex]) -> dict[str, complex]:
+    return {f"{letter}_{k}": at for k, at in enumerate(places, 1)}
 
 
-def dead(line: complex, crank: float, coupler: float, rocker: float, frame: float) -> Iterator[float]:
+def dead(line: complex, crank: float, coupler: float, rocker: float) -> Iterator[float]:
     """Give the angles rad of a crank at which coupler and driven link are in one line, by the cosine rule."""
+    frame = abs(line)
     for reach in (coupler + rocker, abs(coupler - rocker)):
         cosine = (crank**2 + frame**2 - reach**2) / (2 * crank * frame)
         if abs(cosine) <= 1:
             yield from (cmath.phase(line) + sense * math.acos(cosine) for sense in (1, -1))
 
 
-def led(
-    pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex], barred: Iterator[float]
-) -> list[float] | None:
+def led(pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex]) -> list[float] | None:
     """Give the turns rad of a leading link from the first position, in its sense; None where it cannot lead."""
     hands = [((other - a).conjugate() * (b - a)).imag for a, b in zip(hinges, ends, strict=True)]
     angles = [cmath.phase(a - pivot) for a in hinges]
-    sense = sense_of(angles, barred)
-    tight = min(crossing(a - b, other - b) for a, b in zip(hinges, ends, strict=True))
-    if not sense or min(hands) < 0 < max(hands) or tight < TOUCH:
-        return None
-    return [sense * way for way in ways(angles, sense)]
+    lengths = abs(hinges[0] - pivot), abs(ends[0] - hinges[0]), abs(ends[0] - other)
+    sense = sense_of(angles, dead(other - pivot, *lengths))
+    return None if not sense or min(hands) < 0 < max(hands) else [sense * way for way in ways(angles, sense)]
 
 
 def functions(task: FunctionTask) -> tuple[Reading, ...]:
@@ -151,19 +138,10 @@ def _functions(task: FunctionTask) -> Iterator[Design]:
     # of two positions the end of the rocker is at its length from C, and as far from both pins
     for end in centres(inverted, None) if task.rocker is None else _beside(inverted, frame, task.rocker):
         ends = [frame + (end - frame) * turn for turn in turns]
-        lengths = task.crank, abs(end - pins[0]), abs(end - frame), task.frame
-        if not real(lengths):
-            continue
-        turned = led(0j, frame, pins, ends, dead(frame, *lengths))
-        if turned is not None:
-            tight = min(crossing(a - b, frame - b) for a, b in zip(pins, ends, strict=True))
-            sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), lengths, strict=True))
-            sizes |= {"ψ_1": cmath.phase(end - frame), "μ_min": tight}
-            places = {"O": 0j, "C": frame} | {f"A_{k}": at for k, at in enumerate(pins, 1)}
-            places |= {f"B_{k}": at for k, at in enumerate(ends, 1)} | _middles("a", inverted)
-            yield Design(
-                sizes, places | {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)}, merit=round(tight, TIED)
-            )
+        if design := _four_bar(0j, frame, pins, ends, "φ"):
+            sizes = {**design.sizes, "ψ_1": cmath.phase(end - frame)}
+            seen = {f"A_{k}'": at for k, at in enumerate(inverted[1:], 2)} | _middles("a", inverted)
+            yield Design(sizes, {**design.places, **seen}, merit=design.merit)
 
 
 def _beside(pins: Sequence[complex], pivot: complex, arm: float) -> Iterator[complex]:
