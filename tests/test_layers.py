@@ -27,6 +27,8 @@ CONSTRUCTIONS = (
     *("plans.involute.action", "plans.involute.flanks", "plans.involute.generation"),
     *("plans.synthesis.chord", "plans.synthesis.rocker", "plans.synthesis.slider"),
     *("plans.synthesis.double_crank", "plans.synthesis.slotted", "plans.synthesis.sine"),
+    *("plans.synthesis.rocker_slider", "plans.synthesis.centre_points", "plans.synthesis.rod_positions"),
+    "plans.synthesis.dwell",
 )
 # Where a technique is drawn.
 DRAWN = tuple(f"drawings.{name}" for name in TECHNIQUES)

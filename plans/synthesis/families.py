@@ -9,9 +9,13 @@ from plans.model.synthesis.design import Design
 from plans.model.synthesis.region import Region
 from plans.scene.faults import Fault
 from plans.scene.scene import Scene
-from plans.synthesis import double_crank, rocker, slider
+from plans.synthesis import double_crank, dwell, rocker, rocker_slider, rod_positions, slider
 from plans.synthesis.asked import double_crank as asked_double_crank
+from plans.synthesis.asked import dwell as asked_dwell
+from plans.synthesis.asked import function_points as asked_function
 from plans.synthesis.asked import rocker as asked_rocker
+from plans.synthesis.asked import rocker_slider as asked_rocker_slider
+from plans.synthesis.asked import rod_positions as asked_rod
 from plans.synthesis.asked import slider as asked_slider
 from plans.synthesis.asked import slots
 from plans.synthesis.drawn import DrawnReading
@@ -45,4 +49,8 @@ FAMILIES: Final[Mapping[str, Family]] = {
     ),
     "sine": Family(drawn_sines, slots.sine_task, slots.sine_faults, slots.sine, slots.sine_notes),
     "tangent": Family(drawn_tangents, slots.tangent_task, slots.tangent_faults, slots.tangent, slots.tangent_notes),
+    "rocker_slider": _family(rocker_slider.drawn, asked_rocker_slider),
+    "rod_positions": _family(rod_positions.rod_positions, asked_rod),
+    "function_points": _family(rod_positions.function_points, asked_function),
+    "dwell": _family(dwell.drawn, asked_dwell),
 }

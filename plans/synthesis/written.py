@@ -22,6 +22,7 @@ class MechanismText(NamedTuple):
     sketch: Mapping[str, complex]
     slides: tuple[Mapping[str, Any], ...] = ()
     drive: Mapping[str, Any] = {"link": 1, "speed": SPEED, "start": "extreme", "positions": 12}
+    points: Mapping[str, Mapping[str, Any]] = {}  # by their places in the frames of links
 
 
 def written(made: MechanismText, title: str, source: str, language: str, further: str = "") -> str:
@@ -50,6 +51,7 @@ def _mechanism(made: MechanismText, language: str, others: Collection[str]) -> I
     for slide in made.slides:
         yield from _table("[[mechanism.slides]]", slide)
     yield from _table("[mechanism.lengths]", made.lengths)
+    yield from _table("[mechanism.points]", made.points)
     yield from _table("[mechanism.sketch]", made.sketch)
     for name, rows in (("drive", made.drive), ("sheet", {"language": language})):
         if name not in others:

@@ -197,6 +197,16 @@ TASKS = (  # of synthesis: what is asked
     "whitworth]\ntime_ratio = 2.2\ncrank = 0.075\nstroke = 0.3\npressure = 20\noutput = 40",
     "sine]\nstroke = 0.12",  # theme 6, task 6
     "tangent]\nstroke = 0.15\npressure = 28",  # theme 6, task 10
+    "rocker_slider]\nstroke = 0.12\npressure = 20\nratio = 10",
+    "rocker_slider]\nstroke = 0.15\nangles = [8, 30]\nratio = 0.5\npressure = 20",  # two readings, to either side
+    "rod_positions]\nplaces = [[0, 0], [0.3, 0.1], [0.4, 0.3]]\nangles = [0, 30, 80]\nhinges = [[0, 0.1], [0.3, 0.05]]",
+    "rod_positions]\nplaces = [[0, 0], [0.3, 0.1]]\nangles = [0, 34]\npivots = [[-0.2, -0.2], [0.4, -0.3]]\n"
+    "arms = [0.5, 0.4]",  # four mechanisms
+    "rod_positions]\nplaces = [[0, 0], [0.2, 0.15], [0.5, 0.2]]\nangles = [0, 0, 0]\nhinges = [[0, 0.1], [0.3, 0.05]]",
+    "function_points]\ninputs = [30, 60, 95]\noutputs = [0, 18, 45]\ncrank = 0.1\nframe = 0.3",
+    "function_points]\ninputs = [30, 95]\noutputs = [0, 45]\ncrank = 0.1\nframe = 0.3\nrocker = 0.15",
+    "dwell]\ncrank = 0.1\ncoupler = 0.23\nrocker = 0.25\nframe = 0.21\narm = 0.47\nlean = 60\n"
+    "dwell = [149, 219]\noutput = 0.13",
 )
 
 

@@ -5,17 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final
 
-from plans.analytic.synthesis import double_crank, rocker, slider, slots
+from plans.analytic.synthesis import double_crank, dwell, guided, rocker, rocker_slider, slider, slots
 from plans.model.synthesis.design import ANALYSIS, Design, Reading, Synthesis, Task
 from plans.model.synthesis.extremes import DoubleCrankTask, RockerTask, SliderTask
+from plans.model.synthesis.positions import DwellTask, FunctionTask, RodTask
 from plans.model.synthesis.region import Region
 from plans.model.synthesis.slots import LeverTask, SineTask, TangentTask, WhitworthTask
+from plans.model.synthesis.swings import RockerSliderTask
 
 ROADS: Final[Mapping[type, Callable[[Any], Iterable[Reading]]]] = {
     RockerTask: rocker.readings,
     SliderTask: slider.readings,
     DoubleCrankTask: double_crank.readings,
     **dict.fromkeys((LeverTask, WhitworthTask, SineTask, TangentTask), slots.readings),
+    RockerSliderTask: rocker_slider.readings,
+    RodTask: guided.rods,
+    FunctionTask: guided.functions,
+    DwellTask: dwell.readings,
 }
 
 

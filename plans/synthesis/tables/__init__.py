@@ -10,7 +10,9 @@ from plans.scene.forms import Form
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 from plans.synthesis.tables.extremes import DoubleCrankTable, RockerTable, SliderTable
+from plans.synthesis.tables.positions import DwellTable, FunctionTable, RodTable
 from plans.synthesis.tables.slots import LeverTable, SineTable, SlotTable, TangentTable
+from plans.synthesis.tables.swings import RockerSliderTable
 
 EXAMPLE = '[synthesis.slider_crank] with stroke = "120 mm", time_ratio = 1.1, offset = "30 mm"'
 
@@ -33,6 +35,18 @@ class SynthesisTable(Table):
     whitworth: SlotTable | None = key(table(SlotTable), None, meaning="A rotating slotted link (вращающаяся кулиса).")
     sine: SineTable | None = key(table(SineTable), None, meaning="A sine mechanism (синусный механизм).")
     tangent: TangentTable | None = key(table(TangentTable), None, meaning="A tangent mechanism (тангенсный механизм).")
+    rocker_slider: RockerSliderTable | None = key(
+        table(RockerSliderTable), None, meaning="A rocker that drives a slider (коромыслово-ползунный механизм)."
+    )
+    rod_positions: RodTable | None = key(
+        table(RodTable), None, meaning="A four-bar that guides its rod through positions (положения шатуна)."
+    )
+    function_points: FunctionTable | None = key(
+        table(FunctionTable), None, meaning="A four-bar that meets a function at points (воспроизведение функции)."
+    )
+    dwell: DwellTable | None = key(
+        table(DwellTable), None, meaning="A rocker that rests, from a coupler's curve (механизм с выстоем)."
+    )
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
