@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 TECHNIQUES: Final = (
     "linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam", "structure",
-    "transfer", "centres", "gears", "involute",
+    "transfer", "centres", "gears", "involute", "synthesis",
 )  # fmt: skip
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")

@@ -25,6 +25,10 @@ CONSTRUCTIONS = (
     *("plans.cam.profile", "plans.cam.centre", "plans.dynamics.loop", "plans.balance.sums", "plans.bank.polygons"),
     *("plans.structure.groups", "plans.structure.constraints"),
     *("plans.involute.action", "plans.involute.flanks", "plans.involute.generation"),
+    *("plans.synthesis.chord", "plans.synthesis.rocker", "plans.synthesis.slider"),
+    *("plans.synthesis.double_crank", "plans.synthesis.slotted", "plans.synthesis.sine"),
+    *("plans.synthesis.rocker_slider", "plans.synthesis.centre_points", "plans.synthesis.rod_positions"),
+    "plans.synthesis.dwell",
 )
 # Where a technique is drawn.
 DRAWN = tuple(f"drawings.{name}" for name in TECHNIQUES)
@@ -84,6 +88,7 @@ SHARED = (
     "plans.model.involute",
     "plans.model.gears",
     "plans.model.trains",
+    "plans.model.synthesis",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen

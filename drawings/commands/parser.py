@@ -48,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
     top.add_argument("--version", action="version", version=f"plandraft {VERSION}", help="show the version and stop")
     # The name of the program is given, for argparse would import shutil to find out how it is written.
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True, prog=top.prog)
-    for add in (_draw, _form, _new, _solve, _compare, _explain, _measure, _check, _grade, _bench, _schema):
+    for add in (_draw, _form, _new, _solve, _compare, _explain, _measure, _check, _grade, _bench, _schema, _synthesise):
         add(commands)
     return top
 
@@ -157,6 +157,14 @@ def _bench(commands: Commands) -> None:
     add("--accept", type=_share, metavar="X", help="error accepted, share of the plan's largest (default: 1e-4)")
     add("--startup", action=argparse.BooleanOptionalAction, help="time a cold plandraft draw (default: unless --quick)")
     add("--json", action="store_true", help="as JSON")
+
+
+def _synthesise(commands: Commands) -> None:
+    synthesise = _command(commands, "synthesise", "write the mechanism of a task of synthesis as a scene of its own")
+    add = synthesise.add_argument
+    add("-o", "--output", type=Path, metavar="FILE", help="the new scene (default: print it)")
+    add("--tables", type=Path, metavar="FILE", help="further tables of the new scene, such as [masses] and [loads]")
+    add("--draw", type=Path, metavar="DIR", help="draw the task and the new scene into a folder: a whole project")
 
 
 def _other_than(ending: str, told: str, text: str) -> Path:

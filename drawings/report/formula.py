@@ -34,7 +34,7 @@ DIRECTION, FULL = 1, 2  # lines under a vector: its direction alone is known, or
 SIGNS = {
     "ω": r"\omega", "ε": r"\varepsilon", "φ": r"\varphi", "μ": r"\mu", "Φ": r"\Phi", "τ": r"\tau", "η": r"\eta",
     "θ": r"\theta", "ψ": r"\psi", "π": r"\pi", "δ": r"\delta", "Σ": r"\sum", "α": r"\alpha", "ρ": r"\rho",
-    "Δ": r"\Delta",
+    "γ": r"\gamma", "Δ": r"\Delta",
 }  # fmt: skip
 _POWER = re.compile("·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _LETTER = re.compile(r"(?P<head>[^_^]+?)(?P<primes>'*)(?:\^(?P<up>\{.*?\}|.))?(?:_(?P<low>\{.*\}'*|[^_]+))?")

@@ -179,4 +179,41 @@ def pairs() -> Iterator[Odd]:
         yield Odd(name, text, (said[name],) if name in said else ())
 
 
-EVERY = (*pairs(), *banks(), *balances(), *machines(), *cams(), *linkages(), *filed())
+TASKS = (  # of synthesis: what is asked
+    "crank_rocker]\nrocker = 0.3\nswing = 40\noverlap = 15\nframe = 0.441",  # on both circles
+    "crank_rocker]\nrocker = 0.3\nswing = 40\noverlap = 15\nplace = 160\nbeyond = true",
+    "crank_rocker]\nrocker = 0.3\nswing = 40\noverlap = 0\nframe = 0.441",
+    "slider_crank]\nstroke = 0.12\ntime_ratio = 1.2",
+    "slider_crank]\nstroke = 0.12\nratio = 4",
+    "slider_crank]\nstroke = 0.12\nratio = 4\npressure = 20",
+    "slider_crank]\nstroke = 0.12\noffset = 0.05\nratio = 2.2",  # two mechanisms
+    "double_crank]\ncoupler = 0.3\nswing = 40\noverlap = 15",
+    "double_crank]\ncoupler = 0.3\nswing = 40\noverlap = 20",  # M on C
+    "crank_rocker]\nrocker = 30\nswing = 5\noverlap = 5",  # arcs too short to be hatched
+    "whitworth]\noverlap = 5\ncrank = 0.07\nstroke = 0.21\npressure = 0.5",  # an angle too small for a dimension
+    "slotted_lever]\ncrank = 0.12\nframe = 0.35",  # methods M1.7
+    "slotted_lever]\ntime_ratio = 1.5\nframe = 0.35\nstroke = 0.48\npressure = 8\nmean_speed = 0.5",
+    "slotted_lever]\noverlap = 38\ncrank = 0.12\nstroke = 0.5\nlever = 0.7",  # three readings
+    "whitworth]\ntime_ratio = 2.2\ncrank = 0.075\nstroke = 0.3\npressure = 20\noutput = 40",
+    "sine]\nstroke = 0.12",  # theme 6, task 6
+    "tangent]\nstroke = 0.15\npressure = 28",  # theme 6, task 10
+    "rocker_slider]\nstroke = 0.12\npressure = 20\nratio = 10",
+    "rocker_slider]\nstroke = 0.15\nangles = [8, 30]\nratio = 0.5\npressure = 20",  # two readings, to either side
+    "rod_positions]\nplaces = [[0, 0], [0.3, 0.1], [0.4, 0.3]]\nangles = [0, 30, 80]\nhinges = [[0, 0.1], [0.3, 0.05]]",
+    "rod_positions]\nplaces = [[0, 0], [0.3, 0.1]]\nangles = [0, 34]\npivots = [[-0.2, -0.2], [0.4, -0.3]]\n"
+    "arms = [0.5, 0.4]",  # four mechanisms
+    "rod_positions]\nplaces = [[0, 0], [0.2, 0.15], [0.5, 0.2]]\nangles = [0, 0, 0]\nhinges = [[0, 0.1], [0.3, 0.05]]",
+    "function_points]\ninputs = [30, 60, 95]\noutputs = [0, 18, 45]\ncrank = 0.1\nframe = 0.3",
+    "function_points]\ninputs = [30, 95]\noutputs = [0, 45]\ncrank = 0.1\nframe = 0.3\nrocker = 0.15",
+    "dwell]\ncrank = 0.1\ncoupler = 0.23\nrocker = 0.25\nframe = 0.21\narm = 0.47\nlean = 60\n"
+    "dwell = [149, 219]\noutput = 0.13",
+)
+
+
+def tasks() -> Iterator[Odd]:
+    """Write the odd tasks of synthesis, every other one in Russian."""
+    for k, asked in enumerate(TASKS):
+        yield Odd(f"task {k + 1}", f'[synthesis.{asked}\n[sheet]\nlanguage = "{"en" if k % 2 else "ru"}"\n')
+
+
+EVERY = (*tasks(), *pairs(), *banks(), *balances(), *machines(), *cams(), *linkages(), *filed())

@@ -1,0 +1,1 @@
+"""Tasks of synthesis and the mechanisms that do what they ask (кинематический синтез)."""
