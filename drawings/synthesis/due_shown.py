@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.model.motion import Complexes
-from plans.model.synthesis.design import Circle, Design
-from plans.synthesis.drawn import Figure
+from plans.model.synthesis.design import Design, LocusCircle
+from plans.synthesis.drawn import SynthesisFigure
 from plans.synthesis.quantities import letter_of
 from plans.synthesis.study import SynthesisStudy
 
@@ -31,7 +31,7 @@ class ShownSynthesis(NamedTuple):
     name: str
     letter: str  # of the reading of the task, where there are several
     design: Design
-    figure: Figure
+    figure: SynthesisFigure
 
     @property
     def mechanism(self) -> list[complex]:
@@ -42,13 +42,13 @@ class ShownSynthesis(NamedTuple):
         ]
 
     @property
-    def view(self) -> Circle:
+    def view(self) -> LocusCircle:
         """The circle within which lines are drawn: about the middle of the mechanism."""
         spots = np.array(self.mechanism)
         low, high = (complex(end(spots.real), end(spots.imag)) for end in (np.min, np.max))
-        return Circle((low + high) / 2, AROUND * abs(high - low))
+        return LocusCircle((low + high) / 2, AROUND * abs(high - low))
 
-    def whole(self, circle: Circle) -> bool:
+    def whole(self, circle: LocusCircle) -> bool:
         """Tell whether a circle is drawn whole: it does not dwarf the mechanism."""
         return circle.radius <= LARGE / AROUND * self.view.radius
 
@@ -87,7 +87,7 @@ class ShownSynthesis(NamedTuple):
         """The circles by points: whole, or what of them is in view."""
         return {name: _arc(one, *self._part(one)) for name, one in self.design.circles.items()}
 
-    def _part(self, circle: Circle) -> tuple[float, float]:
+    def _part(self, circle: LocusCircle) -> tuple[float, float]:
         """Give where what is shown of a circle starts, and how far it goes: both circles and their distance."""
         if self.whole(circle):
             return 0.0, math.tau
@@ -123,7 +123,7 @@ class ShownSynthesis(NamedTuple):
         return [*self.places.values(), *self.mechanism, *curves, *ends]
 
 
-def _arc(circle: Circle, start: float, sweep: float) -> Complexes:
+def _arc(circle: LocusCircle, start: float, sweep: float) -> Complexes:
     return np.asarray(circle.centre + circle.radius * np.exp(1j * np.linspace(start, start + sweep, POINTS)))
 
 

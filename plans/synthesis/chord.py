@@ -10,13 +10,13 @@ import numpy as np
 
 from geometry.board import Arc, Board, Mark, Reading, between
 from geometry.meet import Sizes, Vectors
-from plans.model.synthesis.design import Circle
+from plans.model.synthesis.design import LocusCircle
 from plans.words.words import because
 
 SYNTHESIS = "synthesis"  # the board
 
 
-class Chord(NamedTuple):
+class ExtremeChord(NamedTuple):
     """The extreme places of the driven point on a board, B1 with crank and coupler stretched, and their middle E."""
 
     board: Board
@@ -26,7 +26,7 @@ class Chord(NamedTuple):
     along: Mark  # the direction from B2 to B1
 
     @classmethod
-    def between(cls, board: Board, stretched: Mark, folded: Mark) -> Chord:
+    def between(cls, board: Board, stretched: Mark, folded: Mark) -> ExtremeChord:
         """Halve the chord of two places."""
         half = board.turn("E:h", board.join("B_2B_1", folded, stretched), 0.5, because("half_chord"))
         middle = board.lay_off("E", folded, half, because("middle_chord"))
@@ -64,14 +64,14 @@ class Chord(NamedTuple):
         return board.parallel("e:l", board.lay_off("E_e", self.middle, away), self.along, because("offset_line"))
 
 
-class Crank(NamedTuple):
+class DrawnCrank(NamedTuple):
     """Crank and coupler read from O: the vectors of l1 and l2, both pins, how the overlap is read."""
 
     pivot: Mark
     crank: Mark
     coupler: Mark
     pins: tuple[Mark, Mark]
-    chord: Chord
+    chord: ExtremeChord
     seen: Reading
 
     @property
@@ -93,7 +93,7 @@ class Crank(NamedTuple):
         return {name: complex(mark.point) for name, mark in found.items()}
 
 
-def read(chord: Chord, pivot: Mark) -> Crank:
+def read(chord: ExtremeChord, pivot: Mark) -> DrawnCrank:
     """Read crank and coupler: OB2 is laid off on OB1, and what is left of it halved is the crank."""
     board, name = chord.board, pivot.name
     far, near = (board.join(f"{name}{one.name}", pivot, one) for one in (chord.stretched, chord.folded))
@@ -109,13 +109,13 @@ def read(chord: Chord, pivot: Mark) -> Crank:
     pins = board.lay_off(f"{name}:A_1", pivot, crank), board.lay_off(f"{name}:A_2", pivot, beyond)
     coupler = board.join(f"{name}:l_2", pins[0], chord.stretched, because("rest_coupler"))
     turned = board.turn(f"{name}:θ", far, back.point / far.point)
-    return Crank(pivot, crank, coupler, pins, chord, Reading(turned, back))
+    return DrawnCrank(pivot, crank, coupler, pins, chord, Reading(turned, back))
 
 
-def circle_of(mark: Mark) -> Circle:
+def circle_of(mark: Mark) -> LocusCircle:
     """Give a circle that is drawn."""
     assert isinstance(mark.value, Arc)  # a locus that is a circle
-    return Circle(complex(np.asarray(mark.value.centre)), float(np.asarray(mark.value.radius)))
+    return LocusCircle(complex(np.asarray(mark.value.centre)), float(np.asarray(mark.value.radius)))
 
 
 def cross(one: Vectors, other: Vectors) -> Sizes:

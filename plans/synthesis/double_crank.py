@@ -10,7 +10,7 @@ from plans.model.synthesis.design import Design
 from plans.model.synthesis.extremes import DoubleCrankTask
 from plans.quantity import Shown
 from plans.synthesis import rocker
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure, angle
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure, angle
 from plans.words.words import because
 
 KEPT = ("coupler", "swing", "overlap")
@@ -25,7 +25,7 @@ def drawn(task: DoubleCrankTask) -> tuple[DrawnReading, ...]:
     )
 
 
-def _inverted(board: Board, made: Drawn) -> Drawn:
+def _inverted(board: Board, made: DrawnDesign) -> DrawnDesign:
     """Turn the figure about O as A2 turns into A1, and read the double crank off it."""
     before = made.design
     name = next(one for one in ("O", "O'") if one in board and board[one].point == before.places["O"])
@@ -39,7 +39,7 @@ def _inverted(board: Board, made: Drawn) -> Drawn:
     shown: dict[str, Shown] = {"l_1": Span(pivot, board["C"]), "l_3": Span(pins[0], board["B_1"]), "l_4": first}
     shown["θ"] = angle(board, f"{name}:θ'", *ways)
     design = Design(sizes, places, before.circles, before.barred, before.merit)
-    return Drawn(design, shown, {**made.arms, **arms}, _figure(made.figure), made.within)
+    return DrawnDesign(design, shown, {**made.arms, **arms}, _figure(made.figure), made.within)
 
 
 def _turned(board: Board, pivot: Mark, mark: Mark, pins: tuple[Mark, Mark], name: str) -> Mark:
@@ -62,7 +62,7 @@ def _read(pivot: Mark, pin: Mark, *ends: tuple[Mark, Mark]) -> tuple[dict[str, f
     return sizes, {"ψ": sizes["l_2"], "θ": sizes["l_4"], "i_1": reach[0], "i_2": reach[1]}
 
 
-def _figure(before: Figure) -> Figure:
+def _figure(before: SynthesisFigure) -> SynthesisFigure:
     """Show the double crank where O, A, B are in line, and the crank-rocker's second place by thin lines."""
     return before._replace(
         first=("O", "C", "B_1", "A_1"),

@@ -11,7 +11,7 @@ from plans.model.synthesis.design import Design
 from plans.quantity import Shown
 
 
-class Figure(NamedTuple):
+class SynthesisFigure(NamedTuple):
     """What a sheet shows of a construction, by the letters of the design's places and sizes.
 
     The mechanism stands in its first position in full lines, in others by dashes; a block slides along a direction.
@@ -29,7 +29,7 @@ class Figure(NamedTuple):
     angles: tuple[tuple[str, str, str, str], ...] = ()
 
 
-class Drawn(NamedTuple):
+class DrawnDesign(NamedTuple):
     """A mechanism drawn: as read off the board, from which marks, and over which arm m a length moves an angle.
 
     A size that hangs on what is found by trial may be off `within` something more.
@@ -38,7 +38,7 @@ class Drawn(NamedTuple):
     design: Design
     shown: Mapping[str, Shown]
     arms: Mapping[str, float]
-    figure: Figure
+    figure: SynthesisFigure
     within: Mapping[str, float] = MappingProxyType({})
 
 
@@ -47,7 +47,7 @@ class DrawnReading(NamedTuple):
 
     kept: tuple[str, ...]
     board: Board
-    found: tuple[Drawn, ...]
+    found: tuple[DrawnDesign, ...]
 
 
 def angle(board: Board, name: str, first: Mark, second: Mark) -> Reading:

@@ -12,18 +12,18 @@ import numpy as np
 from geometry.board import Board, Mark, between
 from geometry.meet import Vectors
 from plans.model.motion import Floats
-from plans.model.synthesis.design import Circle, Design
+from plans.model.synthesis.design import Design, LocusCircle
 from plans.model.synthesis.positions import PATH, TIED, TOUCH, DwellTask
 from plans.synthesis.centre_points import centres
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.words.words import because
 
 STATIONS = 721  # over the turn; then closer about the largest
 CLOSER = 4  # times
 
 
-class Pose(NamedTuple):
+class DwellPose(NamedTuple):
     """The four-bar at one crank angle, or at many."""
 
     pin: Mark
@@ -31,7 +31,7 @@ class Pose(NamedTuple):
     point: Mark
 
 
-class FourBar(NamedTuple):
+class DwellFourBar(NamedTuple):
     """A four-bar on a board: its pivots."""
 
     task: DwellTask
@@ -40,13 +40,13 @@ class FourBar(NamedTuple):
     other: Mark
 
     @classmethod
-    def on(cls, task: DwellTask, board: Board) -> FourBar:
+    def on(cls, task: DwellTask, board: Board) -> DwellFourBar:
         """Put its pivots on a board."""
         return cls(
             task, board, board.given("O", 0j, because("crank_pivot")), board.given("C", complex(task.lengths[3]))
         )
 
-    def pose(self, angles: float | Floats, k: int) -> Pose:
+    def pose(self, angles: float | Floats, k: int) -> DwellPose:
         """Draw it by notches at crank angles rad, and K by its triangle on the coupler."""
         task, board = self.task, self.board
         l1, l2, l3, _ = task.lengths
@@ -56,14 +56,14 @@ class FourBar(NamedTuple):
         end = board.meet(f"B_{k}", *arcs, 1.0 if not task.crossed else -1.0, because("notches"))
         arm = cmath.rect(task.arm / l2, task.lean)
         point = board.lay_off(f"K_{k}", pin, board.turn(f"A_{k}K_{k}", board.join(f"A_{k}B_{k}", pin, end), arm))
-        return Pose(pin, end, point)
+        return DwellPose(pin, end, point)
 
 
 def drawn(task: DwellTask) -> tuple[DrawnReading, ...]:
     """Draw the dwell linkages of a four-bar, the rocker's pivot to either side of the rod."""
-    bars = FourBar.on(task, Board(SYNTHESIS))
+    bars = DwellFourBar.on(task, Board(SYNTHESIS))
     poses = [bars.pose(angle, k) for k, angle in enumerate(task.stations, 1)]
-    found: list[Drawn] = []
+    found: list[DrawnDesign] = []
     if goes_round(task):
         near = [poses[k].point for k in (0, 2, 4)]
         for centre in centres(bars.board, "D", near, None):
@@ -75,14 +75,14 @@ def drawn(task: DwellTask) -> tuple[DrawnReading, ...]:
 
 def goes_round(task: DwellTask) -> bool:
     """Try the notches with the crank at both places on the line of the pivots: they must cross."""
-    tried = FourBar.on(task, Board("trial"))
+    tried = DwellFourBar.on(task, Board("trial"))
     sharp = [tried.pose(angle, k).end.sharpness for k, angle in enumerate((0.0, math.pi))]
     return all(one is not None and bool(one > TOUCH) for one in sharp)
 
 
 def near(task: DwellTask) -> list[complex]:
     """Give the three places of K that the circle passes through."""
-    tried = FourBar.on(task, Board("trial"))
+    tried = DwellFourBar.on(task, Board("trial"))
     return [complex(tried.pose(angle, k).point.point) for k, angle in enumerate(task.stations[::2])]
 
 
@@ -91,7 +91,7 @@ def following(task: DwellTask, side: int) -> tuple[float, float]:
 
     With d from D to K and v from D to the pivot's side, (rod - r)^2 < |d - r v|^2 < (rod + r)^2 is linear in r.
     """
-    bars = FourBar.on(task, Board("trial"))
+    bars = DwellFourBar.on(task, Board("trial"))
     poses = [bars.pose(angle, k).point for k, angle in enumerate(task.stations[::2], 1)]
     (centre,) = centres(bars.board, "D", poses, None)
     ray = complex(between(centre, poses[1]))
@@ -102,7 +102,7 @@ def following(task: DwellTask, side: int) -> tuple[float, float]:
     return max(0.0, float(least[slope > 0].max())), float(np.min(least[slope < 0], initial=math.inf))
 
 
-def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | None:
+def _resting(bars: DwellFourBar, poses: list[DwellPose], rod: Mark, side: int) -> DrawnDesign | None:
     """Draw the rocker square to the rod in its rest, and try it over the turn."""
     task, board, centre = bars.task, bars.board, bars.board["D"]
     arm = board.turn(f"DF:{side}", rod, 1j * side * task.output / abs(complex(rod.point)), because("square_to_rod"))
@@ -120,20 +120,20 @@ def _resting(bars: FourBar, poses: list[Pose], rod: Mark, side: int) -> Drawn | 
     sizes |= {"l_5": abs(complex(rod.point)), "l_6": abs(complex(arm.point)), "ψ": swing, "ψ_d": off, "h": deviation}
     places = {name: complex(mark.point) for name, mark in marks.items()}
     path = {"K": np.asarray(rocker.point(np.linspace(0.0, math.tau, PATH)))}
-    circles = {"D": Circle(places["D"], sizes["l_5"])}
+    circles = {"D": LocusCircle(places["D"], sizes["l_5"])}
     design = Design(sizes, places, circles, merit=round(swing, TIED), curves=path)
     arms = {"ψ": task.output, "ψ_d": task.output}
-    return Drawn(design, {"l_5": rod}, arms, _figure())
+    return DrawnDesign(design, {"l_5": rod}, arms, _figure())
 
 
-def _figure() -> Figure:
+def _figure() -> SynthesisFigure:
     first, last = (("O", f"A_{k}", f"B_{k}", "C") for k in (3, 1))
     plate = ("A_3", "K_3", "B_3")
     chains = plate, ("K_3", "D", "F"), last, ("O", "A_5", "B_5", "C")
     lines = tuple(("D", f"K_{k}") for k in (1, 5))
     hinges = frozenset(("O", "C", "A_3", "B_3", "K_3", "D", "F"))
     lengths = ("l_5", "D", "K_3"), ("l_6", "D", "F")
-    return Figure(first, chains, lines, (), hinges, frozenset("OCF"), lengths=lengths)
+    return SynthesisFigure(first, chains, lines, (), hinges, frozenset("OCF"), lengths=lengths)
 
 
 class _Resting(NamedTuple):
@@ -147,7 +147,7 @@ class _Resting(NamedTuple):
 
     def point(self, angles: Floats) -> Vectors:
         """Give the places of K."""
-        return FourBar.on(self.task, Board("trial")).pose(angles, 0).point.point
+        return DwellFourBar.on(self.task, Board("trial")).pose(angles, 0).point.point
 
     def missed(self, angles: Floats) -> Floats:
         """Give how far K is off the circle, m."""
@@ -156,7 +156,7 @@ class _Resting(NamedTuple):
     def turned(self, angles: Floats) -> Floats:
         """Give how far the rocker is turned from its rest, rad; not a number where it cannot follow."""
         board = Board("trial")
-        drawn = FourBar.on(self.task, board)
+        drawn = DwellFourBar.on(self.task, board)
         point, pivot = drawn.pose(angles, 0).point, board.given("F", self.pivot)
         arcs = board.arc("K:o", point, self.rod), board.arc("F:o", pivot, self.task.output)
         end = board.meet("D", *arcs, float(self.side))

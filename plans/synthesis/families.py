@@ -24,7 +24,7 @@ from plans.synthesis.slotted import drawn_levers, drawn_whitworths
 from plans.synthesis.written import MechanismText
 
 
-class Family(NamedTuple):
+class SynthesisFamily(NamedTuple):
     """How a task of a family is drawn, and of its table: the task, its faults, its scene, what its sheet says."""
 
     drawn: Callable[[Any], tuple[DrawnReading, ...]]
@@ -35,20 +35,24 @@ class Family(NamedTuple):
     region: Callable[[Any, Design], Region | None] = lambda task, design: None  # of a free parameter
 
 
-def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> Family:
-    return Family(drawn, asked.task, asked.faults, asked.mechanism, asked.notes)
+def _family(drawn: Callable[[Any], tuple[DrawnReading, ...]], asked: Any) -> SynthesisFamily:
+    return SynthesisFamily(drawn, asked.task, asked.faults, asked.mechanism, asked.notes)
 
 
-FAMILIES: Final[Mapping[str, Family]] = {
+FAMILIES: Final[Mapping[str, SynthesisFamily]] = {
     "crank_rocker": _family(rocker.drawn, asked_rocker)._replace(region=rocker.region),
     "double_crank": _family(double_crank.drawn, asked_double_crank),
     "slider_crank": _family(slider.drawn, asked_slider)._replace(region=slider.region),
-    "slotted_lever": Family(drawn_levers, slots.lever_task, slots.lever_faults, slots.slotted, slots.slotted_notes),
-    "whitworth": Family(
+    "slotted_lever": SynthesisFamily(
+        drawn_levers, slots.lever_task, slots.lever_faults, slots.slotted, slots.slotted_notes
+    ),
+    "whitworth": SynthesisFamily(
         drawn_whitworths, slots.whitworth_task, slots.whitworth_faults, slots.slotted, slots.slotted_notes
     ),
-    "sine": Family(drawn_sines, slots.sine_task, slots.sine_faults, slots.sine, slots.sine_notes),
-    "tangent": Family(drawn_tangents, slots.tangent_task, slots.tangent_faults, slots.tangent, slots.tangent_notes),
+    "sine": SynthesisFamily(drawn_sines, slots.sine_task, slots.sine_faults, slots.sine, slots.sine_notes),
+    "tangent": SynthesisFamily(
+        drawn_tangents, slots.tangent_task, slots.tangent_faults, slots.tangent, slots.tangent_notes
+    ),
     "rocker_slider": _family(rocker_slider.drawn, asked_rocker_slider),
     "rod_positions": _family(rod_positions.rod_positions, asked_rod),
     "function_points": _family(rod_positions.function_points, asked_function),

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from plans.model.synthesis.pace import Pace
-from plans.synthesis.drawn import Drawn, DrawnReading
+from plans.synthesis.drawn import DrawnDesign, DrawnReading
 
 
 def paced(reading: DrawnReading, pace: Pace) -> DrawnReading:
@@ -15,7 +15,7 @@ def paced(reading: DrawnReading, pace: Pace) -> DrawnReading:
     return reading._replace(found=tuple(_timed(one, pace) for one in reading.found))
 
 
-def _timed(made: Drawn, pace: Pace) -> Drawn:
+def _timed(made: DrawnDesign, pace: Pace) -> DrawnDesign:
     speeds = dict(_speeds(made.design.sizes, pace)) if "H" in made.design.sizes else {}
     return made._replace(design=replace(made.design, sizes={**made.design.sizes, **speeds}))
 

@@ -16,7 +16,7 @@ from plans.model.synthesis.design import ANALYSIS, EPS, Design, Synthesis, unit_
 from plans.quantity import Comparison, Numbers, Quantity, pairs
 from plans.study import Study
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.drawn import Drawn
+from plans.synthesis.drawn import DrawnDesign
 from plans.synthesis.study import SynthesisStudy
 
 NEAR = 1e-8  # rad, of a largest value; its place is known to the root of it
@@ -64,7 +64,7 @@ def letter_of(number: int) -> str:
     return chr(ord("a") + number)
 
 
-def _findings(board: Board, made: Drawn | None, known: Design | None, after: str) -> Iterator[Quantity]:
+def _findings(board: Board, made: DrawnDesign | None, known: Design | None, after: str) -> Iterator[Quantity]:
     """Compare every size; one that a road alone has is not a number by the other."""
     ours: Mapping[str, float] = {} if made is None else made.design.sizes
     theirs: Mapping[str, float] = {} if known is None else known.sizes
@@ -77,7 +77,7 @@ def _findings(board: Board, made: Drawn | None, known: Design | None, after: str
         yield Quantity.of((SYNTHESIS, f"{name}{after}", unit_of(name)), pair, allowed, shown=shown)
 
 
-def _allowed(name: str, made: Drawn, slack: float) -> float:
+def _allowed(name: str, made: DrawnDesign, slack: float) -> float:
     """Give how far rounding may move a size: a length, an angle over its arm, a rate or a ratio by its share."""
     arm = made.arms.get(name, next(iter(made.design.sizes.values())))
     turned = WEAR * EPS + slack / arm
@@ -85,7 +85,7 @@ def _allowed(name: str, made: Drawn, slack: float) -> float:
     return off + made.within.get(name, 0.0)
 
 
-def _slack(board: Board, made: Drawn) -> float:
+def _slack(board: Board, made: DrawnDesign) -> float:
     """Give how far rounding may move a length, m: more where loci meet flatly."""
     marks = [mark for one in made.shown.values() for mark in Quantity.of(("", "", ""), (0, 0), 0, shown=one).marks]
     met = (mark.meeting for mark in behind(*marks) if mark.meeting is not None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from plans.model.synthesis.design import Task
+from plans.model.synthesis.design import SynthesisTask
 from plans.scene.faults import Fault
 from plans.scene.scene import Meaning
 from plans.synthesis.families import FAMILIES
@@ -15,7 +15,7 @@ class SynthesisSurvey(NamedTuple):
     """What the examination of a task found: its family's key, the task with its free parameter, its faults."""
 
     key: str
-    task: Task
+    task: SynthesisTask
     faults: list[Fault]
 
 

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from geometry.board import Board, Mark, Span, between
 from geometry.meet import Sizes, Vectors
 from plans.model.motion import Floats
-from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design
+from plans.model.synthesis.design import QUARTER, BarredArc, Design, LocusCircle
 from plans.model.synthesis.extremes import CENTRES, RockerTask
 from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
-from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, cross, read
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.chord import SYNTHESIS, DrawnCrank, ExtremeChord, circle_of, cross, read
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.synthesis.search import PLACED, best_of
 from plans.words.words import because
 
@@ -31,7 +31,7 @@ class _Base(NamedTuple):
     task: RockerTask
     board: Board
     rocker: Mark  # C
-    chord: Chord
+    chord: ExtremeChord
     locus: Mark
     ends: tuple[Mark, ...]  # K1, K2 on the lines CB1, CB2
 
@@ -82,7 +82,7 @@ def _base(task: RockerTask) -> _Base:
     why = because("rocker_extreme", angle=f"{math.degrees(task.swing):.6g}")
     ends = [complex(sense * task.half, task.height) for sense in (1, -1)]
     far, near = (board.given(f"C{name}", end, why) for name, end in zip(("B_1", "B_2"), ends, strict=True))
-    chord = Chord.between(board, board.lay_off("B_1", pivot, far), board.lay_off("B_2", pivot, near))
+    chord = ExtremeChord.between(board, board.lay_off("B_1", pivot, far), board.lay_off("B_2", pivot, near))
     if not task.overlap:
         return _Base(task, board, pivot, chord, chord.offset(0.0), ())
     side = task.sides[0]
@@ -125,7 +125,7 @@ def _admits(base: _Base, at: Mark) -> NDArray[np.bool_]:
     return beside & np.asarray(base.side * folded.imag > 0 if base.task.overlap else folded.real > 0)
 
 
-def _drawn(base: _Base, crank: Crank) -> Drawn:
+def _drawn(base: _Base, crank: DrawnCrank) -> DrawnDesign:
     task, board, chord = base.task, base.board, base.chord
     first, rest = (float(length) for length in crank.lengths)
     frame = complex(between(crank.pivot, base.rocker))
@@ -135,7 +135,7 @@ def _drawn(base: _Base, crank: Crank) -> Drawn:
     sizes = {"l_1": first, "l_2": rest, "l_3": abs(rockers[0]), "l_4": abs(frame)}
     sizes |= {"ψ": cmath.phase(rockers[1] / rockers[0]), "θ": theta, "μ_min": least}
     places = {"C": complex(base.rocker.point), **crank.places}
-    circles = dict[str, Circle]()
+    circles = dict[str, LocusCircle]()
     if task.overlap:
         name = CENTRES[base.side]
         places |= {one.name: complex(one.point) for one in (board[name], *base.ends)}
@@ -151,14 +151,14 @@ def _drawn(base: _Base, crank: Crank) -> Drawn:
     flat = math.sin(least) * min(rest, task.rocker)
     arms = {"θ": arm, "ψ": task.rocker, "μ_min": flat, "γ": min([task.half, *(one.radius for one in circles.values())])}
     design = Design(sizes, places, circles, base.barred, least)
-    return Drawn(design, shown, arms, _figure(places))
+    return DrawnDesign(design, shown, arms, _figure(places))
 
 
-def _figure(places: dict[str, complex]) -> Figure:
+def _figure(places: dict[str, complex]) -> SynthesisFigure:
     centres = [name for name in CENTRES.values() if name in places]
     lines = [("B_1", "B_2"), *((end, centre) for centre in centres for end in ("B_1", "B_2"))]
     lines += [("O", centre) for centre in centres] + [("C", end) for end in ("K_1", "K_2") if end in places]
-    return Figure(
+    return SynthesisFigure(
         ("O", "A_1", "B_1", "C"),
         (("O", "A_2", "B_2", "C"),),
         tuple(lines),
@@ -170,7 +170,7 @@ def _figure(places: dict[str, complex]) -> Figure:
     )
 
 
-def _transmission(made: Crank, frame: Vectors, rocker: float) -> Sizes:
+def _transmission(made: DrawnCrank, frame: Vectors, rocker: float) -> Sizes:
     """Draw the coupler with the crank on the line of the frame, towards C and away, and measure its angle at B."""
     board = Board("transmission")
     length, (crank, coupler) = np.abs(frame), made.lengths

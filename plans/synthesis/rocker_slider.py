@@ -13,7 +13,7 @@ from plans.model.synthesis.design import EPS, Design
 from plans.model.synthesis.positions import TOUCH
 from plans.model.synthesis.swings import STILL, RockerSliderTask
 from plans.synthesis.chord import SYNTHESIS, cross
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.words.words import because
 
 WEAR = 32.0  # roundings
@@ -66,7 +66,7 @@ def _symmetric(task: RockerSliderTask, rocker: float) -> DrawnReading:
     return DrawnReading(task.kept, board, found)
 
 
-def _leaning(larger: _Larger, pivot: Mark, similar: dict[str, tuple[Mark, Mark]]) -> Drawn:
+def _leaning(larger: _Larger, pivot: Mark, similar: dict[str, tuple[Mark, Mark]]) -> DrawnDesign:
     """Draw the wanted rocker-slider from the middle of the chord on, and read it."""
     board, half = larger.board, larger.wanted
     middle = board.given("E", 0j, because("middle_chord"))
@@ -86,7 +86,7 @@ def _leaning(larger: _Larger, pivot: Mark, similar: dict[str, tuple[Mark, Mark]]
     sizes = {**_lengths(l_1=rocker, l_2=rods["A_1"], e=offset), "ψ": _angle(centre, *ends), "α_max": lean}
     sizes["H"] = abs(complex(between(slid[1], slid[0])))
     shown = {"l_1": rocker, "l_2": rods["A_1"], "e": offset}
-    figure = Figure(
+    figure = SynthesisFigure(
         ("C", "A_1", "B_1"),
         (("C", "A", "B"), ("C", "A_2", "B_2")),
         (("A_1", "A_2"),),
@@ -97,7 +97,7 @@ def _leaning(larger: _Larger, pivot: Mark, similar: dict[str, tuple[Mark, Mark]]
         lengths=(("H", "B_2", "B_1"), ("e", "C", "G"), ("l_1", "C", "A_1"), ("l_2", "A_1", "B_1")),
         angles=(("ψ", "C", "A_1", "A_2"),),
     )
-    return Drawn(Design(sizes, places), shown, {"ψ": sizes["l_1"], "α_max": sizes["l_2"]}, figure)
+    return DrawnDesign(Design(sizes, places), shown, {"ψ": sizes["l_1"], "α_max": sizes["l_2"]}, figure)
 
 
 def _lengths(**vectors: Mark) -> dict[str, float]:
@@ -115,7 +115,7 @@ def _axial(task: RockerSliderTask, sense: float, rocker: float) -> DrawnReading:
     return DrawnReading(task.kept, board, tuple(_laid(board, task, sense, rocker)))
 
 
-def _laid(board: Board, task: RockerSliderTask, sense: float, rocker: float) -> Iterator[Drawn]:
+def _laid(board: Board, task: RockerSliderTask, sense: float, rocker: float) -> Iterator[DrawnDesign]:
     assert task.angles is not None  # it is axial
     pivot = board.given("C", 0j, because("rocker_pivot"))
     guide = board.parallel("C:l", pivot, board.given("guide", 1 + 0j, because("guide_through")))
@@ -143,13 +143,13 @@ def _laid(board: Board, task: RockerSliderTask, sense: float, rocker: float) -> 
     sizes["H"] = abs(complex(between(*to)))
     blocks = {"B_1": 1 + 0j, "B_2": 1 + 0j}
     hinges, chains = frozenset(places), (("C", "A_1", "B_1"), ("C", "A_2", "B_2"))
-    figure = Figure(chains[0], chains[1:], (), (("C", "B_1"), ("C", "B_2")), hinges, frozenset("C"), blocks)
+    figure = SynthesisFigure(chains[0], chains[1:], (), (("C", "B_1"), ("C", "B_2")), hinges, frozenset("C"), blocks)
     lengths = ("H", "B_1", "B_2"), ("l_1", "C", "A_1"), ("l_2", "A_1", "B_1")
     figure = figure._replace(lengths=lengths, angles=(("ψ", "C", "A_1", "A_2"),))
     arms = {"ψ": sizes["l_1"], "α_max": sizes["l_2"] * math.cos(lean)}
     lost = WEAR * EPS * (rocker + rod) / (abs(way) * math.cos(lean))  # the way is a difference of these lengths
     within = {name: lost * sizes[name] for name in ("l_1", "l_2")}
-    yield Drawn(Design(sizes, places), {"l_1": rockers[0], "l_2": rods[0]}, arms, figure, within)
+    yield DrawnDesign(Design(sizes, places), {"l_1": rockers[0], "l_2": rods[0]}, arms, figure, within)
 
 
 def _rocker(board: Board, circle: Mark, name: str, angle: float) -> Mark:

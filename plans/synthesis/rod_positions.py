@@ -14,7 +14,7 @@ from plans.model.synthesis.design import Design
 from plans.model.synthesis.positions import TIED, FunctionTask, RodTask, real
 from plans.synthesis.centre_points import Bars, centres, middles, pole
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.words.words import because
 
 HINGES, PIVOTS = "AB", "OC"
@@ -48,7 +48,7 @@ class _Rod:
         self.inverted: dict[str, Mark] = {}
         self.middles: dict[str, Mark] = {}  # of the ways whose bisectors are drawn, by the letter of what moves
 
-    def four_bars(self) -> Iterator[Drawn]:
+    def four_bars(self) -> Iterator[DrawnDesign]:
         """Put every link of the one side together with every one of the other."""
         known, arms = self.task.hinges or self.task.pivots or (), self.task.arms or (None, None)
         sides = [[*self._links(k, at, arm)] for k, (at, arm) in enumerate(zip(known, arms, strict=True))]
@@ -87,7 +87,7 @@ class _Rod:
             turned = self.board.similar(f"D_1{name}_{k}", self.ways[0], way, ray, why=because("inverted"))
             yield self.board.lay_off(f"{name}_{k}", self.places[0], turned)
 
-    def _read(self, bars: Bars) -> Drawn | None:
+    def _read(self, bars: Bars) -> DrawnDesign | None:
         """Read a four-bar that one of its links can lead."""
         poles = {f"P_{i + 1}{j + 1}": self._pole(bars, i, j) for i, j in self.task.poles}
         places = {mark.name: mark for mark in self.places}
@@ -110,7 +110,7 @@ class _Rod:
             yield from ((one[0], one), *((one, one[0] + "_3") for _ in self.places[2:]))
 
 
-def read(bars: Bars, letters: str, extra: dict[str, Mark], more: Iterable[tuple[str, str]]) -> Drawn | None:
+def read(bars: Bars, letters: str, extra: dict[str, Mark], more: Iterable[tuple[str, str]]) -> DrawnDesign | None:
     """Read a four-bar in its positions, where OA, by φ, or CB, by ψ, leads from one to the next."""
     for letter in letters:
         leading, ends = (bars, ("O", "A")) if letter == "φ" else (bars.turned, ("C", "B"))
@@ -126,12 +126,12 @@ def read(bars: Bars, letters: str, extra: dict[str, Mark], more: Iterable[tuple[
         shown = {name: bars.board.join(name, *(hinged[end] for end in ends)) for name, ends in LENGTHS.items()}
         chains = [("O", f"A_{k}", f"B_{k}", "C") for k in range(1, len(bars.hinges) + 1)]
         ways = ((f"{one}_{k}", f"{one}_{k + 1}") for one in HINGES for k in range(1, len(bars.hinges)))
-        figure = Figure(chains[0], tuple(chains[1:]), (*ways, *more), (), frozenset(hinged), frozenset(PIVOTS))
+        figure = SynthesisFigure(chains[0], tuple(chains[1:]), (*ways, *more), (), frozenset(hinged), frozenset(PIVOTS))
         dimensions = tuple((name, *ends) for name, ends in LENGTHS.items())
         figure = figure._replace(lengths=dimensions, angles=tuple(angles))
         arm = min(leading.lengths[0], *(math.sin(leading.tightest) * one for one in leading.lengths[1:3]))
         design = Design(sizes, places, merit=round(leading.tightest, TIED))
-        return Drawn(design, shown, dict.fromkeys((*told, "μ_min", "ψ_1"), arm), figure)
+        return DrawnDesign(design, shown, dict.fromkeys((*told, "μ_min", "ψ_1"), arm), figure)
     return None
 
 
@@ -163,7 +163,7 @@ def _rocker_ends(task: FunctionTask, board: Board, other: Mark, seen: list[Mark]
         yield from centres(board, "B_1", seen, task.rocker, about=other)
 
 
-def _function(task: FunctionTask, first: Bars, seen: list[Mark]) -> Drawn | None:
+def _function(task: FunctionTask, first: Bars, seen: list[Mark]) -> DrawnDesign | None:
     board, ray = first.board, first.board.join("CB_1", first.other, first.ends[0])
     ends = [first.ends[0]]
     for k, angle in enumerate(task.outputs[1:], 2):

@@ -6,11 +6,11 @@ import cmath
 import math
 
 from geometry.board import Board, Span, between
-from plans.model.synthesis.design import Circle, Design
+from plans.model.synthesis.design import Design, LocusCircle
 from plans.model.synthesis.slots import TANGENT, SineTask, TangentTask, demands
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure, angle
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure, angle
 from plans.synthesis.pace import paced
 from plans.words.words import because
 
@@ -31,7 +31,7 @@ def drawn_sines(task: SineTask) -> tuple[DrawnReading, ...]:
     places = {name: complex(board[name].point) for name in ("O", "A_1", "A_2", "A", "B")}
     length = abs(complex(crank.point))
     sizes = {"l_1": length, "H": abs(complex(between(far, near)))}
-    figure = Figure(
+    figure = SynthesisFigure(
         first=("O", "A", "B"),
         others=(("O", "A_1"), ("O", "A_2")),
         axes=(("A_2", "A_1"),),
@@ -40,8 +40,8 @@ def drawn_sines(task: SineTask) -> tuple[DrawnReading, ...]:
         blocks={"A": 1j, "B": 1 + 0j},
         lengths=(("l_1", "O", "A"), ("H", "A_2", "A_1")),
     )
-    design = Design(sizes, places, {"O": Circle(places["O"], length)})
-    made = Drawn(design, {"l_1": crank, "H": Span(far, near)}, {}, figure)
+    design = Design(sizes, places, {"O": LocusCircle(places["O"], length)})
+    made = DrawnDesign(design, {"l_1": crank, "H": Span(far, near)}, {}, figure)
     return (paced(DrawnReading(("stroke",), board, (made,)), task.pace),)
 
 
@@ -72,7 +72,7 @@ def _tangent(task: TangentTask) -> DrawnReading:
     spans = {"h": Span(board["O"], foot), "H": Span(board[low], board["A_1"])}
     sizes = {name: abs(complex(between(*one))) for name, one in spans.items()}
     sizes["α_max"] = cmath.phase(complex(lever.point))
-    figure = Figure(
+    figure = SynthesisFigure(
         first=("O", "A_1"),
         others=(("O", low),),
         axes=(("O", "E"), (low, "A_1")),
@@ -84,4 +84,4 @@ def _tangent(task: TangentTask) -> DrawnReading:
     )
     shown: dict[str, Shown] = {**spans, "α_max": angle(board, "α_max", lever, board.join("OE", board["O"], foot))}
     arms = {"α_max": abs(complex(lever.point))}
-    return DrawnReading(demands(task, TANGENT), board, (Drawn(Design(sizes, places), shown, arms, figure),))
+    return DrawnReading(demands(task, TANGENT), board, (DrawnDesign(Design(sizes, places), shown, arms, figure),))

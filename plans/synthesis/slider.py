@@ -17,15 +17,15 @@ from plans.model.synthesis.design import EPS, QUARTER, BarredArc, Design, unit_o
 from plans.model.synthesis.extremes import SliderTask
 from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
-from plans.synthesis.chord import SYNTHESIS, Chord, Crank, circle_of, read
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure
+from plans.synthesis.chord import SYNTHESIS, DrawnCrank, ExtremeChord, circle_of, read
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.synthesis.pace import paced
 from plans.synthesis.search import PLACED, best_of, crossed
 from plans.words.words import because
 
 FARTHEST = 0.9999  # share of the way to infinity: there a rod all but lies along the guide
 NEARBY, ROUNDED = 1e-7, 64 * EPS  # of a place, about which it is tried how steeply an angle changes; roundings of it
-FIGURE = Figure(
+FIGURE = SynthesisFigure(
     ("O", "A_1", "B_1"),
     (("O", "A_2", "B_2"),),
     hinges=frozenset(("A_1", "A_2", "B_1", "B_2")),
@@ -50,14 +50,14 @@ def _met(task: SliderTask) -> DrawnReading:
     return DrawnReading(task.demands, chord.board, tuple(sorted(made, key=lambda one: -one.design.sizes["l_1"])))
 
 
-def _chord(task: SliderTask) -> Chord:
+def _chord(task: SliderTask) -> ExtremeChord:
     board = Board(SYNTHESIS)
     folded = board.given("B_2", complex(-task.stroke / 2, 0.0), because("guide_end"))
     along = board.given("H", complex(task.stroke, 0.0), because("stroke_given"))
-    return Chord.between(board, board.lay_off("B_1", folded, along), folded)
+    return ExtremeChord.between(board, board.lay_off("B_1", folded, along), folded)
 
 
-def _pivots(chord: Chord, task: SliderTask, loci: Mapping[str, Mark]) -> Iterator[tuple[Mark, float | None]]:
+def _pivots(chord: ExtremeChord, task: SliderTask, loci: Mapping[str, Mark]) -> Iterator[tuple[Mark, float | None]]:
     """Put O where two loci meet, or at an angle on one."""
     first, *others = loci.values()
     places = _leaning(task) if task.pressure is not None else () if task.turned is None else (task.turned,)
@@ -67,7 +67,7 @@ def _pivots(chord: Chord, task: SliderTask, loci: Mapping[str, Mark]) -> Iterato
         yield chord.board.meet(name, first, others[0], side, because("pivot_loci")), None
 
 
-def _at(chord: Chord, task: SliderTask, locus: Mark, place: Floats | float, name: str = "O") -> Mark:
+def _at(chord: ExtremeChord, task: SliderTask, locus: Mark, place: Floats | float, name: str = "O") -> Mark:
     """Put O on its only locus: an angle rad from B2 on the circle, or a share of the way along the parallel."""
     board, why = chord.board, because("chosen_place")
     if task.overlap:
@@ -92,7 +92,7 @@ def _led(task: SliderTask, asked: float, places: Floats) -> Floats:
     return _sizes_over(task, places)["μ_min"] - asked
 
 
-def _loci(chord: Chord, task: SliderTask) -> Iterator[tuple[str, Mark]]:
+def _loci(chord: ExtremeChord, task: SliderTask) -> Iterator[tuple[str, Mark]]:
     """Give the loci of O; no offset and no overlap are one demand: O on the line of the chord."""
     if task.overlap:
         yield "M", chord.seen(task.overlap, 1)
@@ -102,13 +102,15 @@ def _loci(chord: Chord, task: SliderTask) -> Iterator[tuple[str, Mark]]:
         yield "e", chord.offset(task.offset or 0.0)
 
 
-def _admits(chord: Chord, pivot: Mark) -> Any:
+def _admits(chord: ExtremeChord, pivot: Mark) -> Any:
     """Tell whether O is before the chord, not above it: over it B1 and B2 are of two assemblies."""
     from_folded = np.asarray(between(pivot, chord.folded))
     return (from_folded.real > 0) & (from_folded.imag >= 0)  # no meeting is not a number, and no more than anything
 
 
-def _drawn(task: SliderTask, chord: Chord, crank: Crank, loci: dict[str, Mark], place: float | None) -> Drawn:
+def _drawn(
+    task: SliderTask, chord: ExtremeChord, crank: DrawnCrank, loci: dict[str, Mark], place: float | None
+) -> DrawnDesign:
     """Read a mechanism; O is below the guide by the offset."""
     board = chord.board
     first, rod = (float(length) for length in crank.lengths)
@@ -144,7 +146,7 @@ def _drawn(task: SliderTask, chord: Chord, crank: Crank, loci: dict[str, Mark], 
     return _made(design, shown, arm, figure)._replace(within=within)
 
 
-def _barred(chord: Chord, centres: dict[str, Mark]) -> tuple[BarredArc, ...]:
+def _barred(chord: ExtremeChord, centres: dict[str, Mark]) -> tuple[BarredArc, ...]:
     """Give the arcs above the chord and under it: from there B1 and B2 are not both seen ahead."""
     if "M" not in centres:
         return ()
@@ -160,14 +162,14 @@ def _sizes(crank: float, rod: float, offset: float, stroke: float, theta: float)
     return sizes | {"λ": rod / crank, "α_max": most, "α_min": least}
 
 
-def _made(design: Design, shown: Mapping[str, Shown], arm: float, figure: Figure) -> Drawn:
+def _made(design: Design, shown: Mapping[str, Shown], arm: float, figure: SynthesisFigure) -> DrawnDesign:
     rod = design.sizes["l_2"]
     arms = {name: math.cos(design.sizes[name]) * rod for name in ("α_max", "α_min")}
     if "F" in design.places:
         figure = figure._replace(axes=(("F", "B_1"),), lengths=(*figure.lengths, ("e", "F", "O")))
     if design.sizes["θ"]:
         figure = figure._replace(angles=(("θ", "O", "B_1", "B_2"), *figure.angles))
-    return Drawn(design, shown, {"θ": arm, **arms}, figure)
+    return DrawnDesign(design, shown, {"θ": arm, **arms}, figure)
 
 
 def _similar(task: SliderTask) -> DrawnReading:
@@ -188,7 +190,7 @@ def _similar(task: SliderTask) -> DrawnReading:
     steep = board.lay_off("A:1", pivot, board.turn("OA:1", unit, -1j, because("steep_crank")))
     lean = board.arc("A:o", steep, np.abs(long.point))
     there = board.meet("B:1", guide, lean, 1.0, because("steep_rod"))
-    crank = read(Chord.between(board, *places), pivot)
+    crank = read(ExtremeChord.between(board, *places), pivot)
     scale = task.stroke / abs(complex(board.join("H:1", places[1], places[0], because("unit_stroke")).point))
     why = because("times_stroke", times=f"{scale:.6g}")
     shown = {

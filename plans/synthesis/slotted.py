@@ -8,11 +8,11 @@ from collections.abc import Mapping
 
 from geometry.board import Board, Mark, Span, between
 from geometry.meet import cross
-from plans.model.synthesis.design import Circle, Design
+from plans.model.synthesis.design import Design, LocusCircle
 from plans.model.synthesis.slots import LEVER, WHITWORTH, LeverTask, WhitworthTask, demands
 from plans.quantity import Shown
 from plans.synthesis.chord import SYNTHESIS
-from plans.synthesis.drawn import Drawn, DrawnReading, Figure, angle
+from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure, angle
 from plans.synthesis.pace import paced
 from plans.words.words import because
 
@@ -154,7 +154,7 @@ def _way(board: Board, start: str, end: str) -> complex:
     return complex(between(board[start], board[end]))
 
 
-def _read(board: Board, task: LeverTask | WhitworthTask) -> Drawn:
+def _read(board: Board, task: LeverTask | WhitworthTask) -> DrawnDesign:
     ends = "D" if "D" in board else "B"
     spans = {
         "l_1": ("O", "A_1"),
@@ -184,16 +184,16 @@ def _read(board: Board, task: LeverTask | WhitworthTask) -> Drawn:
         sizes["α_max"] = -cmath.phase(_way(board, "B", "D"))
         shown["α_max"] = angle(board, "α_max", board.join("BD:r", board["B"], board["D"]), board["D:u"])
     places = {name: complex(board[name].point) for name in PLACES if name in board}
-    circles = {"O": Circle(places["O"], sizes["l_1"])}
+    circles = {"O": LocusCircle(places["O"], sizes["l_1"])}
     if "T" in places:
-        circles["T"] = Circle(places["T"], abs(places["T"]))
-    return Drawn(Design(sizes, places, circles), shown, arms, _figure(places, isinstance(task, LeverTask)))
+        circles["T"] = LocusCircle(places["T"], abs(places["T"]))
+    return DrawnDesign(Design(sizes, places, circles), shown, arms, _figure(places, isinstance(task, LeverTask)))
 
 
 PLACES = ("O", "C", "A_1", "A_2", "B_1", "B_2", "B", "D", "D_1", "D_2", "T")
 
 
-def _figure(places: Mapping[str, complex], swings: bool) -> Figure:
+def _figure(places: Mapping[str, complex], swings: bool) -> SynthesisFigure:
     """Show the right extreme position in full, the left one by dashes, the rod where it leans most by thin lines."""
     first, second = (tuple(f"{name}_{k}" for name in "BD" if f"{name}_{k}" in places) for k, _ in SIDES)
     slot = (places["A_1"] - places["C"]) / abs(places["A_1"] - places["C"])
@@ -202,7 +202,7 @@ def _figure(places: Mapping[str, complex], swings: bool) -> Figure:
     beyond = bool(first) and abs(places["B_1"] - places["C"]) > abs(places["A_1"] - places["C"])
     others = (("O", "A_2"), ("C", *second)) if beyond else (("O", "A_2", "C"), second)
     lengths = (("l_1", "O", "A_1"), ("l_0", "C", "O"), ("l_3", "C", "B_1"), ("l_4", "B", "D"), ("H", "B_2", "B_1"))
-    return Figure(
+    return SynthesisFigure(
         first=("O", "A_1", "C", *first),
         others=tuple(chain for chain in others if len(chain) > 1),
         lines=(("B", "D"),) if ram else (),

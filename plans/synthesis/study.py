@@ -6,19 +6,19 @@ from collections.abc import Collection
 from functools import cached_property
 
 from geometry.board import Board
-from plans.model.synthesis.design import CONSTRUCTION, Reading, Synthesis, Task
+from plans.model.synthesis.design import CONSTRUCTION, Synthesis, SynthesisTask, TaskReading
 from plans.model.synthesis.region import Region
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import DrawnReading
-from plans.synthesis.families import FAMILIES, Family
+from plans.synthesis.families import FAMILIES, SynthesisFamily
 
 
 class SynthesisStudy:
     """A task of a family, and what is drawn of it."""
 
-    def __init__(self, key: str, task: Task) -> None:
+    def __init__(self, key: str, task: SynthesisTask) -> None:
         self.key, self.task = key, task
-        self.family: Family = FAMILIES[key]
+        self.family: SynthesisFamily = FAMILIES[key]
         self.made: set[str] = set()
 
     def construct(self, plans: Collection[str]) -> None:
@@ -40,7 +40,7 @@ class SynthesisStudy:
     @cached_property
     def synthesis(self) -> Synthesis:
         """What the constructions give."""
-        readings = (Reading(one.kept, tuple(made.design for made in one.found)) for one in self.drawn)
+        readings = (TaskReading(one.kept, tuple(made.design for made in one.found)) for one in self.drawn)
         return Synthesis(CONSTRUCTION, tuple(readings))
 
     @cached_property

@@ -24,7 +24,7 @@ TASK = RockerTask(0.30, math.radians(40), math.radians(15), place=math.radians(2
 STROKE = SliderTask(0.12, 0.03, math.radians(6.5), 5.0)  # theme 6, task 7
 
 
-class SliderCrank(slider.SliderCrank):
+class SliderLengths(slider.SliderLengths):
     """A slider-crank with what it does, from its lengths alone (M1.6)."""
 
     @property
@@ -50,9 +50,9 @@ def draw(task):
     return study(task).synthesis
 
 
-def sliders(task) -> list[SliderCrank]:
+def sliders(task) -> list[SliderLengths]:
     """Give what the construction found by the closed forms' value, which tells angles and stroke of its own."""
-    return [SliderCrank(*(one.sizes[name] for name in ("l_1", "l_2", "e"))) for one in draw(task).readings[0].found]
+    return [SliderLengths(*(one.sizes[name] for name in ("l_1", "l_2", "e"))) for one in draw(task).readings[0].found]
 
 
 ROADS = pytest.mark.parametrize("road", [draw, analysed])
@@ -189,7 +189,7 @@ def test_a_slider_crank_has_what_was_asked(task) -> None:
     assert len(found) == len(tried(task))
 
 
-def tried(task: SliderTask) -> list[SliderCrank]:
+def tried(task: SliderTask) -> list[SliderLengths]:
     """Find the mechanisms of a task by brute force: with the first demand met, where the other changes its sign."""
     named, other = task.demands
     if task.demands == ("overlap", "pressure"):  # of all offsets with this overlap
@@ -199,21 +199,21 @@ def tried(task: SliderTask) -> list[SliderCrank]:
     far = np.geomspace(1e-7, 1e4, 200_001) * task.stroke  # beyond the foot of O, along the guide
     if named == "ratio":  # by the ratio the offset is free: that of the shape is sought
         offsets = np.linspace(0, 1, 400_001)[1:-1] * (task.ratio - 1)
-        shapes = [SliderCrank(1.0, task.ratio, offset) for offset in offsets[:: len(offsets) // 4000]]
+        shapes = [SliderLengths(1.0, task.ratio, offset) for offset in offsets[:: len(offsets) // 4000]]
         return _changes(shapes, [one.pressures[1] - task.pressure for one in shapes])
     if named == "offset":
         shapes = [_at(task.stroke, task.offset, x) for x in far[::100]]
         return _changes(shapes, [getattr(one, other) - getattr(task, other) for one in shapes])
-    shapes = [SliderCrank(1.0, task.ratio, e * (task.ratio - 1)) for e in np.linspace(0, 1, 4001)[:-1]]
+    shapes = [SliderLengths(1.0, task.ratio, e * (task.ratio - 1)) for e in np.linspace(0, 1, 4001)[:-1]]
     return _changes(shapes, [one.overlap - task.overlap for one in shapes])
 
 
-def _at(stroke: float, offset: float, x: float) -> SliderCrank:
+def _at(stroke: float, offset: float, x: float) -> SliderLengths:
     near, far = math.hypot(x, offset), math.hypot(x + stroke, offset)
-    return SliderCrank((far - near) / 2, (far + near) / 2, offset)
+    return SliderLengths((far - near) / 2, (far + near) / 2, offset)
 
 
-def _changes(shapes, off) -> list[SliderCrank]:
+def _changes(shapes, off) -> list[SliderLengths]:
     return [one for one, here, there in zip(shapes, off, off[1:], strict=False) if (here < 0) != (there < 0)]
 
 

@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from plans.analytic.synthesis import rocker
-from plans.model.synthesis.design import Design, Reading
+from plans.model.synthesis.design import Design, TaskReading
 from plans.model.synthesis.extremes import BEYOND, DoubleCrankTask
 
 
-def readings(task: DoubleCrankTask) -> Iterator[Reading]:
+def readings(task: DoubleCrankTask) -> Iterator[TaskReading]:
     """Give every double crank of each circle."""
     for side, reading in zip(task.inverted.sides, rocker.readings(task.inverted), strict=True):
-        yield Reading(("coupler", "swing", "overlap"), tuple(_inverted(one, side) for one in reading.found))
+        yield TaskReading(("coupler", "swing", "overlap"), tuple(_inverted(one, side) for one in reading.found))
 
 
 def _inverted(made: Design, side: int) -> Design:

@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 
 from plans.analytic.synthesis.guided import centres
-from plans.model.synthesis.design import Circle, Design, Reading
+from plans.model.synthesis.design import Design, LocusCircle, TaskReading
 from plans.model.synthesis.positions import PATH, TIED, TOUCH, DwellTask
 
 SAMPLES: Final = 720
@@ -18,9 +18,9 @@ GOLDEN: Final = (math.sqrt(5) - 1) / 2
 SECTIONS: Final = 60  # each leaves 0.62 of the one before: below a rounding of the first
 
 
-def readings(task: DwellTask) -> tuple[Reading, ...]:
+def readings(task: DwellTask) -> tuple[TaskReading, ...]:
     """Give the dwell linkages of a four-bar, the rocker's pivot to either side of the rod."""
-    return (Reading(("dwell", "output"), tuple(_dwells(task))),)
+    return (TaskReading(("dwell", "output"), tuple(_dwells(task))),)
 
 
 def crank(task: DwellTask, angle: float) -> tuple[complex, complex, complex]:
@@ -57,7 +57,7 @@ def _dwells(task: DwellTask) -> Iterator[Design]:
                     places |= {f"A_{k}": pin, f"B_{k}": end, f"K_{k}": point}
                 sizes = dict(zip(("l_1", "l_2", "l_3", "l_4"), task.lengths, strict=True))
                 sizes |= {"l_5": radius, "l_6": task.output, "ψ": swing, "ψ_d": off, "h": deviation}
-                yield Design(sizes, places, {"D": Circle(centre, radius)}, (), round(swing, TIED), {"K": path})
+                yield Design(sizes, places, {"D": LocusCircle(centre, radius)}, (), round(swing, TIED), {"K": path})
 
 
 def _missing(task: DwellTask, centre: complex, radius: float) -> Callable[[float], float]:

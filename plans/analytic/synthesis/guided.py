@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise, product
 
-from plans.model.synthesis.design import Design, Reading
+from plans.model.synthesis.design import Design, TaskReading
 from plans.model.synthesis.positions import (
     TIED,
     TOUCH,
@@ -40,10 +40,10 @@ def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
         yield first + (abs(u) ** 2 * v - abs(v) ** 2 * u) / turned
 
 
-def rods(task: RodTask) -> tuple[Reading, ...]:
+def rods(task: RodTask) -> tuple[TaskReading, ...]:
     """Give every four-bar that guides the rod through its positions in their order."""
     kept = "hinges" if task.hinges else "pivots"
-    return (Reading((kept, *(("arms",) if task.arms else ())), tuple(_rods(task))),)
+    return (TaskReading((kept, *(("arms",) if task.arms else ())), tuple(_rods(task))),)
 
 
 def _rods(task: RodTask) -> Iterator[Design]:
@@ -125,9 +125,9 @@ def led(pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequenc
     return None if not sense or min(hands) < 0 < max(hands) else [sense * way for way in ways(angles, sense)]
 
 
-def functions(task: FunctionTask) -> tuple[Reading, ...]:
+def functions(task: FunctionTask) -> tuple[TaskReading, ...]:
     """Give every four-bar whose rocker turns with the crank as asked."""
-    return (Reading(("crank", "frame", *(("rocker",) if task.rocker else ())), tuple(_functions(task))),)
+    return (TaskReading(("crank", "frame", *(("rocker",) if task.rocker else ())), tuple(_functions(task))),)
 
 
 def _functions(task: FunctionTask) -> Iterator[Design]:

@@ -13,16 +13,16 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design, Reading
+from plans.model.synthesis.design import QUARTER, BarredArc, Design, LocusCircle, TaskReading
 from plans.model.synthesis.extremes import CENTRES, RockerTask
 from plans.model.synthesis.region import Region, stations
 
 
-def readings(task: RockerTask) -> Iterator[Reading]:
+def readings(task: RockerTask) -> Iterator[TaskReading]:
     """Give every crank-rocker of each circle; the free parameter is given."""
     for side in task.sides:
         one = task._replace(side=side)
-        yield Reading(("rocker", "swing", "overlap"), tuple(_design(one, made) for made in _made(one)))
+        yield TaskReading(("rocker", "swing", "overlap"), tuple(_design(one, made) for made in _made(one)))
 
 
 class CrankRocker(NamedTuple):
@@ -62,7 +62,7 @@ def _seen(task: RockerTask, sizes: dict[str, float], places: dict[str, complex])
     start = end if side > 0 else math.pi - end
     between = BarredArc(name, start, side * (math.pi - 2 * end) % math.tau)
     barred = (between, BarredArc(name, side * QUARTER - task.overlap, 2 * task.overlap))
-    return Design(sizes, {**places, name: centre, **line}, {name: Circle(centre, radius)}, barred, sizes["μ_min"])
+    return Design(sizes, {**places, name: centre, **line}, {name: LocusCircle(centre, radius)}, barred, sizes["μ_min"])
 
 
 def extremes(pivot: complex, crank: float, first: complex, second: complex) -> dict[str, complex]:

@@ -6,16 +6,16 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from plans.model.synthesis.design import QUARTER, Design, Reading
+from plans.model.synthesis.design import QUARTER, Design, TaskReading
 from plans.model.synthesis.positions import TOUCH
 from plans.model.synthesis.swings import STILL, RockerSliderTask
 
 
-def readings(task: RockerSliderTask) -> tuple[Reading, ...]:
+def readings(task: RockerSliderTask) -> tuple[TaskReading, ...]:
     """Give every rocker-slider of each reading of a task: an axial one's slider beyond the rocker's end, or before."""
     if task.angles is None:
-        return (Reading(task.kept, tuple(symmetric(task))),)
-    return tuple(Reading(one.kept, tuple(axial(one, sense))) for one in task.readings for sense in (1, -1))
+        return (TaskReading(task.kept, tuple(symmetric(task))),)
+    return tuple(TaskReading(one.kept, tuple(axial(one, sense))) for one in task.readings for sense in (1, -1))
 
 
 def symmetric(task: RockerSliderTask) -> Iterator[Design]:

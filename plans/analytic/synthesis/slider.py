@@ -11,12 +11,12 @@ import numpy as np
 
 from plans.analytic.synthesis.pace import paced
 from plans.analytic.synthesis.rocker import extremes, largest
-from plans.model.synthesis.design import QUARTER, BarredArc, Circle, Design, Reading
+from plans.model.synthesis.design import QUARTER, BarredArc, Design, LocusCircle, TaskReading
 from plans.model.synthesis.extremes import SliderTask
 from plans.model.synthesis.region import Region, stations
 
 
-class SliderCrank(NamedTuple):
+class SliderLengths(NamedTuple):
     """A slider-crank: crank, rod and offset m."""
 
     crank: float
@@ -34,13 +34,13 @@ class SliderCrank(NamedTuple):
         return math.asin((self.offset - self.crank) / self.rod), math.asin((self.offset + self.crank) / self.rod)
 
 
-def readings(task: SliderTask) -> Iterator[Reading]:
+def readings(task: SliderTask) -> Iterator[TaskReading]:
     """Give every slider-crank of each reading of a task."""
     for one in task.readings:
-        yield Reading(one.demands, tuple(paced(_design(one, made), one.pace) for made in sliders(one)))
+        yield TaskReading(one.demands, tuple(paced(_design(one, made), one.pace) for made in sliders(one)))
 
 
-def _design(task: SliderTask, made: SliderCrank) -> Design:
+def _design(task: SliderTask, made: SliderLengths) -> Design:
     half, foot = task.stroke / 2, 2 * made.crank * made.rod / task.stroke
     least, most = made.pressures
     sizes = {"l_1": made.crank, "l_2": made.rod, "e": made.offset, "H": task.stroke}
@@ -55,26 +55,26 @@ def _design(task: SliderTask, made: SliderCrank) -> Design:
         return Design(sizes, extremes(0j, made.crank, *ends) | led)
     places = {"E": 0j, **extremes(complex(-foot, -made.offset), made.crank, complex(half), complex(-half))}
     places |= {"F": complex(-foot)} if made.offset else {}
-    circles, barred = dict[str, Circle](), tuple[BarredArc, ...]()
+    circles, barred = dict[str, LocusCircle](), tuple[BarredArc, ...]()
     if task.overlap:
         theta = task.overlap
-        circles["M"] = Circle(complex(0, -half / math.tan(theta)), half / math.sin(theta))
+        circles["M"] = LocusCircle(complex(0, -half / math.tan(theta)), half / math.sin(theta))
         barred = (BarredArc("M", QUARTER - theta, 2 * theta), BarredArc("M", -QUARTER - theta, 2 * theta))
     if task.ratio is not None:
         middle, radius = (half * (task.ratio + sign / task.ratio) / 2 for sign in (1, -1))
-        circles["N"] = Circle(complex(-middle), radius)
+        circles["N"] = LocusCircle(complex(-middle), radius)
         places |= {"D_1": complex(radius - middle), "D_2": complex(-radius - middle)}
     return Design(sizes, places | {name: one.centre for name, one in circles.items()}, circles, barred)
 
 
-def sliders(task: SliderTask) -> Iterator[SliderCrank]:
+def sliders(task: SliderTask) -> Iterator[SliderLengths]:
     """Give every slider-crank that meets one reading of a task, that with the longer rod first."""
     stroke, offset, theta, ratio = task.stroke, task.offset, task.overlap, task.ratio
     if task.pressure is not None:
         yield from _pressed(task)
     elif not offset and not theta:
         if ratio is not None and (offset is None or theta is None):
-            yield SliderCrank(stroke / 2, ratio * stroke / 2, 0.0)
+            yield SliderLengths(stroke / 2, ratio * stroke / 2, 0.0)
     elif ratio is None:
         if offset and theta:
             yield from _seen(stroke, offset, theta)
@@ -86,16 +86,16 @@ def sliders(task: SliderTask) -> Iterator[SliderCrank]:
         yield from _overlapped(stroke, theta, ratio)
 
 
-def _seen(stroke: float, offset: float, theta: float) -> Iterator[SliderCrank]:
+def _seen(stroke: float, offset: float, theta: float) -> Iterator[SliderLengths]:
     """Meet stroke, offset and overlap by the product and the sum of squares of OB1 and OB2."""
     product = stroke * offset / math.sin(theta)
     crank = math.sqrt(max(stroke**2 - 4 * product * math.sin(theta / 2) ** 2, 0.0)) / 2
     rod = math.sqrt(stroke**2 + 4 * product * math.cos(theta / 2) ** 2) / 2
     if 4 * crank * rod > stroke**2:
-        yield SliderCrank(crank, rod, offset)
+        yield SliderLengths(crank, rod, offset)
 
 
-def _proportioned(stroke: float, offset: float, ratio: float) -> Iterator[SliderCrank]:
+def _proportioned(stroke: float, offset: float, ratio: float) -> Iterator[SliderLengths]:
     """Meet stroke, offset and ratio by the quadratic of l1^2; each root beyond the foot is a mechanism."""
     square = (ratio**2 - 1) ** 2 - (4 * ratio * offset / stroke) ** 2
     if square < 0:
@@ -104,23 +104,23 @@ def _proportioned(stroke: float, offset: float, ratio: float) -> Iterator[Slider
     smaller = (offset**2 + stroke**2 / 4) * stroke**2 / (4 * ratio**2) / larger
     for one in (larger, smaller) if square else (larger,):
         if 4 * ratio * one > stroke**2:
-            yield SliderCrank(math.sqrt(one), ratio * math.sqrt(one), offset)
+            yield SliderLengths(math.sqrt(one), ratio * math.sqrt(one), offset)
 
 
-def _overlapped(stroke: float, theta: float, ratio: float) -> Iterator[SliderCrank]:
+def _overlapped(stroke: float, theta: float, ratio: float) -> Iterator[SliderLengths]:
     """Meet stroke, overlap and ratio: with a ratio known the mechanism is a figure of known shape."""
     if math.cos(theta) > (ratio - 1) / (ratio + 1):
         crank = stroke / 2 / math.sqrt(1 + (ratio**2 - 1) * math.sin(theta / 2) ** 2)
-        yield SliderCrank(crank, ratio * crank, (ratio**2 - 1) * crank**2 * math.sin(theta) / stroke)
+        yield SliderLengths(crank, ratio * crank, (ratio**2 - 1) * crank**2 * math.sin(theta) / stroke)
 
 
-def _pressed(task: SliderTask) -> Iterator[SliderCrank]:
+def _pressed(task: SliderTask) -> Iterator[SliderLengths]:
     """Meet stroke and pressure angle, the offset none or such that a ratio is met too."""
     assert task.pressure is not None  # asked before
     sine = math.sin(task.pressure)
     if task.ratio is None:
         if not task.offset and not task.overlap:
-            yield SliderCrank(task.stroke / 2, task.stroke / 2 / sine, 0.0)
+            yield SliderLengths(task.stroke / 2, task.stroke / 2 / sine, 0.0)
         else:
             yield from _leaning(task, sine)
         return
@@ -128,10 +128,10 @@ def _pressed(task: SliderTask) -> Iterator[SliderCrank]:
         offset = task.ratio * sine - 1  # of a crank of length 1
         far, near = ((task.ratio + one - offset) * (task.ratio + one + offset) for one in (1, -1))
         crank = task.stroke * (math.sqrt(far) + math.sqrt(near)) / (far - near)
-        yield SliderCrank(crank, task.ratio * crank, offset * crank)
+        yield SliderLengths(crank, task.ratio * crank, offset * crank)
 
 
-def _leaning(task: SliderTask, sine: float) -> Iterator[SliderCrank]:
+def _leaning(task: SliderTask, sine: float) -> Iterator[SliderLengths]:
     """Meet a pressure angle beside an overlap or an offset by roots: that with the longer crank first."""
     if task.overlap:
         end = math.pi - 2 * task.overlap
@@ -152,7 +152,7 @@ def _leaning(task: SliderTask, sine: float) -> Iterator[SliderCrank]:
 
         far = root(off, 0.0, (task.stroke + offset) * 1e4)
         near, long = math.hypot(far, offset), math.hypot(far + task.stroke, offset)
-        yield SliderCrank((long - near) / 2, (long + near) / 2, offset)
+        yield SliderLengths((long - near) / 2, (long + near) / 2, offset)
 
 
 def root(value: Callable[[float], float], low: float, high: float) -> float:
@@ -162,11 +162,11 @@ def root(value: Callable[[float], float], low: float, high: float) -> float:
     return high
 
 
-def turned_on(task: SliderTask, turned: float) -> SliderCrank:
+def turned_on(task: SliderTask, turned: float) -> SliderLengths:
     """Give the slider-crank whose O is an angle rad from B2 on its circle: chords by their sines."""
     theta = task.overlap or 0.0
     near, far = (task.stroke * math.sin(angle) / math.sin(theta) for angle in (turned / 2, turned / 2 + theta))
-    return SliderCrank((far - near) / 2, (far + near) / 2, near * far * math.sin(theta) / task.stroke)
+    return SliderLengths((far - near) / 2, (far + near) / 2, near * far * math.sin(theta) / task.stroke)
 
 
 def region(task: SliderTask, design: Design) -> Region | None:
@@ -186,7 +186,7 @@ def region(task: SliderTask, design: Design) -> Region | None:
     return Region(places, curves, end, math.pi - task.overlap, best, design.sizes["γ"])
 
 
-def _led(made: SliderCrank) -> float:
+def _led(made: SliderLengths) -> float:
     """Give the least transmission angle rad, by the half angle of the right triangle where the rod leans most."""
     rise, rod = made.offset + made.crank, made.rod
     return 2 * math.atan2(math.sqrt(max(rod - rise, 0.0)), math.sqrt(rod + rise))

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from plans.analytic.synthesis.pace import paced
-from plans.model.synthesis.design import Circle, Design, Reading
+from plans.model.synthesis.design import Design, LocusCircle, TaskReading
 from plans.model.synthesis.slots import (
     LEVER,
     TANGENT,
@@ -25,18 +25,18 @@ from plans.model.synthesis.slots import (
 )
 
 
-def readings(task: LeverTask | WhitworthTask | SineTask | TangentTask) -> Iterator[Reading]:
+def readings(task: LeverTask | WhitworthTask | SineTask | TangentTask) -> Iterator[TaskReading]:
     """Give every mechanism of each reading of a task."""
     for one in task.readings:
         match one:
             case LeverTask():
-                yield Reading(demands(one, LEVER), tuple(paced(made, one.pace) for made in _levers(one)))
+                yield TaskReading(demands(one, LEVER), tuple(paced(made, one.pace) for made in _levers(one)))
             case WhitworthTask():
-                yield Reading(demands(one, WHITWORTH), tuple(paced(made, one.pace) for made in _whitworths(one)))
+                yield TaskReading(demands(one, WHITWORTH), tuple(paced(made, one.pace) for made in _whitworths(one)))
             case SineTask():
-                yield Reading(("stroke",), tuple(paced(made, one.pace) for made in _sines(one)))
+                yield TaskReading(("stroke",), tuple(paced(made, one.pace) for made in _sines(one)))
             case TangentTask():
-                yield Reading(demands(one, TANGENT), tuple(_tangents(one)))
+                yield TaskReading(demands(one, TANGENT), tuple(_tangents(one)))
 
 
 class _Half(NamedTuple):
@@ -93,10 +93,10 @@ def _levers(task: LeverTask) -> Iterator[Design]:
             rod = sizes["l_4"] = lever * half.rise / 2 / math.sin(task.pressure)
             places |= _ram(rod, task.pressure, complex(0, lever), lever * way, -lever * way.conjugate(), -1)
         sizes["H"] = 2 * lever * half.sine
-    circles = {"O": Circle(places["O"], crank)}
+    circles = {"O": LocusCircle(places["O"], crank)}
     if task.overlap is None and task.crank is not None and task.frame is not None:
         places["T"] = complex(0, frame / 2)  # the middle of OC
-        circles["T"] = Circle(places["T"], frame / 2)
+        circles["T"] = LocusCircle(places["T"], frame / 2)
     yield _design(sizes, places, circles, half, task)
 
 
@@ -124,13 +124,13 @@ def _whitworths(task: WhitworthTask) -> Iterator[Design]:
             rod = sizes["l_4"] = lever / math.sin(task.pressure)
             places |= _ram(rod, task.pressure, pivot + 1j * lever, pivot + lever, pivot - lever, 0)
         sizes["H"] = task.stroke
-    yield _design(sizes, places, {"O": Circle(0j, crank)}, half, task)
+    yield _design(sizes, places, {"O": LocusCircle(0j, crank)}, half, task)
 
 
 def _design(
     sizes: dict[str, float],
     places: dict[str, complex],
-    circles: dict[str, Circle],
+    circles: dict[str, LocusCircle],
     half: _Half,
     task: LeverTask | WhitworthTask,
 ) -> Design:
@@ -145,7 +145,7 @@ def _sines(task: SineTask) -> Iterator[Design]:
     crank = task.stroke / 2
     pin = complex(crank / 2, crank * math.sqrt(0.75))
     places = {"O": 0j, "A_1": complex(crank), "A_2": complex(-crank), "A": pin, "B": complex(crank / 2)}
-    yield Design({"l_1": crank, "H": task.stroke}, places, {"O": Circle(0j, crank)})
+    yield Design({"l_1": crank, "H": task.stroke}, places, {"O": LocusCircle(0j, crank)})
 
 
 def _tangents(task: TangentTask) -> Iterator[Design]:

@@ -17,7 +17,7 @@ QUARTER: Final = math.pi / 2
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
 
 
-class Task(Protocol):
+class SynthesisTask(Protocol):
     """What is asked of a mechanism."""
 
     @property
@@ -26,7 +26,7 @@ class Task(Protocol):
         ...
 
 
-class Circle(NamedTuple):
+class LocusCircle(NamedTuple):
     """A circle of a construction, m."""
 
     centre: complex
@@ -52,13 +52,13 @@ class Design:
 
     sizes: Mapping[str, float]
     places: Mapping[str, complex]
-    circles: Mapping[str, Circle] = field(default_factory=dict)
+    circles: Mapping[str, LocusCircle] = field(default_factory=dict)
     barred: tuple[BarredArc, ...] = ()
     merit: float = 0.0
     curves: Mapping[str, Complexes] = field(default_factory=dict)  # that are no circles: a coupler's curve, m
 
 
-class Reading(NamedTuple):
+class TaskReading(NamedTuple):
     """One reading of a task (толкование): the demands that are kept, and every mechanism that meets them."""
 
     kept: tuple[str, ...]
@@ -75,7 +75,7 @@ class Synthesis:
     """What one road found: the readings of a task."""
 
     by: str
-    readings: tuple[Reading, ...]
+    readings: tuple[TaskReading, ...]
 
     @property
     def unanswered(self) -> tuple[Gap, ...]:
