@@ -13,7 +13,7 @@ from geometry.board import Board, Mark, between
 from geometry.meet import Vectors
 from plans.model.motion import Floats
 from plans.model.synthesis.design import Circle, Design
-from plans.model.synthesis.positions import PATH, TIED, DwellTask
+from plans.model.synthesis.positions import PATH, TIED, TOUCH, DwellTask
 from plans.synthesis.centre_points import centres
 from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import Drawn, DrawnReading, Figure
@@ -74,9 +74,10 @@ def drawn(task: DwellTask) -> tuple[DrawnReading, ...]:
 
 
 def goes_round(task: DwellTask) -> bool:
-    """Try the notches with the crank at both places on the line of the pivots."""
+    """Try the notches with the crank at both places on the line of the pivots: they must cross."""
     tried = FourBar.on(task, Board("trial"))
-    return all(np.abs(complex(tried.pose(angle, k).end.point)) >= 0 for k, angle in enumerate((0.0, math.pi)))
+    sharp = [tried.pose(angle, k).end.sharpness for k, angle in enumerate((0.0, math.pi))]
+    return all(one is not None and bool(one > TOUCH) for one in sharp)
 
 
 def near(task: DwellTask) -> list[complex]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from plans.analytic.synthesis.guided import centres
 from plans.model.synthesis.design import Circle, Design, Reading
-from plans.model.synthesis.positions import PATH, TIED, DwellTask
+from plans.model.synthesis.positions import PATH, TIED, TOUCH, DwellTask
 
 SAMPLES: Final = 720
 GOLDEN: Final = (math.sqrt(5) - 1) / 2
@@ -35,9 +35,10 @@ def crank(task: DwellTask, angle: float) -> tuple[complex, complex, complex]:
 
 
 def turns(task: DwellTask) -> bool:
-    """Tell whether the crank goes round: at both places on the line OC the other links reach."""
+    """Tell whether the crank goes round: at both places on the line OC the other links reach, and not just."""
     l1, l2, l3, l4 = task.lengths
-    return l1 + l4 < l2 + l3 and abs(l4 - l1) > abs(l2 - l3)
+    cosines = ((l2**2 + l3**2 - (l4 + sense * l1) ** 2) / (2 * l2 * l3) for sense in (1, -1))
+    return all((1 - cosine) * (1 + cosine) > TOUCH**2 for cosine in cosines)
 
 
 def _dwells(task: DwellTask) -> Iterator[Design]:
