@@ -90,7 +90,7 @@ class Synthesis:
         return max(found, key=lambda design: design.merit)
 
 
-UNITS: Final = {**dict.fromkeys("leHhrR", "m"), **dict.fromkeys("θψφβγμα", "rad"), "ω": "rad/s", "v": "m/s"}
+UNITS: Final = {**dict.fromkeys("leHhrRxy", "m"), **dict.fromkeys("θψφβγμα", "rad"), "ω": "rad/s", "v": "m/s"}
 
 
 def unit_of(name: str) -> str:

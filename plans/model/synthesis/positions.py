@@ -28,9 +28,15 @@ class RodTask(NamedTuple):
 
     @property
     def asked(self) -> Mapping[str, float]:
-        """The demands by the letters of their sizes: how the rod lies, and what is chosen of the links."""
+        """The demands by the letters of their sizes: where the rod lies, and what is chosen of the links."""
+        spots = {f"D{k}": place for k, place in enumerate(self.places, 1)}
+        spots |= zip("AB", self.hinges or (), strict=False)
+        spots |= zip("OC", self.pivots or (), strict=False)
+        places = {
+            f"{axis}_{name}": part for name, at in spots.items() for axis, part in (("x", at.real), ("y", at.imag))
+        }
         arms = zip(("l_1", "l_3"), self.arms or (), strict=False)
-        return {f"β_{k}": angle for k, angle in enumerate(self.angles, 1)} | dict(arms)
+        return places | {f"β_{k}": angle for k, angle in enumerate(self.angles, 1)} | dict(arms)
 
     @property
     def moves(self) -> tuple[tuple[complex, complex], ...]:
