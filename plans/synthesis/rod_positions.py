@@ -23,19 +23,19 @@ LENGTHS = {"l_1": ("O", "A_1"), "l_2": ("A_1", "B_1"), "l_3": ("C", "B_1"), "l_4
 
 def rod_positions(task: RodTask) -> tuple[DrawnReading, ...]:
     """Draw every four-bar of a task on one board."""
-    rod = _Rod(task, Board(SYNTHESIS))
+    rod = _GuidedRod(task, Board(SYNTHESIS))
     kept = ("hinges" if task.hinges else "pivots", *(("arms",) if task.arms else ()))
     return (DrawnReading(kept, rod.board, tuple(rod.four_bars())),)
 
 
-class _Link(NamedTuple):
+class _GuidingLink(NamedTuple):
     """A link to the frame: its pivot, and its hinge on the rod in each position."""
 
     pivot: Mark
     hinges: list[Mark]
 
 
-class _Rod:
+class _GuidedRod:
     """The positions of a rod on a board: its point D, and its direction."""
 
     def __init__(self, task: RodTask, board: Board) -> None:
@@ -57,21 +57,21 @@ class _Rod:
             if real(bars.lengths) and (made := self._read(bars)):
                 yield made
 
-    def _links(self, side: int, at: complex, arm: float | None) -> Iterator[_Link]:
+    def _links(self, side: int, at: complex, arm: float | None) -> Iterator[_GuidingLink]:
         board, hinge, pivot = self.board, HINGES[side], PIVOTS[side]
         if self.task.hinges:
             first = board.given(f"{hinge}_1", at, because("hinge_chosen"))
             places = [first, *self._carried(hinge, first)]
             for centre in centres(board, pivot, places, arm):
                 self.middles |= middles(board, hinge.lower(), places)
-                yield _Link(centre, places)
+                yield _GuidingLink(centre, places)
             return
         fixed = board.given(pivot, at, because("pivot_chosen"))
         seen = [fixed, *self._seen(pivot, fixed)]
         self.inverted |= {mark.name: mark for mark in seen[1:]}
         for first in centres(board, f"{hinge}_1", seen, arm):
             self.middles |= middles(board, pivot.lower(), seen)
-            yield _Link(fixed, [first, *self._carried(hinge, first)])
+            yield _GuidingLink(fixed, [first, *self._carried(hinge, first)])
 
     def _carried(self, name: str, first: Mark) -> Iterator[Mark]:
         """Carry a hinge with the rod into its other positions."""
