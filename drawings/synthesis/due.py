@@ -88,7 +88,7 @@ def _figures(found: SynthesisStudy) -> Iterator[Expected]:
     """Give the points, circles and barred arcs of each figure, from the designs of the analysis."""
     known = [reading for reading in analysed(found.task).readings if reading.found]
     for one, reading in zip(shown(found), known, strict=True):
-        due = one._replace(design=reading.found[reading.best])
+        due = one._replace(design=reading.found[reading.best]).based
         off = FAR * next(iter(due.design.sizes.values()))
         # the pole is what the others are measured from
         spots = ((letter, spot) for letter, spot in due.places.items() if spot)

@@ -67,6 +67,12 @@ class ShownSynthesis(NamedTuple):
         return {name: spot if abs(spot) > least else 0j for name, spot in shown}
 
     @property
+    def based(self) -> ShownSynthesis:
+        """It measured from a place that it shows: from its mechanism's first where none is at the origin."""
+        shows = 0j in self.places.values()
+        return self if shows else self._replace(design=self.design.moved(-self.design.places[self.figure.first[0]]))
+
+    @property
     def lengths(self) -> list[tuple[str, ...]]:
         """The dimensioned lengths whose places are shown: letter, ends."""
         return [row for row in self.figure.lengths if self.places.keys() >= {*row[1:]}]
@@ -134,4 +140,5 @@ def shown(study: SynthesisStudy) -> Iterator[ShownSynthesis]:
         name, letter = f"{NAME}-{number}" if number > 1 else NAME, letter_of(k) if len(found) > 1 else ""
         if len({one.kept for _, one in found}) > 1:
             letter += f": {', '.join(LETTERS.get(one, one) for one in reading.kept)}"
-        yield ShownSynthesis(name, letter, reading.found[reading.best], study.drawn[k].found[reading.best].figure)
+        figure = study.drawn[k].found[reading.best].figure
+        yield ShownSynthesis(name, letter, reading.found[reading.best], figure).based

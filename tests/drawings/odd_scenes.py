@@ -199,6 +199,8 @@ TASKS = (  # of synthesis: what is asked
     "tangent]\nstroke = 0.15\npressure = 28",  # theme 6, task 10
     "rocker_slider]\nstroke = 0.12\npressure = 20\nratio = 10",
     "rocker_slider]\nstroke = 0.15\nangles = [8, 30]\nratio = 0.5\npressure = 20",  # two readings, to either side
+    "rod_positions]\nplaces = [[0.05, 0.3], [0.16, 0.34], [0.26, 0.3]]\nangles = [10, -12, -40]\n"
+    "hinges = [[0.03, 0.22], [0.19, 0.27]]",  # none of its places is the origin
     "rod_positions]\nplaces = [[0, 0], [0.3, 0.1], [0.4, 0.3]]\nangles = [0, 30, 80]\nhinges = [[0, 0.1], [0.3, 0.05]]",
     "rod_positions]\nplaces = [[0, 0], [0.3, 0.1]]\nangles = [0, 34]\npivots = [[-0.2, -0.2], [0.4, -0.3]]\n"
     "arms = [0.5, 0.4]",  # four mechanisms

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final, NamedTuple, Protocol
 
 from plans.model.motion import Complexes, Gap
@@ -56,6 +56,14 @@ class Design:
     barred: tuple[BarredArc, ...] = ()
     merit: float = 0.0
     curves: Mapping[str, Complexes] = field(default_factory=dict)  # that are no circles: a coupler's curve, m
+
+    def moved(self, by: complex) -> Design:
+        """Give it with all its places moved by a way, m."""
+        places = {name: spot + by for name, spot in self.places.items()}
+        circles = {name: one._replace(centre=one.centre + by) for name, one in self.circles.items()}
+        return replace(
+            self, places=places, circles=circles, curves={name: one + by for name, one in self.curves.items()}
+        )
 
 
 class TaskReading(NamedTuple):
