@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import tomllib
 from pathlib import Path
 
 from drawings.commands import draw
@@ -16,6 +17,16 @@ from plans.synthesis.written import written
 from plans.words.words import message
 
 FAILED = 5
+KEPT = (
+    "standard",
+    "format",
+    "drawn",
+    "checked",
+    "approved",
+    "date",
+    "group",
+    "organisation",
+)  # a number is each sheet's
 
 
 def run(options: argparse.Namespace) -> int:
@@ -40,4 +51,6 @@ def _text(study: Study, tables: Path | None) -> str:
     scene, found = study.scene, study.of(SynthesisStudy)
     further = "" if tables is None else tables.read_text("utf-8-sig")
     made = found.family.mechanism(found.synthesis.chosen)
-    return written(made, scene.title, Path(scene.file).name, scene.sheet.language, further)
+    told = tomllib.loads(scene.content.decode("utf-8-sig")).get("sheet", {})
+    sheet = {"language": scene.sheet.language} | {key: told[key] for key in KEPT if key in told}
+    return written(made, scene.title, Path(scene.file).name, sheet, further)

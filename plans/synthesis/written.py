@@ -25,27 +25,27 @@ class MechanismText(NamedTuple):
     points: Mapping[str, Mapping[str, Any]] = {}  # by their places in the frames of links
 
 
-def written(made: MechanismText, title: str, source: str, language: str, further: str = "") -> str:
+def written(made: MechanismText, title: str, source: str, sheet: Mapping[str, Any], further: str = "") -> str:
     """Write a scene with all digits of the lengths, and further keys and tables, which stand instead of its own.
 
     >>> made = MechanismText({"O": 0j}, ("OA",), {"OA": 0.06}, {})
-    >>> print(*written(made, "Pump", "task.toml", "en").splitlines()[1:5], sep="|")
+    >>> print(*written(made, "Pump", "task.toml", {"language": "en"}).splitlines()[1:5], sep="|")
     title = "Pump"||[mechanism.frame]|O = [0.0, 0.0]
     """
-    heads = [f"# {message(_said(made), source=source).worded(language)}"]
+    heads = [f"# {message(_said(made), source=source).worded(sheet['language'])}"]
     first = TABLE.search(further)
     keys, tables = (further[: first.start()], further[first.start() :]) if first else (further, "")
     own = {"title": title} if title and not re.search("^title", keys, re.MULTILINE) else {}
     others = {found[1] for found in TABLE.finditer(tables)}
-    parts = *heads, *_rows(own), *keys.strip().splitlines(), *_mechanism(made, language, others), ""
+    parts = *heads, *_rows(own), *keys.strip().splitlines(), *_mechanism(made, sheet, others), ""
     return "\n".join((*parts, *tables.splitlines(), "") if tables else parts)
 
 
 def _said(made: MechanismText) -> str:
-    return "synthesis.written" if made.drive["speed"] == SPEED else "synthesis.timed"
+    return "synthesis.written" if made.drive["speed"] in {SPEED, f"-{SPEED}"} else "synthesis.timed"
 
 
-def _mechanism(made: MechanismText, language: str, others: Collection[str]) -> Iterator[str]:
+def _mechanism(made: MechanismText, sheet: Mapping[str, Any], others: Collection[str]) -> Iterator[str]:
     yield from _table("[mechanism.frame]", made.frame)
     yield from _table("[mechanism.links]", {str(k): link for k, link in enumerate(made.links, 1)})
     for slide in made.slides:
@@ -53,7 +53,7 @@ def _mechanism(made: MechanismText, language: str, others: Collection[str]) -> I
     yield from _table("[mechanism.lengths]", made.lengths)
     yield from _table("[mechanism.points]", made.points)
     yield from _table("[mechanism.sketch]", made.sketch)
-    for name, rows in (("drive", made.drive), ("sheet", {"language": language})):
+    for name, rows in (("drive", made.drive), ("sheet", sheet)):
         if name not in others:
             yield from _table(f"[{name}]", rows)
 

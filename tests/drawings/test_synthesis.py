@@ -9,10 +9,12 @@ from plans.scene.scene import read_scene
 def test_a_scene_is_written_once(tmp_path, capsys) -> None:
     task, made = tmp_path / "task.toml", tmp_path / "made.toml"
     task.write_text(
-        'title = "A \\"pump\\""\n[synthesis.slider_crank]\nstroke = 0.12\noffset = 0.03\nratio = 5\n', encoding="utf-8"
+        'title = "A \\"pump\\""\n[synthesis.slider_crank]\nstroke = 0.12\noffset = 0.03\nratio = 5\n'
+        '[sheet]\ndrawn = "Lee"\n',
+        encoding="utf-8",
     )
     assert main(["synthesise", str(task), "-o", str(made)]) == 0
-    assert read_scene(made).title == 'A "pump"'
+    assert read_scene(made).title == 'A "pump"' and read_scene(made).sheet.drawn == "Lee"
     assert main(["synthesise", str(task), "-o", str(made)]) == 7
     assert "made.toml" in capsys.readouterr().err
 

@@ -257,7 +257,7 @@ def test_the_written_scene_does_what_was_asked(tmp_path, task) -> None:
     """The mechanism, studied by the roads that know nothing of the task, has its stroke and overlap to 1e-12."""
     path, one = tmp_path / "scene.toml", draw(task).chosen
     made = study(task).family.mechanism(one)
-    path.write_text(written(made, "", "task.toml", "en"), encoding="utf-8")
+    path.write_text(written(made, "", "task.toml", {"language": "en"}), encoding="utf-8")
     for road in ("construction", "analysis"):
         found = Study(read_scene(path), ["extremes"]).numbers("linkage", road).plain()["extremes"]
         wanted = task.swing if isinstance(task, RockerTask) else task.stroke

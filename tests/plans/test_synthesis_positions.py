@@ -320,7 +320,7 @@ def test_the_written_scene_does_what_was_asked(tmp_path, task, road) -> None:
     """The mechanism, studied by the roads that know nothing of the task, has its places to 1e-12."""
     study, path = study_of(task), tmp_path / "scene.toml"
     made = study.synthesis.chosen
-    path.write_text(written(study.family.mechanism(made), "", "task.toml", "en"), encoding="utf-8")
+    path.write_text(written(study.family.mechanism(made), "", "task.toml", {"language": "en"}), encoding="utf-8")
     points = Study(read_scene(path), ["positions"]).numbers("linkage", road).plain()["points"]
     size = max(map(abs, made.places.values()))
     for name, there in points.items():

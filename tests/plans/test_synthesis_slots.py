@@ -251,7 +251,7 @@ def scene_of(folder, family: str, told: str):
     study = Study(read_scene(task), ["synthesis"])
     assert study.comparison("synthesis").agrees
     text = FAMILIES[family].mechanism(study.of(SynthesisStudy).synthesis.chosen)
-    made.write_text(written(text, "", "task.toml", "en"), encoding="utf-8")
+    made.write_text(written(text, "", "task.toml", {"language": "en"}), encoding="utf-8")
     return made
 
 
