@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from drawings.layout.ink import CLEAR, LETTERED, Ink, padded
 from drawings.layout.parallel_offsets import Segment, crossing, merging, nearest
-from drawings.lettering.lettering import bounds
+from drawings.lettering.lettering import bounds, text_reach
 from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied, tied_spot
 
@@ -109,11 +109,13 @@ class Labels:
         further = [start + share * (end - start) for share in (SHARES[3:] if others else SHARES[:1])]
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across), others, further)
 
-    def _parts(self, content: str, size: float) -> tuple[Box, Box, Box]:
-        """Give the boxes of a label: around the whole, around its letter, and around what follows that, as an index."""
+    def _parts(self, content: str, size: float) -> list[Box]:
+        """Give the boxes of a label: around the whole, then around what stands on the line, and each index, alone."""
         text = Text(0j, content, size, "start", self._slanted)
-        whole, letter = bounds(text), bounds(text._replace(content=text.runs[:1]))
-        return whole, letter, (letter[2], *whole[1:])
+        ends = [bounds(text)[0], *(bounds(text._replace(content=text.runs[: k + 1]))[2] for k in range(len(text.runs)))]
+        reaches = (text_reach(text._replace(content=(run,))) for run in text.runs)
+        sides = zip(ends, ends[1:], reaches, strict=False)
+        return [bounds(text), *((left, low, right, high) for left, right, (low, high) in sides)]
 
     def _near(
         self, point: complex, parts: Sequence[Box], gap: float, prefer: float, others: Lines = (), space: float = 0.0
@@ -160,7 +162,9 @@ class Labels:
                 if beginning(start):
                     continue
                 end, letter = (_nearest(box, corner, start, by) for by in (CLEAR, 0.0))
-                cost = reach + 1.5 * TURNED * step + OTHER * sum(crossing((start, letter), other) for other in others)
+                cost = (
+                    reach + 1.5 * TURNED * step + OTHER * sum(_crosses((start, letter), other, gap) for other in others)
+                )
                 cost += OTHER * any(_meeting((start, letter), leader) for leader in self._leaders)
                 if cost >= cheapest:
                     continue
@@ -224,6 +228,13 @@ def _in_line(leader: Segment, other: Segment) -> bool:
 def _meeting(leader: Segment, other: Segment) -> bool:
     """Tell whether two leaders come so near each other at a label that it is either's."""
     return min(abs(leader[1] - nearest(*other, leader[1])), abs(other[1] - nearest(*leader, other[1]))) < MEETING
+
+
+def _crosses(leader: Segment, other: Segment, gap: float) -> bool:
+    """Tell whether a leader crosses another line, or goes from where it begins towards another point that is near."""
+    spot, end = other
+    near = abs(spot - nearest(*leader, spot))
+    return crossing(leader, other) if spot != end else tied(near - min(2 * gap, abs(spot - leader[0]))) < 0
 
 
 def _begins_at(start: complex, gap: float, others: Lines) -> bool:
