@@ -70,9 +70,8 @@ class Labels:
                     return self._written(near, content, size)
         off = 0.0 if further else 0.7 * gap  # from a line a leader leads at once
         lines, back = (*others, *self._leaders), 0.0 if off or not others else BACK
-        led = self._led(spots, box, gap, off, prefer, lines, back)
-        if led is None and not bare:
-            led = self._led(spots, box, gap, off, prefer, lines) or self._led(spots, box, gap, off, prefer)
+        tries = [(lines, back), (lines,), *([] if bare else [()])]
+        led = next((led for near in tries if (led := self._led(spots, box, gap, off, prefer, *near))), None)
         if led is not None:
             self._leaders.append((led[0], _nearest(box, led[2], led[0], 0.0)))
             return self._written(led[2], content, size, Line(*led[:2], self._leader))
