@@ -56,17 +56,19 @@ class Labels:
 
     def free(
         self, point: complex, content: str, size: float, gap: float, prefer: float,
-        others: Lines = (), further: Spots = (),
+        others: Lines = (), further: Spots = (), ring: float = 0.0,
     ) -> Stroke | None:  # fmt: skip
-        """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
+        """Place a label beside a point, a `ring` further off, or at a leader's end, or nowhere if there is no place."""
         box, *_ = parts = self._parts(content, size)
         spots, bare = (point, *further), list[complex]()
         space = WORD * size if content[:1].isdigit() else 0.0  # that a number keeps from letters on its line
         for spot in spots:
-            near = self._near(spot, parts, gap, prefer, others, space)
+            near = self._near(spot, parts, gap + ring, prefer, others, space)
             if not self.ink.under(padded(box, near)):
                 bare.append(near)
-                if not (_strays(parts, near, spot, spot, others) or self._joins(box, near, space)):
+                away = (near + complex(box[0] + box[2], box[1] + box[3]) / 2 - spot) * cmath.rect(1.0, -prefer)
+                astray = _strays(parts, near, spot, spot, others) or self._joins(box, near, space)
+                if not (astray or (ring and abs(away.imag) > away.real)):  # beside its way a ring tells nothing
                     return self._written(near, content, size)
         off = 0.0 if further else 0.7 * gap  # from a line a leader leads at once
         lines, back = (*others, *self._leaders), 0.0 if off or not others else BACK
