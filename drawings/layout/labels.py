@@ -72,7 +72,7 @@ class Labels:
                     return self._written(near, content, size)
         off = 0.0 if further else 0.7 * gap  # from a line a leader leads at once
         lines, back = (*others, *self._leaders), 0.0 if off or not others else BACK
-        tries = [(lines, back), (lines,), *([] if bare else [()])]
+        tries: list[tuple[Lines, float]] = [(lines, back), (lines, 0.0), *([] if bare else [((), 0.0)])]
         led = next((led for near in tries if (led := self._led(spots, box, gap, off, prefer, *near))), None)
         if led is not None:
             self._leaders.append((led[0], _nearest(box, led[2], led[0], 0.0)))
@@ -115,8 +115,7 @@ class Labels:
         text = Text(0j, content, size, "start", self._slanted)
         ends = [bounds(text)[0], *(bounds(text._replace(content=text.runs[: k + 1]))[2] for k in range(len(text.runs)))]
         reaches = (text_reach(text._replace(content=(run,))) for run in text.runs)
-        sides = zip(ends, ends[1:], reaches, strict=False)
-        return [bounds(text), *((left, low, right, high) for left, right, (low, high) in sides)]
+        return [bounds(text), *((a, low, b, high) for a, b, (low, high) in zip(ends, ends[1:], reaches, strict=False))]
 
     def _near(
         self, point: complex, parts: Sequence[Box], gap: float, prefer: float, others: Lines = (), space: float = 0.0
@@ -149,7 +148,9 @@ class Labels:
         """Find a free place further off, and the leader to it, `back` from those before, `off` a point to its edge."""
         best, cheapest = None, math.inf
         clear = (0.7 * gap, others), (back, self._leaders)
-        beginning = cache(lambda start: any(_begins_at(start, *near) for near in clear))
+        beginning = cache(
+            lambda at: any(tied(abs(at - nearest(*line, at))) < by for by, near in clear for line in near)
+        )
         for reach, spot in product(LED, spots):
             if cheapest <= reach:
                 break
@@ -163,9 +164,7 @@ class Labels:
                 if beginning(start):
                     continue
                 end, letter = (_nearest(box, corner, start, by) for by in (CLEAR, 0.0))
-                cost = (
-                    reach + 1.5 * TURNED * step + OTHER * sum(_crosses((start, letter), other, gap) for other in others)
-                )
+                cost = reach + 1.5 * TURNED * step + OTHER * sum(_crosses((start, letter), far, gap) for far in others)
                 cost += OTHER * any(_meeting((start, letter), leader) for leader in self._leaders)
                 if cost >= cheapest:
                     continue
@@ -233,14 +232,8 @@ def _meeting(leader: Segment, other: Segment) -> bool:
 
 def _crosses(leader: Segment, other: Segment, gap: float) -> bool:
     """Tell whether a leader crosses another line, or goes from where it begins towards another point that is near."""
-    spot, end = other
-    near = abs(spot - nearest(*leader, spot))
-    return crossing(leader, other) if spot != end else tied(near - min(2 * gap, abs(spot - leader[0]))) < 0
-
-
-def _begins_at(start: complex, gap: float, others: Lines) -> bool:
-    """Tell whether a leader begins at another line."""
-    return any(tied(abs(start - nearest(*other, start))) < gap for other in others)
+    near = abs((spot := other[0]) - nearest(*leader, spot))
+    return crossing(leader, other) if spot != other[1] else tied(near - min(2 * gap, abs(spot - leader[0]))) < 0
 
 
 def _within(box: Box, corner: complex, line: Segment, far: float) -> bool:

@@ -271,10 +271,8 @@ def _listed(
     """Give the positions that have room for their numbers outside the crank circle: of a long list not all have."""
     first = [s.column for s in places if s.column is not None and (s.extreme or _is_shown(bones, s))]
     ends = [place.on(bones.drive_end(k)) for k in range(len(bones.numbered))]
-    around = _round(bones, place, hand)
-    return (
-        numbered(ends, around, APART * max(wide / 2, hand.number), first) if _uneven(bones) else tuple(range(len(ends)))
-    )
+    around, off = _round(bones, place, hand), APART * max(wide / 2, hand.number)
+    return numbered(ends, around, off, first) if _uneven(bones) else tuple(range(len(ends)))
 
 
 def _uneven(bones: Skeletons) -> bool:
