@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from drawings.dynamics.graphs import Dense, DrawnStrips
-from drawings.kinds.axes import BEYOND, LEFT, OVER, UNDER, Axes, Letter, Part
+from drawings.kinds.axes import BEYOND, LEFT, OVER, RIGHT, UNDER, Axes, Letter, Part
 from drawings.kinds.graph import Graph
 from drawings.lettering.lettering import spaced
 from drawings.lettering.words import Phrase, Slot, joined, telling
@@ -153,7 +153,8 @@ class ShownTangent:
     def lines(self) -> Iterator[Stroke]:
         """The tangent from its break on, measurable from the axis on; angle, dimension."""
         hand, name = self.hand, ANGLES[self.which]
-        far, near = (self.end, self.start) if self.right else (self.start, self.end)
+        tip = self.end + self.arm * self.along
+        far, near = (tip, self.start) if self.right else (self.start, tip)
         yield _broken_off(self.tail, self.start, self.along, hand)
         data = Subject(LOOP, PAPER.letter, None).data("vector", _plain(name), far - self.cut, PAPER)
         yield Group((Line(self.cut, far, hand.relative),), "", data, name)
@@ -165,7 +166,6 @@ class ShownTangent:
     def _angle(self) -> Iterator[Stroke]:
         """Draw the angle to the axis of inertia at the right end."""
         hand = self.hand
-        yield Line(self.end, self.end + self.arm * self.along, hand.relative)
         yield Line(self.end, self.end + self.arm, hand.drafted)
         arc = Arc(self.end, self.arm - BREAK, 0.0, cmath.phase(self.along), hand.other)
         yield stating(Statement(Kind.ANGLE, LOOP, ANGLES[self.which]), arc)
@@ -191,7 +191,8 @@ class ShownTangent:
     def letters(self) -> Iterator[Letter]:
         """The angle, the cut and the segment, lettered."""
         size, side = self.hand.letter, OVER if self.which else UNDER
-        yield Letter(self.end if self.right else self.cut, ANGLES[self.which], size, side)
+        middle = self.end + (self.arm - BREAK) * cmath.rect(1.0, cmath.phase(self.along) / 2)
+        yield Letter(middle if self.right else self.cut, ANGLES[self.which], size, RIGHT if self.right else side)
         yield Letter(self.cut, CUTS[self.which], size, math.pi / 4 if self.which else -math.pi / 4)
         if self.dimension is not None:
             yield Letter(self.dimension.middle, self.dimension.letter, size, LEFT)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from drawings.layout.labels import Labels
+from drawings.layout.labels import NEAR, Labels
 from drawings.layout.picture import Figure
 from drawings.lettering.lettering import spaced, text_width
 from drawings.lettering.words import telling
@@ -17,7 +17,7 @@ from drawings.symbols.symbols import arrowhead, pole
 from plans.model.motion import Floats
 
 LEFT, RIGHT, OVER, UNDER = math.pi, 0.0, math.pi / 2, -math.pi / 2
-CLOSE = 2.0  # gaps from a spot to its letter: what is no farther than these and the letter may be taken for the spot
+CLOSE = 2.0  # ways from a spot to its letter: what is no farther than these and the letter may be taken for the spot
 NUMBERED = 1.8  # sizes of a number beside an axis that what is drawn along it keeps off
 BETWEEN = 3.0  # mm from a part's title to its scales
 STACKED = 1.6  # sizes of a text from a title to the scales under it
@@ -51,7 +51,7 @@ def placed(name: str, letters: Iterable[Letter], labels: Labels) -> Iterator[Str
     every = sorted(letters, key=lambda letter: -letter.size)
     for letter in every:
         apart = [(other.at, tied(abs(other.at - letter.at))) for other in every if other.size == letter.size]
-        others = [(spot, spot) for spot, far in apart if 0 < far < CLOSE * letter.gap + letter.size]
+        others = [(spot, spot) for spot, far in apart if 0 < far < CLOSE * (letter.gap + NEAR[-1]) + letter.size]
         yield telling(name, labels.beside(*letter[:3], letter.gap, letter.side, others, letter.further))
 
 

@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from drawings.layout.ink import CLEAR, LETTERED, Ink, padded
 from drawings.layout.parallel_offsets import Segment, crossing, merging, nearest
-from drawings.lettering.lettering import bounds
+from drawings.lettering.lettering import bounds, text_reach
 from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied, tied_spot
 
@@ -56,23 +56,24 @@ class Labels:
 
     def free(
         self, point: complex, content: str, size: float, gap: float, prefer: float,
-        others: Lines = (), further: Spots = (),
+        others: Lines = (), further: Spots = (), ring: float = 0.0,
     ) -> Stroke | None:  # fmt: skip
-        """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
+        """Place a label beside a point, a `ring` further off, or at a leader's end, or nowhere if there is no place."""
         box, *_ = parts = self._parts(content, size)
         spots, bare = (point, *further), list[complex]()
         space = WORD * size if content[:1].isdigit() else 0.0  # that a number keeps from letters on its line
         for spot in spots:
-            near = self._near(spot, parts, gap, prefer, others, space)
+            near = self._near(spot, parts, gap + ring, prefer, others, space)
             if not self.ink.under(padded(box, near)):
                 bare.append(near)
-                if not (_strays(parts, near, spot, spot, others) or self._joins(box, near, space)):
+                away = (near + complex(box[0] + box[2], box[1] + box[3]) / 2 - spot) * cmath.rect(1.0, -prefer)
+                astray = _strays(parts, near, spot, spot, others) or self._joins(box, near, space)
+                if not (astray or (ring and abs(away.imag) > away.real)):  # beside its way a ring tells nothing
                     return self._written(near, content, size)
         off = 0.0 if further else 0.7 * gap  # from a line a leader leads at once
         lines, back = (*others, *self._leaders), 0.0 if off or not others else BACK
-        led = self._led(spots, box, gap, off, prefer, lines, back)
-        if led is None and not bare:
-            led = self._led(spots, box, gap, off, prefer, lines) or self._led(spots, box, gap, off, prefer)
+        tries: list[tuple[Lines, float]] = [(lines, back), (lines, 0.0), *([] if bare else [((), 0.0)])]
+        led = next((led for near in tries if (led := self._led(spots, box, gap, off, prefer, *near))), None)
         if led is not None:
             self._leaders.append((led[0], _nearest(box, led[2], led[0], 0.0)))
             return self._written(led[2], content, size, Line(*led[:2], self._leader))
@@ -109,11 +110,12 @@ class Labels:
         further = [start + share * (end - start) for share in (SHARES[3:] if others else SHARES[:1])]
         return self.beside((start + end) / 2, content, size, gap, cmath.phase(across), others, further)
 
-    def _parts(self, content: str, size: float) -> tuple[Box, Box, Box]:
-        """Give the boxes of a label: around the whole, around its letter, and around what follows that, as an index."""
+    def _parts(self, content: str, size: float) -> list[Box]:
+        """Give the boxes of a label: around the whole, then around what stands on the line, and each index, alone."""
         text = Text(0j, content, size, "start", self._slanted)
-        whole, letter = bounds(text), bounds(text._replace(content=text.runs[:1]))
-        return whole, letter, (letter[2], *whole[1:])
+        ends = [bounds(text)[0], *(bounds(text._replace(content=text.runs[: k + 1]))[2] for k in range(len(text.runs)))]
+        reaches = (text_reach(text._replace(content=(run,))) for run in text.runs)
+        return [bounds(text), *((a, low, b, high) for a, b, (low, high) in zip(ends, ends[1:], reaches, strict=False))]
 
     def _near(
         self, point: complex, parts: Sequence[Box], gap: float, prefer: float, others: Lines = (), space: float = 0.0
@@ -146,7 +148,9 @@ class Labels:
         """Find a free place further off, and the leader to it, `back` from those before, `off` a point to its edge."""
         best, cheapest = None, math.inf
         clear = (0.7 * gap, others), (back, self._leaders)
-        beginning = cache(lambda start: any(_begins_at(start, *near) for near in clear))
+        beginning = cache(
+            lambda at: any(tied(abs(at - nearest(*line, at))) < by for by, near in clear for line in near)
+        )
         for reach, spot in product(LED, spots):
             if cheapest <= reach:
                 break
@@ -160,7 +164,7 @@ class Labels:
                 if beginning(start):
                     continue
                 end, letter = (_nearest(box, corner, start, by) for by in (CLEAR, 0.0))
-                cost = reach + 1.5 * TURNED * step + OTHER * sum(crossing((start, letter), other) for other in others)
+                cost = reach + 1.5 * TURNED * step + OTHER * sum(_crosses((start, letter), far, gap) for far in others)
                 cost += OTHER * any(_meeting((start, letter), leader) for leader in self._leaders)
                 if cost >= cheapest:
                     continue
@@ -226,9 +230,10 @@ def _meeting(leader: Segment, other: Segment) -> bool:
     return min(abs(leader[1] - nearest(*other, leader[1])), abs(other[1] - nearest(*leader, other[1]))) < MEETING
 
 
-def _begins_at(start: complex, gap: float, others: Lines) -> bool:
-    """Tell whether a leader begins at another line."""
-    return any(tied(abs(start - nearest(*other, start))) < gap for other in others)
+def _crosses(leader: Segment, other: Segment, gap: float) -> bool:
+    """Tell whether a leader crosses another line, or goes from where it begins towards another point that is near."""
+    near = abs((spot := other[0]) - nearest(*leader, spot))
+    return crossing(leader, other) if spot != other[1] else tied(near - min(2 * gap, abs(spot - leader[0]))) < 0
 
 
 def _within(box: Box, corner: complex, line: Segment, far: float) -> bool:

@@ -49,12 +49,8 @@ def letter_parts(parts: Iterable[LaidPart], lines: Lines, labels: Labels, hand: 
     texts = list[Stroke]()
     for v in sorted(parts, key=lambda part: -tied(part.length)):
         others = [line for line in lines if line != (v.start, v.end)]
-        texts.append(
-            stating(
-                v.states,
-                labels.along(v.start, v.end, v.text, hand.number, GAP, cmath.phase(1j * (v.end - v.start)), others),
-            )
-        )
+        up = cmath.phase(1j * (v.end - v.start))
+        texts.append(stating(v.states, labels.along(v.start, v.end, v.text, hand.number, GAP, up, others)))
     return Group(tuple(texts), f"{plan}-{PARTS}")
 
 

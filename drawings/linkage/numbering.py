@@ -205,14 +205,16 @@ def _track_numbers(pairs: Pairs, track: NumberedTrack, labels: Labels) -> Iterat
     for station in legible(bones, track, place, hand):
         spot = place.on(station.spot)
         angle, more = _outward(bones, track, station, place)
-        gap = (pairs.clear(track.point) if _is_shown(bones, station) else 0.0) + PATH_GAP + more * hand.number
-        number = labels.free(spot, station.name, hand.number, gap, angle, _ticks(track, station, place, hand))
+        clear, shown = pairs.clear(track.point), [s.spot for s in track.places if _is_shown(bones, s)]
+        gap = PATH_GAP + (clear if any(abs(place.on(under) - spot) < clear for under in shown) else 0.0)
+        others = _ticks(track, station, place, hand)
+        number = labels.free(spot, station.name, hand.number, gap, angle, others, ring=more * hand.number)
         yield from () if number is None else (number,)
 
 
 def _ticks(track: NumberedTrack, station: NumberedPlace, place: Place, hand: Hand) -> Lines:
-    """Give the other ticks along a guide: a number is nearest to its own, or led to it; on an arc its ring tells."""
-    own, others = place.on(station.spot), [place.on(other.spot) for other in track.places if track.slide]
+    """Give the other ticks along a track: a number is nearest to its own, or led to it."""
+    own, others = place.on(station.spot), [place.on(other.spot) for other in track.places]
     return [(other, other) for other in others if abs(other - own) > TOGETHER * hand.number]
 
 
@@ -249,8 +251,8 @@ def crank_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
         # Direct a number away from the crank's pivot, or off the guide of a slider that drives.
         out = aside(bones) if bones.mechanism.drive.pushed else spot - bones.pivot(place)
         gap += BARRED * hand.symbol if _in_barrier(out, bones) else 0.0
-        gap += further if station.column is not None and station.column // every % 2 else 0.0
-        number = labels.free(spot, text, hand.number, gap, cmath.phase(out))
+        ring = further if station.column is not None and station.column // every % 2 else 0.0
+        number = labels.free(spot, text, hand.number, gap, cmath.phase(out), ring=ring)
         yield from () if number is None else (number,)
 
 
@@ -269,10 +271,8 @@ def _listed(
     """Give the positions that have room for their numbers outside the crank circle: of a long list not all have."""
     first = [s.column for s in places if s.column is not None and (s.extreme or _is_shown(bones, s))]
     ends = [place.on(bones.drive_end(k)) for k in range(len(bones.numbered))]
-    around = _round(bones, place, hand)
-    return (
-        numbered(ends, around, APART * max(wide / 2, hand.number), first) if _uneven(bones) else tuple(range(len(ends)))
-    )
+    around, off = _round(bones, place, hand), APART * max(wide / 2, hand.number)
+    return numbered(ends, around, off, first) if _uneven(bones) else tuple(range(len(ends)))
 
 
 def _uneven(bones: Skeletons) -> bool:

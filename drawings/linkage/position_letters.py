@@ -270,9 +270,8 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
     bones, hand = pairs.bones, pairs.sheet
     points = {name: spot for name, spot in pairs.named.items() if name not in bones.masses}
     strokes: list[Stroke] = [*pairs.letters(points, labels)]
-    for name in bones.masses:
-        if name in pairs.centres:
-            strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
+    centres = {name: pairs.centres[name] for name in bones.masses if name in pairs.centres}
+    strokes += [labels.beside(spot, with_index(name), hand.letter, 2.5) for name, spot in centres.items()]
     strokes += [_on_arc(arrow, arrow.letter, labels, hand) for arrow in arrows(pairs)]
     strokes += [_on_arc(phase.arc, phase.text, labels, hand) for phase in phases(pairs, bones.study.language)]
     strokes += [_on_arc(swing.arc, swing.text, labels, hand) for swing in swings(pairs, bones.study.language)]

@@ -184,11 +184,8 @@ def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> PlanArrow:
 
 
 def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
-    rays = []
-    for line in mark.step.inputs:
-        if isinstance(line.value, Direction):
-            rays.append((at(line.value.through, column), at(mark.point, column)))
-    return rays
+    lines = [line.value for line in mark.step.inputs if isinstance(line.value, Direction)]
+    return [(at(line.through, column), at(mark.point, column)) for line in lines]
 
 
 def measure(shown: VectorDiagram, drafting: Drafting) -> Picture:
