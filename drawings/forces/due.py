@@ -125,9 +125,11 @@ def notes(comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expecte
     for k in (k for k in shown if np.isfinite(found.lost[k])):
         off = none + sum(float(slack[f"N_{index}"][k]) for index in pairs.values())
         useful = f"useful index {k}", float(found.useful[k]), none + float(slack["N_us"][k])
-        yield from phrases(NOTES, [(f"friction index {k}", float(found.lost[k]), off), useful], 4)
-        share = float(found.efficiency[k])
-        yield from phrases(NOTES, [(f"η {k}", share, float(slack["η"][k]))], 3, may_lack=not math.isfinite(share))
+        rows = [(f"friction index {k}", float(found.lost[k]), off), useful]
+        yield from phrases(NOTES, rows if "η" in slack else rows[:1], 4)
+        for off in slack.get("η", [])[k : k + 1]:
+            share = float(found.efficiency[k])
+            yield from phrases(NOTES, [(f"η {k}", share, float(off))], 3, may_lack=not math.isfinite(share))
     whole = {"η": found.cycle} | {f"wear {key}": 100 * share for key, share in found.wear.items()}
     names = {"η": "η cycle"} | {f"wear {key}": f"wear {pairs.get(key, key)}" for key in found.wear}
     for name, value in whole.items():

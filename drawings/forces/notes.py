@@ -158,12 +158,15 @@ def _friction(statics: Statics, comparison: ForceComparison, position: int, lang
     rows = zip((found.lost, found.useful), none, strict=True)
     power = (float(row[position]) if abs(row[position]) > few[position] else 0.0 for row, few in rows)
     lines = list[str]()
-    for said, value in zip(INDEX, power, strict=True):
+    served = bool(np.isfinite(found.efficiency).any())
+    for said, value in zip(INDEX if served else INDEX[:1], power, strict=served):
         watts = joined(NBSP, (numbered(language, Slot(f"{said} {position}", value)), word(language, "W")))
         lines.append(phrase(language, said, power=watts))
     if np.isfinite(found.efficiency[position]):
         slot = Slot(f"η {position}", float(found.efficiency[position]), 3)
         lines.append(joined("", ("η = ", numbered(language, slot))))
+    if not served:
+        lines.append(word(language, "no useful load"))
     if found.cycle is not None:
         lines.append(phrase(language, "cycle efficiency", eta=Slot("η", found.cycle, 3)))
     coefficients = sorted({pair.coefficient for pair in statics.machine.friction.values()})

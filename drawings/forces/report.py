@@ -311,6 +311,8 @@ def friction_lines(comparison: ForceComparison, found: Friction, language: str) 
     yield from tabled([*found.powers, *heads], [*powers, found.efficiency], language, "—")
     if found.cycle is not None:
         yield f"\n{say('report.cycle', efficiency=write(found.cycle))}"
+    elif not np.isfinite(found.efficiency).any():
+        yield f"\n- {say('sheet.no useful load')}"
     shares = ", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items())
     yield say("report.wear", count=np.isfinite(found.lost).sum(), shares=shares)
     for jam in found.jams:

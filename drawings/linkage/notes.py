@@ -11,7 +11,6 @@ import numpy.typing as npt
 from drawings.lettering.words import Slot, fixed, joined, number, phrase, runs, slotted, span, with_index, word
 from drawings.report.report import TableSubject
 from plans.linkage.quantities import MotionComparison
-from plans.linkage.ram import law
 from plans.linkage.reading.fields import LineTable, Place
 from plans.linkage.reading.form import MechanismTable
 from plans.linkage.study import LinkageStudy
@@ -19,8 +18,8 @@ from plans.linkage.sweep import interval
 from plans.linkage.travel import EQUAL
 from plans.model.diagrams import STILL
 from plans.model.dyad import Assur, formula, mechanism_class
-from plans.model.mechanism import FRAME, Mechanism, Output, Ram, output_way, ways
-from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates
+from plans.model.mechanism import FRAME, Drive, Mechanism, Output, Ram, output_way, ways
+from plans.model.motion import ACCELERATIONS, NOTHING, VELOCITIES, Motion, Order, Rates, law_ends
 from plans.model.triad import Triad
 from plans.study import Study
 from plans.words import words
@@ -28,6 +27,7 @@ from plans.words.words import Message, message
 from plans.words.words import said as worded
 from plans.words.words import word as plain_word
 
+NBSP = "\N{NO-BREAK SPACE}"
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
 
@@ -58,16 +58,32 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
 def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     """Tell how the primary link moves: a crank turns, a slider is pushed over its stroke."""
     drive = study.mechanism.drive
-    omega, epsilon = (span(np.ravel(rate) * drive.unit, language) for rate in rates)
+    omega, epsilon = (span(np.ravel(rate), language) for rate in course(drive, rates))
+    law = "".join(f";  {said}" for said in law_said(drive, language))
     if drive.ram is not None:
         parts = {"link": drive.link, "omega": omega, "epsilon": epsilon}
-        return word(language, "cylinder", **parts, **cylinder_law(study, drive.ram))
+        return word(language, "cylinder", **parts, **cylinder_law(study, drive.ram)) + law
     if not drive.pushed:
         key = "crank" if np.any(rates.epsilon) else "even crank"
         said = word(language, key, link=drive.link, omega=omega, **({"epsilon": epsilon} if key == "crank" else {}))
         return f"{said}{taken(study, language)}"
     ends = (number(1000 * drive.unit * float(phi), language) for phi in study.turn.phi[[0, -1]])
-    return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
+    return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends)) + law
+
+
+def course(drive: Drive, rates: Rates) -> Rates:
+    """Give the rates between which a drive has all its others: of a slide over its whole stroke those of its law."""
+    if drive.law and drive.pushed and np.ndim(rates.omega):
+        return law_ends(drive.law)
+    return Rates(*(drive.unit * np.ravel(rate) for rate in rates))
+
+
+def law_said(drive: Drive, language: str) -> Iterator[str]:
+    """Say the law of a stroke by its points: the speed at each place (закон движения)."""
+    if drive.law:
+        points = "; ".join(f"{number(1000 * s, language)}{NBSP}→{NBSP}{number(v, language)}" for s, v in drive.law)
+        resting = any(not v for _, v in drive.law)
+        yield word(language, "law from rest" if resting else "law of stroke", points=points)
 
 
 def taken(study: LinkageStudy, language: str) -> str:
@@ -80,7 +96,9 @@ def taken(study: LinkageStudy, language: str) -> str:
 def cylinder_law(study: LinkageStudy, ram: Ram) -> dict[str, str]:
     """Write the points of the cylinder that turns the crank, its lengths in mm, and how fast they grow."""
     stroke = " … ".join(number(1000 * way, study.language) for way in (ram.begin, ram.end))
-    v, a = (span(np.ravel(rate), study.language) for rate in law(study.mechanism, study.turn.phi))
+    law = study.mechanism.drive.law
+    rates = law_ends(law) if law else Rates(ram.speed, ram.acceleration)
+    v, a = (span(np.ravel(rate), study.language) for rate in rates)
     return {"line": f"{ram.foot}{ram.point}", "stroke": stroke, "v": v, "a": a}
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.lettering.words import Phrase, Slot, fixed, number, phrase, slotted, span
 from drawings.linkage.equations import drawn_scales, equations, equations_of, shown_positions
-from drawings.linkage.notes import cylinder_law, first_numbers, stroke_line, subject, taken
+from drawings.linkage.notes import course, cylinder_law, first_numbers, law_said, stroke_line, subject, taken
 from drawings.linkage.position_plan import drawn_every
 from drawings.page.page import drafting_of
 from drawings.paper.strokes import Leaf
@@ -53,11 +53,13 @@ def data(study: LinkageStudy) -> Iterator[str]:
     yield from _places(study, letters)
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
     drive = study.mechanism.drive
-    texts = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
+    rates = course(drive, study.rates)._asdict()
+    texts = {name: span(np.ravel(rate), study.language) for name, rate in rates.items()}
     texts |= {} if drive.pushed else {"taken": taken(study, study.language)}
     yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **texts)
     if drive.ram is not None:
         yield say("report.cylinder", **cylinder_law(study, drive.ram))
+    yield from (f"- {said[:1].upper()}{said[1:]}" for said in law_said(drive, study.language))
 
 
 def structure(study: LinkageStudy) -> Iterator[str]:

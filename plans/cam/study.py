@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from decimal import Decimal
-from functools import cached_property, partial
+from functools import cached_property, partial, reduce
 from itertools import repeat
 from typing import TypeAlias
 
@@ -28,7 +28,7 @@ from plans.model.cyclogram import Window
 from plans.model.motion import Floats
 from plans.scene.faults import Path, dotted
 from plans.scene.scene import Scene
-from plans.words.words import placed
+from plans.words.words import message, placed
 
 LAWS, SIZES, PROFILE = "laws", "sizes", "profile"
 CYCLOGRAM = "cyclogram"
@@ -126,11 +126,17 @@ class CamStudy:
         self.drawings: Mapping[str, CamDrawing] = {drawing.cam.name: drawing for drawing in drawings}
 
     def construct(self, plans: Collection[str]) -> None:
-        """Make what is asked for."""
+        """Make what is asked for, and tell of all cams that cannot be made at once."""
+        wrong = list[CamError]()
+        made = [name for plan, name in ((LAWS, "diagrams"), (SIZES, "sizing"), (PROFILE, "found")) if plan in plans]
         for drawing in self.drawings.values():
-            for plan, name in {LAWS: "diagrams", SIZES: "sizing", PROFILE: "found"}.items():
-                if plan in plans:
-                    getattr(drawing, name)
+            try:
+                [getattr(drawing, name) for name in made]
+            except CamError as error:
+                wrong.append(error)
+        if wrong:
+            faults = reduce(lambda first, then: message("lines", first=first, then=then), (e.message for e in wrong))
+            raise CamError(faults, *wrong[0].key)
 
     @property
     def found(self) -> tuple[CamFound, ...]:

@@ -139,7 +139,9 @@ class _ComparedFriction:
         return self.finding((f"driving {_index(key)}", "W"), pair, allowed, largest)
 
     def efficiency(self) -> Iterator[Quantity]:
-        """Compare the efficiencies where the power is more than what its own roundings allow."""
+        """Compare the efficiencies where the power is more than what its own roundings allow, if a load is useful."""
+        if np.isnan([*self.ours.efficiency, *self.theirs.efficiency]).all():
+            return
         lost = sum((self._lost(key) for key in self.ours.powers), np.zeros(len(self.ours.phi)))
         off, whole = lost + self.off_used, self.ours.useful + self.ours.lost
         judged = np.where(whole > off, self.theirs.efficiency, self.ours.efficiency)

@@ -204,12 +204,6 @@ def cylinder(mechanism: Mechanism) -> Triangle | Between:
     return Triangle(mechanism) if ram_of(mechanism).links is None else Between(mechanism)
 
 
-def law(mechanism: Mechanism, phi: Floats) -> tuple[Floats, Floats]:
-    """Give how fast the cylinder lengthens at crank angles rad, (N,): m/s, and m/s2."""
-    ram = ram_of(mechanism)
-    return stroke_rates(mechanism.drive, cylinder(mechanism).ways(phi), ram.speed, ram.acceleration)
-
-
 def positions(mechanism: Mechanism, stroke: StrokeTable | None, steps: int) -> CrankPositions:
     """Divide a stroke into equal steps, and give the drive's positions there."""
     assert stroke is not None  # asked only of a stroke

@@ -53,6 +53,11 @@ class Loading(NamedTuple):
     forces: tuple[Applied, ...]
     moments: tuple[Twist, ...]
 
+    @property
+    def served(self) -> bool:
+        """Whether any load is of use: weight alone is none, and without it there is no efficiency."""
+        return any(load.useful for load in self.forces) or any(twist.useful for twist in self.moments)
+
 
 class Reaction(NamedTuple):
     """A reaction over the positions: force N of the giver on the taker at `r` m, and of a sliding pair its moment.

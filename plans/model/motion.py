@@ -1,6 +1,7 @@
 """The motion of a mechanism over its positions by its three orders, and the rates of its drive (движение)."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -230,6 +231,16 @@ def evenly(phi: Floats) -> Rates:
 def steady(drive: Drive) -> Rates:
     """Give the rates of a drive that has those of its scene in every position."""
     return Rates(drive.omega, drive.epsilon)
+
+
+def law_ends(law: Sequence[tuple[float, float]]) -> Rates:
+    """Give the speeds m/s at the places of a stroke's law, and its accelerations m/s2 at both ends of every piece.
+
+    Between them lie all others: along a piece a = v dv/ds goes evenly with v; from rest, and to it, it is one.
+    """
+    pieces = [(low, high, (high - low) / (end - start)) for (start, low), (end, high) in pairwise(law)]
+    ends = ((v if low * high else (low + high) / 2) * slope for low, high, slope in pieces for v in (low, high))
+    return Rates(np.array([v for _, v in law]), np.array([*ends]))
 
 
 def stroke_rates(drive: Drive, ways: Floats, speed: float, acceleration: float) -> tuple[Floats, Floats]:

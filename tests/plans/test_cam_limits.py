@@ -15,7 +15,7 @@ from plans.cam.centre.sizes import sizing
 from plans.cam.course import FollowerCourse, positions
 from plans.cam.hub import wall
 from plans.cam.profile.findings import cam_found
-from plans.cam.study import CamStudy
+from plans.cam.study import PROFILE, CamStudy
 from plans.model.cam import DWELL, FORCE, GROOVE, RETURN, RISE, ROCKING, TRANSLATING, Cam, GivenSizes, Hub, Limits
 from plans.model.cam_motion import CamError, CamFound, CamSizes
 from tests.parts import some
@@ -108,3 +108,6 @@ def test_a_roller_by_rule_grows_with_the_cam_and_the_cure_of_a_thin_wall_counts_
     more = re.search(r"larger by ([\d.]+) mm", str(refused.value))
     assert more
     CamStudy([replace(cam, given=GivenSizes(0.035 + float(more[1]) / 1000, 0.0))]).found  # noqa: B018
+    with pytest.raises(CamError) as both:
+        CamStudy([cam, replace(cam, name="second")]).construct({PROFILE})
+    assert str(both.value).count("larger by") == 2

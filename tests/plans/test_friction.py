@@ -111,6 +111,11 @@ def test_efficiency_and_wear_of_the_shaper(road: str) -> None:
     assert now.cycle is None  # one position is no cycle
 
 
+def test_against_weight_alone_no_efficiency_is_told(road: str) -> None:
+    now = found(shaper(), SHAPER, lambda _: Loading((), ()), 60, 12, road)
+    assert np.isfinite(now.lost).all() and np.isnan(now.efficiency).all() and now.cycle is None
+
+
 @pytest.mark.parametrize(("x", "total"), [(0.0, 800), (0.06, 800), (-0.06, 800), (-0.09, 1200), (0.12, 1600)])
 def test_pressure_of_a_contact_by_the_place_of_the_line_of_action(x: float, total: float) -> None:
     assert pressing(np.float64(-800), np.float64(-800 * x), 0.12) == pytest.approx(total)

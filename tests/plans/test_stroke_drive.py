@@ -9,7 +9,7 @@ import pytest
 
 from plans.forces import drive as cylinder
 from plans.linkage.ram import Triangle
-from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH
+from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH, law_ends
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
@@ -185,3 +185,10 @@ def test_a_cylinder_from_rest_to_rest_has_its_force_where_it_rests() -> None:
     (force,) = (one for one in study.comparison("forces").of("forces") if one.name == "P_bal")
     assert np.isfinite(force.construction).all()
     assert study["linkage"].mechanism.drive.omega > 0  # its sense is told though it begins at rest
+
+
+def test_a_law_tells_its_greatest_acceleration_wherever_the_positions_lie() -> None:
+    along = law_ends([(0.0, 0.05), (0.1, 0.2), (0.4, 0.2), (0.5, 0.05)]).epsilon  # v dv/ds = 0.2 * 0.15 / 0.1
+    assert (np.min(along), np.max(along)) == pytest.approx((-0.3, 0.3))
+    rest = law_ends([(0.45, 0.0), (0.5, 0.08), (0.7, 0.08)]).epsilon  # v^2 / 2s = 0.08^2 / 0.1
+    assert (np.min(rest), np.max(rest)) == pytest.approx((0, 0.064))
