@@ -26,7 +26,10 @@ from plans.words.words import term
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's task."""
     found, drafting = study.of(SynthesisStudy), drafting_of(study.scene)
-    shows = tuple(exhibit(construction, one, drafting, weight=2.0 if one.name == NAME else 1.0) for one in shown(found))
+    shows = tuple(
+        exhibit(construction, one, drafting, weight=2.0 if one.name == NAME else 1.0, scale=NAME)
+        for one in shown(found)
+    )
     shows += tuple(exhibit(region, one, drafting) for one in region.shown(found.region))
     said = tuple(notes(found, drafting))
     later = partial(slips, study.comparison(NAME))
