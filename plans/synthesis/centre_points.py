@@ -9,8 +9,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from geometry.board import Board, Mark, between
+from geometry.meet import cross
 from plans.model.synthesis.positions import MOST_TIMES, TOUCH, TWO
-from plans.synthesis.chord import cross
 from plans.words.words import because
 
 

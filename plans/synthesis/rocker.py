@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.board import Board, Mark, Span, between
-from geometry.meet import Sizes, Vectors
+from geometry.meet import Sizes, Vectors, cross
 from plans.model.motion import Floats
 from plans.model.synthesis.design import QUARTER, BarredArc, Design, LocusCircle
 from plans.model.synthesis.extremes import CENTRES, RockerTask
 from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
-from plans.synthesis.chord import SYNTHESIS, DrawnCrank, ExtremeChord, circle_of, cross, read
+from plans.synthesis.chord import SYNTHESIS, DrawnCrank, ExtremeChord, circle_of, read
 from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.synthesis.search import PLACED, best_of
 from plans.words.words import because
