@@ -70,10 +70,10 @@ def draw(found: ShownRegion, room: Picture, spot: Spot, drafting: Drafting) -> P
     for turned in range(0, math.floor(curve.angles[-1]), STEP):
         lines.append(graph.tick(turned))
         letters.append(graph.number(turned, str(turned)))
-    for value, text in _numbers(curve.span, APART * hand.number * graph.axes.up.mu, drafting):
+    for value, places in _ordinates(curve.span, APART * hand.number * graph.axes.up.mu):
         at, half = graph.axes.on(0.0, value), TICK * graph.axes.along
         lines.append(Line(at - half, at + half, hand.drafted))
-        letters.append(Letter(at, text, hand.number, math.pi, TICK + BESIDE))
+        letters.append(Letter(at, fixed(value, drafting.language, places), hand.number, math.pi, TICK + BESIDE))
     for name, place in marks.items():
         x = math.degrees(place)
         value = times * float(np.interp(place, region.places, region.curves[found.letter]))
@@ -82,10 +82,13 @@ def draw(found: ShownRegion, room: Picture, spot: Spot, drafting: Drafting) -> P
     return part._replace(lines=tuple(lines), letters=tuple(letters))
 
 
-def _numbers(span: tuple[float, float], least: float, drafting: Drafting) -> Iterator[tuple[float, str]]:
-    """Give round ordinates, no nearer to each other than the least."""
+def _ordinates(span: tuple[float, float], least: float) -> Iterator[tuple[float, int]]:
+    """Give round ordinates, no nearer to each other than the least, and their decimals.
+
+    >>> [*_ordinates((0.0, 50.0), 12.0)], [*_ordinates((0.0, 0.5), 0.11)]
+    ([(20.0, 0), (40.0, 0)], [(0.2, 1), (0.4, 1)])
+    """
     power = math.floor(math.log10(least))
     step = next(one * 10.0**power for one in (1, 2, 5, 10) if one * 10.0**power >= least)
-    for k in range(math.ceil(span[0] / step), math.floor(span[1] / step) + 1):
-        if k:
-            yield k * step, fixed(k * step, drafting.language, max(-math.floor(math.log10(step)), 0))
+    whole = range(math.ceil(span[0] / step), math.floor(span[1] / step) + 1)
+    yield from ((k * step, max(-math.floor(math.log10(step)), 0)) for k in whole if k)
