@@ -15,7 +15,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Kind, Line, LineStyle, Polyline, Statement, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.figure import ROOM, Dimension, Subject, around, heading, heading_width, point
-from drawings.symbols.symbols import HEAD, HINGE, STAND, TurnArrow, block, fit_dashes, fixed_hinge, hinge
+from drawings.symbols.symbols import HEAD, HINGE, STAND, TurnArrow, arrowhead, block, fit_dashes, fixed_hinge, hinge
 from drawings.synthesis.due import dimensioned
 from drawings.synthesis.due_shown import ShownSynthesis
 
@@ -67,8 +67,10 @@ class _DrawnSynthesis:
             yield stating(Statement(Kind.CURVE, found.name, name), self._chain(arc.tolist(), hand.other))
             yield from hatched
         for line in found.figure.lines:
-            start, end = found.cut(*(spots[name] for name in line))
-            yield Line(self.place.on(start), self.place.on(end), hand.drafted)
+            start, end = map(self.place.on, found.cut(*(spots[name] for name in line)))
+            yield Line(start, end, hand.drafted)
+            if line[1] not in found.places and (head := arrowhead(start, end, hand.symbol)):
+                yield head
         for axis in found.figure.axes:
             yield from fit_dashes([self._chain([spots[name] for name in axis], hand.axis)])
         for chain in found.figure.others:
@@ -156,6 +158,10 @@ class _DrawnSynthesis:
         for name, spot in self.spots.items():
             side = cmath.phase(spot - middle) if spot != middle else math.pi / 4
             yield labels.beside(spot, with_index(name), self.hand.letter, BESIDE, side)
+        for line in (line for line in self.found.figure.lines if line[1] not in self.found.places):
+            start, end = map(self.place.on, self.found.cut(*(self.found.design.places[name] for name in line)))
+            text = self.drafting.word("centre far", letter=with_index(line[1]))
+            yield labels.beside(end, text, self.hand.letter, BESIDE, cmath.phase(end - start))
         for letter, size in self.sizes.items():
             yield self._told(
                 labels.along(

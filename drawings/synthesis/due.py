@@ -17,6 +17,7 @@ from plans.model.synthesis.design import unit_of
 from plans.quantity import Comparison, Quantity
 from plans.quantity import by_hand as slipping
 from plans.study import Study
+from plans.synthesis.quantities import FIRST, apart
 from plans.synthesis.study import SynthesisStudy
 
 VALUES, BEST = "values", "O_0"
@@ -52,18 +53,26 @@ def dimensioned(name: str, value: float, drafting: Drafting, digits: int = DIGIT
     return joined("", (f"{with_index(name)} = ", number, "°" if unit == "°" else ""))
 
 
-def rows(comparison: Comparison, drafting: Drafting) -> Iterator[tuple[str, Quantity]]:
-    """Give the findings by the names of their rows, in the units that they are told in; no zeros."""
-    for one in (one for one in comparison.findings if one.largest):
-        times, unit = told_in(one.name)
+def rows(comparison: Comparison, drafting: Drafting) -> dict[str, dict[str, Quantity]]:
+    """Give the findings by the names of their rows and by their mechanisms, in the units that they are told in."""
+    found: dict[str, dict[str, Quantity]] = {}
+    for one in (one for one in comparison.findings if one.largest):  # no zeros
+        (letter, mechanism), (times, unit) = apart(one.name), told_in(one.name)
         roads = times * one.construction, times * one.analysis
-        row = f"{with_index(one.name)}, {drafting.word(unit)}" if unit else with_index(one.name)
-        yield row, one._replace(construction=roads[0], analysis=roads[1], largest=times * one.largest)
+        row = f"{with_index(letter)}, {drafting.word(unit)}" if unit else with_index(letter)
+        told = one._replace(construction=roads[0], analysis=roads[1], largest=times * one.largest)
+        found.setdefault(row, {})[mechanism] = told
+    return found
+
+
+def others(comparison: Comparison) -> list[str]:
+    """Letter the mechanisms beside the first: each has a column in the table."""
+    return [one for one in dict.fromkeys(apart(one.name)[1] for one in comparison.findings) if one != FIRST]
 
 
 def slips(comparison: Comparison, scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
     """Give within what hands are of what is read off the first construction, by its scale."""
-    read = [one for one in comparison.findings if "," not in one.name and "'" not in one.name]
+    read = [one for one in comparison.findings if apart(one.name)[1] == FIRST]
     return {key: told_in(key[0])[0] * error for key, error in slipping(read, {NAME: scales[NAME]}).items()}
 
 
@@ -73,11 +82,12 @@ def expected(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     found = study.of(SynthesisStudy)
     yield from _figures(found)
     off = slips(comparison, {name: mu for leaf in leaves for name, mu in leaf.metadata["scales"].items()})
-    for row, quantity in rows(comparison, drafting):
-        error = off.get((quantity.name, 0))
-        hand: Cell = None if error is None else by_hand(error, quantity.largest)
-        value = float(quantity.analysis[0]), FAR
-        yield from cells(VALUES, row, (value, value, hand), digits=TOLD)
+    for row, quantities in rows(comparison, drafting).items():
+        first, *beside = (quantities.get(one) for one in (FIRST, *others(comparison)))
+        error = None if first is None else off.get((first.name, 0))
+        hand: Cell = None if first is None or error is None else by_hand(error, first.largest)
+        known: list[Cell] = [None if one is None else (float(one.analysis[0]), FAR) for one in (first, first, *beside)]
+        yield from cells(VALUES, row, (*known, hand), digits=TOLD)
     yield from _region(found)
     for name, number in found.task.asked.items():
         told = told_in(name)[0] * number

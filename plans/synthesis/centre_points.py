@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from geometry.board import Board, Mark, between
-from plans.model.synthesis.positions import MOST_TIMES, TOUCH, TWO, crossing, sense_of, ways
-from plans.synthesis.chord import cross
+from geometry.meet import cross
+from plans.model.synthesis.positions import MOST_TIMES, TOUCH, TWO
 from plans.words.words import because
 
 
@@ -118,3 +119,34 @@ class Bars(NamedTuple):
                 met = complex(between(self.pivot, self.board.meet("dead", circle, arc, side)))
                 if abs(met) >= 0:  # it does meet
                     yield cmath.phase(met)
+
+
+def sense_of(angles: Sequence[float], dead: Iterable[float]) -> int:
+    """Tell in which sense a crank goes through its angles rad in their order, and over no dead one: +1, -1, or 0.
+
+    >>> sense_of([0.0, 1.0, 2.0], [3.0]), sense_of([0.0, 2.0, 1.0], [3.0]), sense_of([0.0, 1.0], [0.5, 5.0])
+    (1, 0, 0)
+    """
+    barred = [*dead]
+    for sense in (1, -1):
+        way = [*ways(angles, sense)]
+        if all(one < other for one, other in pairwise(way)) and all(
+            (sense * (one - angles[0])) % math.tau > way[-1] for one in barred
+        ):
+            return sense
+    return 0
+
+
+def ways(angles: Sequence[float], sense: int) -> Iterator[float]:
+    """Give how far a crank has turned from the first of its angles, in a sense: rad, not negative.
+
+    >>> [round(one, 6) for one in ways([3.0, -3.0], 1)]
+    [0.0, 0.283185]
+    """
+    return ((sense * (one - angles[0])) % math.tau for one in angles)
+
+
+def crossing(one: complex, other: complex) -> float:
+    """Give the angle rad between two lines, at most a right one."""
+    angle = abs(cmath.phase(other / one))
+    return min(angle, math.pi - angle)

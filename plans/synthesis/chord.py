@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Arc, Board, Mark, Reading, between
-from geometry.meet import Sizes, Vectors
+from geometry.meet import Sizes
 from plans.model.synthesis.design import LocusCircle
 from plans.words.words import because
 
@@ -116,8 +116,3 @@ def circle_of(mark: Mark) -> LocusCircle:
     """Give a circle that is drawn."""
     assert isinstance(mark.value, Arc)  # a locus that is a circle
     return LocusCircle(complex(np.asarray(mark.value.centre)), float(np.asarray(mark.value.radius)))
-
-
-def cross(one: Vectors, other: Vectors) -> Sizes:
-    """Give the cross product of two vectors: its sign tells on which side of one the other is."""
-    return (one.conjugate() * other).imag

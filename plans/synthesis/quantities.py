@@ -20,6 +20,7 @@ from plans.synthesis.drawn import DrawnDesign
 from plans.synthesis.study import SynthesisStudy
 
 NEAR = 1e-8  # rad, of a largest value; its place is known to the root of it
+FIRST = "a"  # letters the first mechanism
 WEAR = 32.0  # roundings of what is read off several lines
 
 
@@ -53,6 +54,17 @@ def suffix(number: int, place: int) -> str:
     ('', "'", ',b')
     """
     return "'" * place + (f",{letter_of(number)}" if number else "")
+
+
+def apart(name: str) -> tuple[str, str]:
+    """Tell a size's letter from that of its mechanism, of which the first has no suffix.
+
+    >>> apart("l_1"), apart("l_1'"), apart("e',b")
+    (('l_1', 'a'), ('l_1', "a'"), ('e', "b'"))
+    """
+    whole, _, construction = name.partition(",")
+    letter = whole.rstrip("'")
+    return letter, (construction or FIRST) + whole[len(letter) :]
 
 
 def letter_of(number: int) -> str:

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.board import Board, Mark, Span, between
-from geometry.meet import Sizes, Vectors
+from geometry.meet import Sizes, Vectors, cross
 from plans.model.motion import Floats
 from plans.model.synthesis.design import QUARTER, BarredArc, Design, LocusCircle
 from plans.model.synthesis.extremes import CENTRES, RockerTask
 from plans.model.synthesis.region import Region, stations
 from plans.quantity import Shown
-from plans.synthesis.chord import SYNTHESIS, DrawnCrank, ExtremeChord, circle_of, cross, read
+from plans.synthesis.chord import SYNTHESIS, DrawnCrank, ExtremeChord, circle_of, read
 from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.synthesis.search import PLACED, best_of
 from plans.words.words import because
@@ -80,7 +80,7 @@ def _base(task: RockerTask) -> _Base:
     board = Board(SYNTHESIS)
     pivot = board.given("C", 0j, because("rocker_pivot"))
     why = because("rocker_extreme", angle=f"{math.degrees(task.swing):.6g}")
-    ends = [complex(sense * task.half, task.height) for sense in (1, -1)]
+    ends = [cmath.rect(task.rocker, QUARTER - sense * task.swing / 2) for sense in (1, -1)]
     far, near = (board.given(f"C{name}", end, why) for name, end in zip(("B_1", "B_2"), ends, strict=True))
     chord = ExtremeChord.between(board, board.lay_off("B_1", pivot, far), board.lay_off("B_2", pivot, near))
     if not task.overlap:
@@ -149,7 +149,12 @@ def _drawn(base: _Base, crank: DrawnCrank) -> DrawnDesign:
         "θ": crank.seen,
     }
     flat = math.sin(least) * min(rest, task.rocker)
-    arms = {"θ": arm, "ψ": task.rocker, "μ_min": flat, "γ": min([task.half, *(one.radius for one in circles.values())])}
+    arms = {
+        "θ": arm,
+        "ψ": task.rocker,
+        "μ_min": flat,
+        "γ": min([abs(rockers[0].real), *(one.radius for one in circles.values())]),
+    }
     design = Design(sizes, places, circles, base.barred, least)
     return DrawnDesign(design, shown, arms, _figure(places))
 

@@ -9,10 +9,11 @@ from functools import partial
 from typing import NamedTuple
 
 from geometry.board import Board, Mark, between
+from geometry.meet import cross
 from plans.model.synthesis.design import EPS, Design
 from plans.model.synthesis.positions import TOUCH
 from plans.model.synthesis.swings import STILL, RockerSliderTask
-from plans.synthesis.chord import SYNTHESIS, cross
+from plans.synthesis.chord import SYNTHESIS
 from plans.synthesis.drawn import DrawnDesign, DrawnReading, SynthesisFigure
 from plans.words.words import because
 

@@ -10,12 +10,11 @@ from typing import Final
 import numpy as np
 
 from plans.analytic.synthesis.guided import centres
+from plans.analytic.synthesis.rocker import largest
 from plans.model.synthesis.design import Design, LocusCircle, TaskReading
 from plans.model.synthesis.positions import PATH, TIED, TOUCH, DwellTask
 
 SAMPLES: Final = 720
-GOLDEN: Final = (math.sqrt(5) - 1) / 2
-SECTIONS: Final = 60  # each leaves 0.62 of the one before: below a rounding of the first
 
 
 def readings(task: DwellTask) -> tuple[TaskReading, ...]:
@@ -88,14 +87,7 @@ def _spread(task: DwellTask, centre: complex, radius: float, side: int) -> tuple
 
 
 def _most(value: Callable[[float], float], begin: float, end: float) -> float:
-    """Give the largest value by the golden section about the best of many places; NaN where one is not a number."""
-    step = (end - begin) / SAMPLES
-    found = [value(begin + k * step) for k in range(SAMPLES + 1)]
-    if any(map(math.isnan, found)):
+    """Give the largest value; NaN where one is not a number."""
+    if any(math.isnan(value(begin + (end - begin) * k / SAMPLES)) for k in range(SAMPLES + 1)):
         return math.nan
-    k = max(range(SAMPLES + 1), key=found.__getitem__)
-    least, most = begin + max(k - 1, 0) * step, begin + min(k + 1, SAMPLES) * step
-    for _ in range(SECTIONS):
-        low, high = most - GOLDEN * (most - least), least + GOLDEN * (most - least)
-        least, most = (least, high) if value(low) > value(high) else (low, most)
-    return max(value((least + most) / 2), found[k])
+    return largest(value, begin, end, SAMPLES)[1]

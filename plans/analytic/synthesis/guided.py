@@ -5,21 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from itertools import pairwise, product
+from itertools import accumulate, pairwise, product
 
 from plans.model.synthesis.design import Design, TaskReading
-from plans.model.synthesis.positions import (
-    TIED,
-    TOUCH,
-    TWO,
-    FunctionTask,
-    RodTask,
-    bent,
-    crossing,
-    real,
-    sense_of,
-    ways,
-)
+from plans.model.synthesis.positions import TIED, TOUCH, TWO, FunctionTask, RodTask, bent, real
 
 
 def centres(places: Sequence[complex], arm: float | None) -> Iterator[complex]:
@@ -96,7 +85,8 @@ def _four_bar(
     for letter in letters if real(lengths) else "":
         leading = (pivot, other, hinges, ends) if letter == "φ" else (other, pivot, ends, hinges)
         if turned := led(*leading):
-            tight = min(crossing(a - b, leading[1] - b) for a, b in zip(*leading[2:], strict=True))
+            angles = ((a - b).conjugate() * (leading[1] - b) for a, b in zip(*leading[2:], strict=True))
+            tight = min(math.atan2(abs(one.imag), abs(one.real)) for one in angles)
             told = {f"{letter}_1{k}": turn for k, turn in enumerate(turned[1:], 2)}
             if tight > TOUCH:
                 return Design({**sizes, **told, "μ_min": tight}, places, merit=round(tight, TIED))
@@ -119,10 +109,16 @@ def dead(line: complex, crank: float, coupler: float, rocker: float) -> Iterator
 def led(pivot: complex, other: complex, hinges: Sequence[complex], ends: Sequence[complex]) -> list[float] | None:
     """Give the turns rad of a leading link from the first position, in its sense; None where it cannot lead."""
     hands = [((other - a).conjugate() * (b - a)).imag for a, b in zip(hinges, ends, strict=True)]
-    angles = [cmath.phase(a - pivot) for a in hinges]
+    if min(hands) < 0 < max(hands):
+        return None
     lengths = abs(hinges[0] - pivot), abs(ends[0] - hinges[0]), abs(ends[0] - other)
-    sense = sense_of(angles, dead(other - pivot, *lengths))
-    return None if not sense or min(hands) < 0 < max(hands) else [sense * way for way in ways(angles, sense)]
+    barred, first = [*dead(other - pivot, *lengths)], cmath.phase(hinges[0] - pivot)
+    steps = [cmath.phase((b - pivot) / (a - pivot)) for a, b in pairwise(hinges)]
+    for sense in (1, -1):
+        ahead = [sense * step % math.tau for step in steps]
+        if min(ahead) > 0 and sum(ahead) < min([math.tau, *(sense * (one - first) % math.tau for one in barred)]):
+            return [0.0, *(sense * way for way in accumulate(ahead))]
+    return None
 
 
 def functions(task: FunctionTask) -> tuple[TaskReading, ...]:

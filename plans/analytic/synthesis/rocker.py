@@ -185,11 +185,11 @@ GOLDEN: Final = (math.sqrt(5) - 1) / 2
 SECTIONS: Final = 60  # each leaves 0.62 of the one before: below a rounding of the first
 
 
-def largest(value: Callable[[float], float], start: float, end: float) -> tuple[float, float]:
+def largest(value: Callable[[float], float], start: float, end: float, samples: int = SAMPLES) -> tuple[float, float]:
     """Give where a value is largest, and that value, by the golden section about the best of many places."""
-    step = (end - start) / SAMPLES
-    k = max(range(SAMPLES + 1), key=lambda k: value(start + k * step))
-    least, most = start + max(k - 1, 0) * step, start + min(k + 1, SAMPLES) * step
+    step = (end - start) / samples
+    k = max(range(samples + 1), key=lambda k: value(start + k * step))
+    least, most = start + max(k - 1, 0) * step, start + min(k + 1, samples) * step
     for _ in range(SECTIONS):
         low, high = most - GOLDEN * (most - least), least + GOLDEN * (most - least)
         least, most = (least, high) if value(low) > value(high) else (low, most)

@@ -38,7 +38,8 @@ def symmetric(task: RockerSliderTask) -> Iterator[Design]:
 def axial(task: RockerSliderTask, sense: int) -> Iterator[Design]:
     """Give the axial rocker-slider whose slider is to one side of the rocker's end."""
     assert task.angles is not None  # asked before
-    high = math.sin(task.steepest)
+    upright = min(task.angles) < QUARTER < max(task.angles)
+    high = 1.0 if upright else max(map(math.sin, task.angles))
     if task.ratio is None:
         assert task.pressure is not None  # asked before
         sine = math.sin(task.pressure)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import combinations, pairwise
+from collections.abc import Mapping, Sequence
+from itertools import combinations
 from typing import Final, NamedTuple
 
 TWO, THREE = 2, 3
@@ -122,37 +122,6 @@ def bent(places: Sequence[complex]) -> bool:
     return abs(u * v * (u - v)) < 2 * abs((u.conjugate() * v).imag) * MOST_TIMES * max(abs(u), abs(v))
 
 
-def sense_of(angles: Sequence[float], dead: Iterable[float]) -> int:
-    """Tell in which sense a crank goes through its angles rad in their order, and over no dead one: +1, -1, or 0.
-
-    >>> sense_of([0.0, 1.0, 2.0], [3.0]), sense_of([0.0, 2.0, 1.0], [3.0]), sense_of([0.0, 1.0], [0.5, 5.0])
-    (1, 0, 0)
-    """
-    barred = [*dead]
-    for sense in (1, -1):
-        way = [*ways(angles, sense)]
-        if all(one < other for one, other in pairwise(way)) and all(
-            (sense * (one - angles[0])) % math.tau > way[-1] for one in barred
-        ):
-            return sense
-    return 0
-
-
-def ways(angles: Sequence[float], sense: int) -> Iterator[float]:
-    """Give how far a crank has turned from the first of its angles, in a sense: rad, not negative.
-
-    >>> [round(one, 6) for one in ways([3.0, -3.0], 1)]
-    [0.0, 0.283185]
-    """
-    return ((sense * (one - angles[0])) % math.tau for one in angles)
-
-
 def real(lengths: Sequence[float]) -> bool:
     """Tell whether no link of a four-bar is of no length."""
     return min(lengths) > TOUCH**2 * max(lengths)
-
-
-def crossing(one: complex, other: complex) -> float:
-    """Give the angle rad between two lines, at most a right one."""
-    angle = abs(cmath.phase(other / one))
-    return min(angle, math.pi - angle)

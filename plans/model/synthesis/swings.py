@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Final, NamedTuple
 
+from plans.model.synthesis.pace import told
+
 
 class RockerSliderTask(NamedTuple):
     """A rocker-slider is wanted: its stroke m, and of pressure angle rad and ratio rocker/rod what is asked.
@@ -22,9 +24,8 @@ class RockerSliderTask(NamedTuple):
     @property
     def asked(self) -> Mapping[str, float]:
         """The demands by the letters of their sizes."""
-        found = {"H": self.stroke, "α_max": self.pressure, "λ": self.ratio}
         first, second = self.angles or (None, None)
-        return {name: one for name, one in (found | {"ψ_1": first, "ψ_2": second}).items() if one is not None}
+        return told(H=self.stroke, α_max=self.pressure, λ=self.ratio, ψ_1=first, ψ_2=second)
 
     @property
     def readings(self) -> tuple[RockerSliderTask, ...]:

@@ -11,8 +11,8 @@ from plans.scene import units
 from plans.scene.faults import Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.tables import Missing, key
-from plans.synthesis.tables.demands import HALF, MOST_RATIO, QUARTER, DemandTable, within
-from plans.synthesis.tables.slots import MEAN_SPEED, OUTPUT
+from plans.synthesis.tables.demands import HALF, MOST_RATIO, DemandTable, within
+from plans.synthesis.tables.slots import MEAN_SPEED, OUTPUT, PRESSURE, STROKE
 
 LEFT = Decimal(270)  # degrees: where the left half of a circle ends
 
@@ -87,17 +87,13 @@ class SliderTable(DemandTable):
     With an overlap alone it is that with the largest least transmission angle.
     """
 
-    stroke: Decimal = key(
-        f.LENGTH, meaning="Stroke H (ход), m.", missing=Missing("stroke", 'stroke = "120 mm"', "120 mm"), also=("H",)
-    )
+    stroke: Decimal = STROKE
     offset: Decimal | None = key(
         f.not_negative(units.LENGTH), None, meaning="Offset e of the guide (дезаксиал), m.", also=("e",)
     )
     ratio: Decimal | None = key(
         within("1.001", MOST_RATIO, units.NUMBER), None, meaning="Ratio l2/l1 of the rod to the crank."
     )
-    pressure: Decimal | None = key(
-        within("0.1", QUARTER), None, meaning="Largest pressure angle (угол давления), degrees.", also=("alpha", "α")
-    )
+    pressure: Decimal | None = PRESSURE
     mean_speed: Decimal | None = MEAN_SPEED
     output: Decimal | None = OUTPUT

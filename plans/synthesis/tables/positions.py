@@ -16,6 +16,12 @@ TWO, THREE = 2, 3
 Place = tuple[Decimal, Decimal]
 
 
+def _length(name: str, meaning: str, example: int) -> Any:
+    """Give the key of a length that is required, m; an example of it in mm."""
+    missing = Missing("length of the link", f'{name} = "{example} mm"', Decimal(example) / 1000)
+    return key(f.LENGTH, meaning=meaning, missing=missing)
+
+
 def _two_or_three(value: object) -> object:
     """See that a list has two or three entries."""
     if isinstance(value, list) and not TWO <= len(value) <= THREE:
@@ -90,16 +96,8 @@ class FunctionTable(Table):
         meaning="Angles of the rocker with them, degrees: their differences are met.",
         missing=Missing("angles of the rocker", "outputs = [0, 20, 45]", ()),
     )
-    crank: Decimal = key(
-        f.LENGTH,
-        meaning="Crank l1, m: chosen.",
-        missing=Missing("length of the link", 'crank = "100 mm"', Decimal("0.1")),
-    )
-    frame: Decimal = key(
-        f.LENGTH,
-        meaning="Frame l4, m: chosen.",
-        missing=Missing("length of the link", 'frame = "300 mm"', Decimal("0.3")),
-    )
+    crank: Decimal = _length("crank", "Crank l1, m: chosen.", 100)
+    frame: Decimal = _length("frame", "Frame l4, m: chosen.", 300)
     rocker: Decimal | None = key(f.LENGTH, None, meaning="Of two angles: the rocker l3, m.")
 
     @classmethod
@@ -114,26 +112,16 @@ class FunctionTable(Table):
 class DwellTable(Table):
     """A rocker that is wanted to rest while a point of a four-bar's coupler goes round an arc."""
 
-    crank: Decimal = key(f.LENGTH, meaning="Crank l1, m.", missing=Missing("length of the link", 'crank = "100 mm"', 1))
-    coupler: Decimal = key(
-        f.LENGTH, meaning="Coupler l2, m.", missing=Missing("length of the link", 'coupler = "250 mm"', 1)
-    )
-    rocker: Decimal = key(
-        f.LENGTH, meaning="Rocker l3, m.", missing=Missing("length of the link", 'rocker = "250 mm"', 1)
-    )
-    frame: Decimal = key(f.LENGTH, meaning="Frame l4, m.", missing=Missing("length of the link", 'frame = "200 mm"', 1))
-    arm: Decimal = key(
-        f.LENGTH,
-        meaning="AK, from the crank's end to K, m.",
-        missing=Missing("length of the link", 'arm = "500 mm"', 1),
-    )
+    crank: Decimal = _length("crank", "Crank l1, m.", 100)
+    coupler: Decimal = _length("coupler", "Coupler l2, m.", 250)
+    rocker: Decimal = _length("rocker", "Rocker l3, m.", 250)
+    frame: Decimal = _length("frame", "Frame l4, m.", 200)
+    arm: Decimal = _length("arm", "AK, from the crank's end to K, m.", 500)
     lean: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle BAK of K from the coupler, degrees counter-clockwise.")
     dwell: tuple[Decimal, Decimal] = key(
         f.pair(f.ANGLE, "[from, to]"),
         meaning="Angles of the crank from the line OC on between which the rocker rests, degrees.",
         missing=Missing("dwell of the crank", "dwell = [130, 230]", (130, 230)),
     )
-    output: Decimal = key(
-        f.LENGTH, meaning="Rocker DF that rests, m.", missing=Missing("length of the link", 'output = "300 mm"', 1)
-    )
+    output: Decimal = _length("output", "Rocker DF that rests, m.", 300)
     crossed: bool = key(f.FLAG, False, meaning="Whether the four-bar is crossed: B right of the ray from A to C.")

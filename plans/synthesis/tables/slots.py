@@ -13,7 +13,12 @@ from plans.scene.forms import Form
 from plans.scene.tables import Missing, Table, key
 from plans.synthesis.tables.demands import QUARTER, DemandTable, within
 
-STROKE_MISSING: Final = Missing("stroke", 'stroke = "120 mm"', "120 mm")
+STROKE: Final[Any] = key(
+    f.LENGTH, meaning="Stroke H (ход), m.", missing=Missing("stroke", 'stroke = "120 mm"', "120 mm"), also=("H",)
+)
+PRESSURE: Final[Any] = key(
+    within("0.1", QUARTER), None, meaning="Largest pressure angle (угол давления), degrees.", also=("alpha", "α")
+)
 MEAN_SPEED: Final[Any] = key(
     f.positive(units.VELOCITY),
     None,
@@ -73,7 +78,7 @@ class LeverTable(SlotTable):
 class SineTable(Table):
     """A sine mechanism that is wanted: its stroke, and how fast it is to be."""
 
-    stroke: Decimal = key(f.LENGTH, meaning="Stroke H (ход), m.", missing=STROKE_MISSING, also=("H",))
+    stroke: Decimal = STROKE
     mean_speed: Decimal | None = MEAN_SPEED
     output: Decimal | None = OUTPUT
 
@@ -93,8 +98,6 @@ class TangentTable(Table):
     """A tangent mechanism that is wanted: two of stroke, pressure angle, and distance of its guide."""
 
     stroke: Decimal | None = key(f.LENGTH, None, meaning="Stroke H (ход), m.", also=("H",))
-    pressure: Decimal | None = key(
-        within("0.1", QUARTER), None, meaning="Largest pressure angle (угол давления), degrees.", also=("alpha", "α")
-    )
+    pressure: Decimal | None = PRESSURE
     distance: Decimal | None = key(f.LENGTH, None, meaning="Distance h of the guide from O, m.", also=("h",))
     one_sided: bool = key(f.FLAG, False, meaning="Whether the lever leans to one side only from its shortest place.")

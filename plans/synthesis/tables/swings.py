@@ -9,16 +9,15 @@ from typing import Any
 from plans.scene import fields as f
 from plans.scene import units
 from plans.scene.faults import Wrong, wrong
-from plans.scene.tables import Missing, Table, key
+from plans.scene.tables import Table, key
 from plans.synthesis.tables.demands import HALF, QUARTER, within
+from plans.synthesis.tables.slots import STROKE
 
 
 class RockerSliderTable(Table):
     """A rocker-slider that is wanted: its stroke, and how its rod leans, how long it is, or between what angles."""
 
-    stroke: Decimal = key(
-        f.LENGTH, meaning="Stroke H (ход), m.", missing=Missing("stroke", 'stroke = "120 mm"', "120 mm"), also=("H",)
-    )
+    stroke: Decimal = STROKE
     pressure: Decimal | None = key(
         within("0.1", QUARTER),
         None,
