@@ -152,7 +152,9 @@ class CamNotes(NamedTuple):
             yield self.drafting.phrase("cam setting", angle=self._slot("setting", math.degrees(self.cam.setting)))
 
     def pressure(self) -> Iterator[str]:
-        """Say how large the pressure angle grows on each kind of phase, and where."""
+        """Say how large the pressure angle grows on each kind of phase, and where; of sizes chosen by it, that."""
+        if self.cam.eased and not any(flaw.kind == "pressure" for flaw in self.found.flaws):
+            yield self.drafting.phrase("cam eased", size="L" if self.cam.rocks else "e")
         for kind, found in self.found.pressure.items() if self.cam.pressed else ():
             permitted = interval_of(self.cam, kind)
             parts = {"phase": self.drafting.word(f"cam on {kind}"), "phi": self.place(f"α {kind}", found.turned)}

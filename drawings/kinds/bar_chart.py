@@ -208,7 +208,8 @@ class BarFigure(ChartFigure):
         letter = words[0] if words else self._whole(bar) if self._lettered(bar) else ""
         yield Group(tuple(line), "", data, Text(0j, letter).plain)
         for k, text in enumerate(words):
-            yield self._text(self.place.on(bar.top) + 1j * (OVER + k * STEP * self.hand.number), text)
+            label = self._text(self.place.on(bar.top) + 1j * k * STEP * self.hand.number, text)
+            yield label._replace(at=label.at + 1j * max(OVER, BESIDE - text_reach(label)[0]))  # an index hangs low
 
     def _label(self, bar: Bar) -> tuple[str, ...]:
         """Give the letters that have room over the line of a stretch, from below: its angle, what is done; or none."""

@@ -10,11 +10,12 @@ from typing import NamedTuple
 
 from drawings.kinds import course
 from drawings.kinds.bar_chart import Chart, ChartFigure
+from drawings.layout.ink import LETTERED
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Drafting
-from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import INK, Arc, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols.figure import around, heading
 from drawings.symbols.symbols import TICK, TurnArrow
@@ -28,6 +29,8 @@ BAND = 0.12  # of a ring: how far over its inner circle the line of what is done
 MARGINS = Margins(3.0, 2.4, 2.4)  # paper around it in sizes of its letters
 LETTERS, MOST = 24.0, 60.0  # it is drawn at least so many of its letters wide, and at most so many
 BESIDE = 0.8  # mm
+DOT = 0.6  # mm, radius of the dot that a leader ends with in its ring
+SHARES = (0.25, 0.75, 0.15, 0.85, 0.35, 0.65)  # of a span, where it may end
 ARROW = (0.6, math.radians(20), math.radians(100))  # of the hub: radius; start and sweep of the arrow of rotation
 
 
@@ -52,6 +55,12 @@ class Ring(NamedTuple):
     row: BarRow
     radius: float
     named: Period | None
+
+    @property
+    def bare(self) -> Iterator[float]:
+        """Turns off the middles of its spans, which bear letters; of the longest span first."""
+        for span in sorted(self.row.spans, key=lambda span: span.start - span.end):
+            yield from (span.start + share * (span.end - span.start) for share in SHARES)
 
     def stated(self, span: Period) -> Period:
         """Give the part of a span that bears its angle: what the name of the ring leaves."""
@@ -145,11 +154,24 @@ class CircleFigure(ChartFigure):
         return labels.beside(spot, text, self.hand.number, BESIDE, self.chart.sense * turned)
 
     def _names(self, labels: Labels) -> Iterator[Stroke]:
-        """Name the rings that have no room for their names where they begin."""
+        """Name outside the chart the rings that have no room for it, with leaders that end in their middles."""
         for ring in self._rings:
             if ring.named is None:
                 name = course.name(ring.row, self.drafting)
-                yield self._beside(labels, name, ring.radius, ring.row.spans[0].start)
+                ways = (self._led(labels, name, ring, turned) for turned in ring.bare)
+                led = next((way for way in ways if way is not None), None)
+                yield led or self._beside(labels, name, ring.radius, ring.row.spans[0].start)
+
+    def _led(self, labels: Labels, name: str, ring: Ring, turned: float) -> Stroke | None:
+        """Name a ring at the end of a ray from its middle; None where that crosses letters or has no room."""
+        ray, size = self._ray(turned), self.hand.number
+        start, end = self.place.on(ring.radius * ray), self.place.on(self._outer * ray) + (TICK + size) * ray
+        sides = (0.5j * size * ray, -0.5j * size * ray)  # beside its letters it would be read as theirs
+        if any(labels.ink.along(start + off, end + off)[0] >= LETTERED for off in sides):
+            return None
+        label = labels.close(end, name, size, BESIDE, self.chart.sense * turned)
+        dot = Circle(start, DOT * self.hand.symbol, INK)
+        return label and Group((Line(start, end, self.hand.drafted), dot, label))
 
     def _long(self, labels: Labels) -> Iterator[Stroke]:
         """Letter the spans whose letters have no room along their ring."""

@@ -106,6 +106,10 @@ class Limits(NamedTuple):
     back: float | None = None
     curvature: float = 0.0  # of the profile under a flat face
 
+    def shared(self, share: float) -> Limits:
+        """Give so large a share of the limits of the pressure angle."""
+        return self._replace(rise=self.rise and share * self.rise, back=self.back and share * self.back)
+
     def of(self, kind: str) -> float | None:
         """Give the limit of the pressure angle on a kind of phase."""
         return {RISE: self.rise, RETURN: self.back}.get(kind)
@@ -241,6 +245,11 @@ class Cam:
             return True
         other = self.given.centre if self.rocks else self.given.offset
         return self.given.base is not None and (other is not None or (not self.rocks and (self.flat or self.unlimited)))
+
+    @property
+    def eased(self) -> bool:
+        """Whether e or L is left to be chosen at an R0 that is given: that of the least pressure angle."""
+        return self.given.base is not None and not (self.sized or self.flat)
 
     @property
     def unlimited(self) -> bool:

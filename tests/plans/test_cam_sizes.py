@@ -136,9 +136,34 @@ CASES = [
 ]
 
 
+CLOSED = [(1, "groove", 0.06), (-1, "groove", 0.1), (-1, FORCE, 0.06)]
+
+
 @over("cam", CASES[::5])
 def test_both_roads_find_the_same_sizes(cam: Cam) -> None:
     assert same(construction(cam).sizes, sizes(cam))
+
+
+EASED = [
+    *(make(s, closure=c, given=GivenSizes(b)) for make in (translating, rocking) for s, c, b in CLOSED),
+    rocking(turns=-1, limits=degrees(50, 30), given=GivenSizes(0.06)),
+]
+
+
+@over("cam", EASED)
+def test_no_neighbour_at_a_given_radius_asks_for_less_of_the_limits(cam: Cam) -> None:
+    own = sizes(cam)
+    beside = (GivenSizes(own.base, own.offset + off, own.centre + off) for off in (0.0, -1e-4, 1e-4))
+    chosen, *others = (share(cam, sizes(replace(cam, given=one))) for one in beside)
+    assert chosen < min(*others, 1.0)
+
+
+def share(cam: Cam, own: CamSizes) -> float:
+    """Give the largest pressure angle of a dense scan, in shares of its limit; under a spring that of the rise."""
+    turned = np.linspace(0, cam.phases[0].end if cam.closure == FORCE else 2 * math.pi, 2001)
+    angles = ContourValues(cam, own, turned).pressure
+    most = cam.limits.rise or math.nan
+    return float(max(angles.max() / most, -angles.min() / (most if cam.closure == FORCE else cam.limits.back or most)))
 
 
 LAWS = ("constant velocity", "constant acceleration", "cosine", "trapezoid", "modified trapezoid", "modified sine")

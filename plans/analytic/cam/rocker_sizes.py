@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.cam.stretches import LawPart, stretches
+from plans.analytic.cam.stretches import LawPart, eased, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import CamSizes, FollowerTravel, Points, no_region, no_triangle, vanishing
 from plans.model.motion import Floats
@@ -133,11 +133,11 @@ def rocker_sizes(cam: Cam) -> CamSizes:
             raise no_triangle(cam, length, given.base, given.centre)
         initial = math.acos((length**2 + given.centre**2 - given.base**2) / (2 * length * given.centre))
         return _sizes(cam, start, given.centre * start / length * cmath.exp(-1j * f * initial))
+    if cam.eased:
+        return _sizes(cam, start, start + eased(cam, lambda one: _nearest(one, start) - start))
     place = _nearest(cam, start) if given.centre is None else _on_circle(cam, start, given.centre)
     if given.base is None and abs(place - start) < LEAST_BASE * cam.way:
         raise vanishing(cam, limits_of(cam))
-    if given.base is not None:
-        place = start + given.base * (place - start) / abs(place - start)
     return _sizes(cam, start, place)
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.cam.rocker_sizes import rocker_sizes
-from plans.analytic.cam.stretches import golden, peak, stretches
+from plans.analytic.cam.stretches import eased, golden, peak, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import (
     CamSizes,
@@ -105,15 +105,17 @@ def _guided(cam: Cam) -> CamSizes:
         return CamSizes(given.base, given.offset)
     if given.base is not None and cam.unlimited:
         return CamSizes(given.base, 0.0)
+    if given.base is not None:
+        return CamSizes(given.base, eased(cam, lambda one: complex(*least(tuple(sides_of(one))))).real)
     sides = tuple(sides_of(cam))
     if given.offset is not None:
         level = max((side.most - side.sign * given.offset) / side.tangent for side in sides)
         return CamSizes(math.hypot(level, given.offset), given.offset)
     offset, level = least(sides)
     base = math.hypot(offset, level)
-    if given.base is None and base < LEAST_BASE * cam.way:
+    if base < LEAST_BASE * cam.way:
         raise vanishing(cam, limits_of(cam))
-    return CamSizes(base, offset) if given.base is None else CamSizes(given.base, offset * given.base / base)
+    return CamSizes(base, offset)
 
 
 def sides_of(cam: Cam) -> Iterator[LimitLine]:

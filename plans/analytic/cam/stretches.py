@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from plans.analytic.cam.laws import LAWS, breaks
-from plans.model.cam import Cam, Law, Phase
-from plans.model.cam_motion import FollowerTravel
+from plans.model.cam import Cam, Law, Phase, limits_of
+from plans.model.cam_motion import CamError, FollowerTravel
 from plans.model.motion import Floats
 
 GRID = 65  # places of a stretch that are looked at before a root is closed in on
 GOLDEN, SECTIONS = (5**0.5 - 1) / 2, 78  # of two parts, to the last digit
 HALVINGS = 60  # of a part of it: to the last digit
+SETTLED = 1e-13  # of a share: the next step of a false position would be a rounding
 
 
 class LawPart(NamedTuple):
@@ -121,3 +124,35 @@ def roots(of: Callable[[Floats], Floats], grid: Floats) -> Floats:
         below = np.sign(of(middle)) == sign
         low, high = np.where(below, middle, low), np.where(below, high, middle)
     return np.concatenate([(low + high) / 2, grid[signs == 0]])
+
+
+def eased(cam: Cam, least: Callable[[Cam], complex]) -> complex:
+    """Give O from the start, R0 off it as given, where all pressure angles keep to the least share of their limits.
+
+    That O makes the least R0 for this share; R0 over it is 0 for none, and rises with the share: the Illinois rule.
+    """
+    base, limits = cam.given.base or 0.0, limits_of(cam)
+
+    def off(share: float) -> complex:
+        try:
+            return least(replace(cam, limits=limits.shared(share)))
+        except CamError:  # no place at all: the cam were infinitely large
+            return complex(math.inf)
+
+    full = least(cam)
+    (low, below), (high, above), found = (0.0, -1.0), (1.0, base / abs(full) - 1), full
+    for _ in range(HALVINGS if above > 0 else 0):
+        share = high - above * (high - low) / (above - below)
+        if share in (low, high):
+            break
+        found, last = off(share), high
+        value = base / abs(found) - 1
+        if value * above < 0:
+            low, below = high, above
+        else:
+            below /= 2
+        high, above = share, value
+        if abs(share - last) <= SETTLED * share:
+            break
+    found = found if abs(found) < math.inf else full
+    return found * base / abs(found)

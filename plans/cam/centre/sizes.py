@@ -24,9 +24,11 @@ from plans.cam.centre.place import (
     Sizing,
     axis,
     bound_by,
+    eased,
     met,
     nearest,
     on_circle,
+    on_ray,
     place,
     required,
     rocker_sizes,
@@ -72,7 +74,9 @@ def _translating(course: FollowerCourse) -> Sizing:
         return laid_end(board, diagram, start, touch.motion, name)[1], way
 
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
-    centre = _centre(board, cam, start, way, lines[: len(found.limits)])
+    spot = eased(diagram, limits, found)
+    trial = lines[: len(found.limits)] if spot is found else tangents(board, diagram, (), spot.limits, laid, "'")
+    centre = _centre(board, cam, start, way, trial)
     at = complex(centre.point)
     offset = 0.0 - cam.sense * at.real if offset is None else offset
     sizes = CamSizes(abs(at) if cam.given.base is None else cam.given.base, offset)
@@ -121,8 +125,7 @@ def _centre(board: Board, cam: Cam, start: Mark, way: Mark, lines: Sequence[Size
     corner = met(board, "O" if base is None else "O'", lines, start, "cam_centre")
     if base is None:
         return corner
-    ray = board.turn("R_0", board.join("AO'", start, corner), base / abs(complex(corner.point)), because("cam_base"))
-    return board.lay_off("O", start, ray, because("cam_on_ray"))
+    return on_ray(board, "AO'", start, corner, base)
 
 
 def _beside(board: Board, cam: Cam, start: Mark, way: Mark, offset: float, lines: Sequence[SizeTangent]) -> Mark:
@@ -156,7 +159,9 @@ def _rocking(course: FollowerCourse) -> Sizing:
         return far, board.turn(f"u_{name}", board[f"ψ_{name}"], 1j * cam.rising, because("cam_way"))
 
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
-    centre = _rocker_centre(board, cam, (pivot, start), lines[: len(found.limits)], found.centre)
+    spot = eased(diagram, limits, found, first)
+    trial = lines[: len(found.limits)] if spot is found else tangents(board, diagram, (), spot.limits, laid, "'")
+    centre = _rocker_centre(board, cam, (pivot, start), trial, found.centre)
     chord = _chord(board, diagram, limits, (pivot, start), centre, laid) if found.limits else None
     sizes = rocker_sizes(cam, complex(centre.point), first)
     return Sizing(cam, limits, sizes, board, pivot, start, tip, end, centre, bound_by(cam, lines), bounds, chord)
@@ -190,9 +195,7 @@ def _rocker_centre(
     corner = met(board, "O" if base is None else "O*", lines, start, "cam_centre")
     if base is None:
         return corner
-    ray = board.join("K_0O*", start, corner)
-    ray = board.turn("R_0", ray, base / abs(complex(ray.point)), because("cam_base"))
-    return board.lay_off("O", start, ray, because("cam_on_ray"))
+    return on_ray(board, "K_0O*", start, corner, base)
 
 
 def _chord(
