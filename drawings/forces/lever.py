@@ -82,8 +82,9 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
         over = ON_LINE * sum(merging(run, other) for other in taken.forces)
         over += TOUCHING * sum(_touching(run, other) for other in taken.forces)
         over += OUTSIDE * (not within(arrow.free, taken.box))
-        others = (spot for rod in taken.rods for spot in rod if abs(spot - image) > SAME)
+        others = {spot for rod in taken.rods for spot in rod if abs(spot - image) > SAME}
         passed = any(abs(spot - nearest(image, arrow.at, spot)) < APART for spot in others)
+        passed += sum(abs(spot - nearest(*run, spot)) < POINT for spot in others)  # marks that would hide it
         return over + any(merging(run, rod) for rod in taken.rods) + AWAY * ((arrow.lead is not None) + passed)
 
     return min(tries, key=cost)
@@ -103,17 +104,20 @@ def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, subject:
     return aside(kept, [*taken.rods, *taken.forces], taken.box, hand)
 
 
-def _downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:
-    """Turn the stand of the pole to where no line runs; downward if it can be."""
+def _downward(lines: list[Segment], arms: list[Segment], pole: complex, hand: Hand) -> complex:
+    """Turn the stand of the pole to where no line runs, or but arms; downward if it can be."""
     depth = STAND[0] * hand.symbol
     turns = sorted((math.remainder(math.tau * k / STANDS, math.tau) for k in range(STANDS)), key=abs)
 
-    def clear(turn: float) -> float:
+    def clear(turn: float, lines: list[Segment]) -> float:
         foot = pole - 1j * depth * cmath.rect(1.0, turn)
         return min((abs(foot - nearest(*line, foot)) for line in lines if line[0] != line[1]), default=math.inf)
 
-    free = [turn for turn in turns if clear(turn) > (STAND[1] + STAND[2]) * hand.symbol]
-    return -1j * cmath.rect(1.0, free[0] if free else max(turns, key=clear))
+    for about in ([*lines, *arms], lines):
+        free = [turn for turn in turns if clear(turn, about) > (STAND[1] + STAND[2]) * hand.symbol]
+        if free:
+            return -1j * cmath.rect(1.0, free[0])
+    return -1j * cmath.rect(1.0, max(turns, key=lambda turn: clear(turn, [*lines, *arms])))
 
 
 QUARTER = -1j  # the plan is turned clockwise
@@ -276,7 +280,7 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lette
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     kept = placed_arms(_armed(shown, drafting), place, taken, subject, hand)
     arms = [ends for arm in kept for ends in (arm.reach(hand), (arm.about, arm.ends[0]), (arm.at, arm.ends[1]))]
-    downward = _downward([*taken.rods, *taken.forces, *arms], place.on(0j), hand)
+    downward = _downward([*taken.rods, *taken.forces], arms, place.on(0j), hand)
     stand = fixed_hinge(place.on(0j), hand, HINGE * hand.symbol, downward)
     told = [drafting.word("lever arms")] if not shown.part and balance(shown, drafting) else []
     under = ";  ".join((drafting.scale(spot.scale), *told))

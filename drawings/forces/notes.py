@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from drawings.forces.letters import force_letter
-from drawings.forces.report import least, stretching
+from drawings.forces.report import least, stretching, working_of
 from drawings.lettering.words import Slot, joined, number, numbered, phrase, runs, with_index, word
 from drawings.linkage.notes import driving, lengths
 from drawings.report.report import ANGLE
@@ -88,6 +88,7 @@ def load_given(load: Force | Moment, statics: Statics, language: str) -> str:
         said = word(language, "load on link" if on else "load always", name=name, size=size, **on)
     during = [*_place(load, language), *_sides(load, language)] if isinstance(load, Force) else []
     during += [] if load.during == ALWAYS else [word(language, load.during)]
+    during += working_of(load, statics, language)
     if load.overrun != (0.0, 0.0):
         shares = dict.fromkeys(number(share, language) for share in load.overrun)
         during.append(word(language, "overrun", share="; ".join(shares)))

@@ -26,7 +26,7 @@ from plans.forces.reading.pressed import BEHIND, PRESSED
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Friction, Kinetostatics
 from plans.model.machine import BACKWARD, FORWARD, GEAR, IDLE, WORKING, Diagram, Force, Machine, Moment
-from plans.model.mechanism import FRAME
+from plans.model.mechanism import FRAME, ways
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study
 from plans.words.words import Message, message, word
@@ -228,9 +228,17 @@ def _counted_strokes(statics: Statics, language: str) -> Iterator[str]:
     loads = [load for load in statics.machine.loads if asks(load)]
     for track, stroke in statics.strokes.items():
         names = ", ".join(load.name for load in loads if load.stroke == track)
-        line = stroke_line(statics.study.mechanism, stroke.output, stroke.reach, stroke.angles, language)
+        line = stroke_line(statics.study.mechanism, stroke.output, stroke.reach, stroke.angles, language, track.point)
         yield word(language, "report.counted", names=names, line=line.removeprefix("- "))
     yield from (f"- {line}" for line in _warnings(statics, language))
+
+
+def working_of(load: Force | Moment, statics: Statics, language: str) -> Iterator[str]:
+    """Tell of which point the working stroke is that a load counts, and which way it goes; nothing of the output's."""
+    if asks(load) and load.stroke.point:
+        stroke = statics.strokes[load.stroke]
+        gone = tuple(message(f"way.{name}") for name in ways(statics.study.mechanism, stroke.output, *stroke.reach))
+        yield word(language, "report.working_of", point=load.stroke.point, ways=gone)
 
 
 def _warnings(statics: Statics, language: str) -> Iterator[str]:

@@ -61,7 +61,8 @@ class Labels:
         """Place a label beside a point, a `ring` further off, or at a leader's end, or nowhere if there is no place."""
         box, *_ = parts = self._parts(content, size)
         spots, bare = (point, *further), list[complex]()
-        space = WORD * size if content[:1].isdigit() else 0.0  # that a number keeps from letters on its line
+        # What a number, a list or a letter with its unit keeps from letters on its line: it would be read on with them.
+        space = WORD * size if content[:1].isdigit() or ", " in content else 0.0
         for spot in spots:
             near = self._near(spot, parts, gap + ring, prefer, others, space)
             if not self.ink.under(padded(box, near)):

@@ -265,12 +265,14 @@ def _stroke(study: LinkageStudy) -> str:
 
 
 def stroke_line(
-    mechanism: Mechanism, output: Output, reach: tuple[float, float], angles: tuple[float, float], language: str
-) -> str:
-    """Say which way the working stroke goes, and how far the crank turns over it and over the idle one."""
+    mechanism: Mechanism, output: Output, reach: tuple[float, float], angles: tuple[float, float], language: str,
+    point: str = "",
+) -> str:  # fmt: skip
+    """Say which way the working stroke goes, of a point where it is not the output's, and how far the crank turns."""
     work, idle = (fixed(float(np.degrees(angle)), language) for angle in angles)
     way = tuple(message(f"way.{name}") for name in ways(mechanism, output, *reach))
-    return plain_word(language, "report.working", time=_time(*angles), ways=way, work=work, idle=idle)
+    key, of = ("report.working_point", {"point": point}) if point else ("report.working", {})
+    return plain_word(language, key, time=_time(*angles), ways=way, work=work, idle=idle, **of)
 
 
 def _time(work: float, idle: float) -> Message:

@@ -16,7 +16,7 @@ from drawings.linkage.guides import aside
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.page.page import Scale, page_of
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Line, Stroke, Text
+from drawings.paper.strokes import Line, Polyline, Stroke, Text
 from drawings.symbols import symbols
 from plans.linkage.primary import PRIMARIES, CrankPositions, pushed
 from plans.linkage.travel import ExtremePositions, frame_slide
@@ -164,14 +164,22 @@ RING = 1.6  # sizes of a number from one ring of numbers to the next
 APART = 1.1  # heights or widths of a number between two that stand side by side
 STEPS = (1, 2, 3, 4, 6, 12)  # every which position may bear a number at the output
 MOST = 0.3  # share of the numbers chosen that may fall out where places crowd at the ends of a stroke
+SHRUNK = (0.2, 0.5, 0.8)  # outlines within that of a block, as shares of it, by which it is felt
 ANGLES = 12  # positions of a list whose crank angles still have room beside their numbers
 
 
 def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number every position outside the crank circle, at the output and each slider as many as stand legibly."""
+    labels.ink.draw(_within(block.points) for _, block in pairs.blocks)
     yield from () if apart(pairs.bones) else crank_numbers(pairs, labels)
     for track in _tracks(pairs.bones):
         yield from _track_numbers(pairs, track, labels)
+
+
+def _within(outline: Sequence[complex]) -> Stroke:
+    """Run to and fro within a block, so that no number has room there: it would be read as that of the link."""
+    middle = sum(outline) / len(outline)
+    return Polyline(tuple(middle + share * (spot - middle) for share in SHRUNK for spot in outline), True)
 
 
 def _tracks(bones: Skeletons) -> Iterator[NumberedTrack]:

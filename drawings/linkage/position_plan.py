@@ -17,7 +17,7 @@ from drawings.lettering.lettering import text_width
 from drawings.linkage.guides import arrows, axes, grounds
 from drawings.linkage.numbering import apart, crank_numbers, crank_places, same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
-from drawings.linkage.skeleton import Pairs, Skeletons, reference
+from drawings.linkage.skeleton import Pairs, Skeletons, cylinders, reference
 from drawings.linkage.special_points import false_positions, special_letters, special_lines, special_spots
 from drawings.linkage.trajectories import phases, trajectories
 from drawings.page.page import Drafting
@@ -212,6 +212,8 @@ def _links(bones: Skeletons, poses: Poses, k: int, place: Place, style: LineStyl
             start, end = (complex(poses.of(outline.link, spot)[k]) for spot in bar)
             if not math.isnan(start.real) and start != end:
                 yield Line(place.on(start), place.on(end), style)
+    cylinder = (ends for j, ends in enumerate(cylinders(bones, poses)) if j == k and not cmath.isnan(sum(ends)))
+    yield from (Line(place.on(start), place.on(end), style) for start, end in cylinder)
 
 
 def _extremes(pairs: Pairs) -> Iterable[Stroke]:

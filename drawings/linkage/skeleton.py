@@ -1,7 +1,8 @@
 """The skeleton of a linkage as it is drawn: bars and slots, masses, poses of its bodies (скелет механизма)."""
 
 import math
-from collections.abc import Sequence
+from cmath import isnan
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -10,9 +11,12 @@ import numpy as np
 
 from drawings.kinds.outlines import Poses
 from drawings.kinds.scheme import Joints
+from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Place
-from drawings.paper.strokes import TURN
+from drawings.paper.strokes import TURN, Circle, Line, Stroke
 from drawings.paper.walk import tied
+from drawings.symbols.symbols import BLOCK, block, hinge
+from drawings.symbols.trimming import Mask, trim
 from geometry.board import at
 from plans.linkage.plan import Plan, angle, unnamed
 from plans.linkage.primary import PRIMARIES, CrankPositions
@@ -229,8 +233,61 @@ def _near(path: Complexes, places: Complexes) -> Complexes:
         return np.where(np.maximum(np.abs(off.real), np.abs(off.imag)) <= reach, path, np.nan)
 
 
+BARREL = (0.2, 0.8)  # of a cylinder's shortest length: where along it its barrel begins and ends
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Pairs(Joints):
-    """The pairs of a mechanism's shown position."""
+    """The pairs of a mechanism's shown position, with the cylinder that drives it."""
 
     bones: Skeletons
+
+    @cached_property
+    def hinges(self) -> dict[str, tuple[Circle, ...]]:
+        """The hinges by their letters, those of the cylinder's ends too."""
+        joined, found = self.bones.mechanism.hinges, dict(super().hinges)
+        for name in self.named.keys() & self.bones.mechanism.cylinder:
+            found[name] = hinge(self.place.on(self.named[name]), self.hand, len(joined.get(name, (FRAME,))) + 1)
+        return found
+
+    @cached_property
+    def barrel(self) -> list[Mask]:
+        """The cylinder's barrel, as its shortest length lets it be; none where it would be no longer than wide."""
+        ram, barrels = self.bones.mechanism.drive.ram, list[Mask]()
+        for foot, point in self._cylinder:
+            assert ram is not None  # it has the ends
+            low, high = (share * self.place.length(min(ram.begin, ram.end)) for share in BARREL)
+            along, size = (point - foot) / abs(point - foot), ((high - low) / self.hand.symbol, BLOCK[1])
+            barrels += [block(foot + (low + high) / 2 * along, along, self.hand, size)] if size[0] > size[1] else []
+        return barrels
+
+    @property
+    def _cylinder(self) -> list[Segment]:
+        """The ends of the cylinder on paper, as far as it is known."""
+        ends = [self.place.on(self.named[name]) for name in self.bones.mechanism.cylinder if name in self.named]
+        return [(ends[0], ends[1])] if len({*ends}) == 2 else []
+
+    @property
+    def masks(self) -> list[Mask]:
+        """What no line of another position enters: all symbols of the shown one."""
+        return [*super().masks, *self.barrel]
+
+    def bars(self) -> Iterator[Stroke]:
+        """Draw the links of the shown position, and the cylinder: its barrel, and its rod from there."""
+        yield from super().bars()
+        rods = (Line(*ends, self.hand.result) for ends in self._cylinder)
+        yield from trim(rods, [*self.rounds, *self.barrel])
+        yield from self.barrel
+
+    def _ways(self, name: str) -> Iterator[complex]:
+        yield from super()._ways(name)
+        ends = cylinders(self.bones, self.bones.numbered) if name in self.bones.mechanism.cylinder[:1] else ()
+        runs = (end - start for start, end in ends)
+        yield from (run / abs(run) for run in runs if not isnan(run))
+
+
+def cylinders(bones: Skeletons, poses: Poses) -> Iterator[Segment]:
+    """Give the true ends of the cylinder that drives in every pose; nothing of one that links are."""
+    links, link_of = bones.mechanism.links, bones.mechanism.link_of
+    ends = [poses.of(link_of(name), links[link_of(name)].points[name]) for name in bones.mechanism.cylinder]
+    yield from zip(*(end.tolist() for end in ends), strict=True) if ends else ()

@@ -177,6 +177,14 @@ class Mechanism:
         return {point: tuple(links) for point, links in owners.items() if len(links) > 1}
 
     @cached_property
+    def cylinder(self) -> tuple[str, ...]:
+        """The foot and the point of the cylinder that drives; empty where two links are its barrel and its rod."""
+        ends = (self.drive.ram.foot, self.drive.ram.point) if self.drive.ram else ()
+        pairs = ([self.links[link].points for link in (s.slider, s.owner)] for s in self.slides if s.owner != FRAME)
+        drawn = any(all(map(lambda end, link: end in link, ends[::way], pair)) for pair in pairs for way in (1, -1))
+        return () if drawn else ends
+
+    @cached_property
     def turning_with(self) -> dict[int, int]:
         """Each link with the least number of those that turn as it does, for slides join them; 0: it never turns."""
         least = {number: number for number in self.links}
