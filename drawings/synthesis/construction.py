@@ -25,6 +25,7 @@ LETTERS = 22.0  # it is drawn at least so many letters high
 DOT, BESIDE = 0.9, 1.2  # mm: radius of a point, from it to its letter
 OFF, SPARE = 9.0, 0.1  # mm to a dimension line; its share that stays free beyond it
 SHARE, NEAR = 0.6, 0.3  # of its shorter leg to an angle, to one about the centre of a circle
+APART_BY = 0.75  # of the radius of an angle to that of the next about its vertex
 HATCH, APART = 3.0, 2.5  # mm: a stroke of the hatching of an arc, and how far apart they are
 
 
@@ -111,13 +112,14 @@ class _DrawnSynthesis:
 
     @cached_property
     def angles(self) -> dict[str, TurnArrow]:
-        """The dimensioned angles, each across the shorter of its legs."""
-        found = {}
+        """The dimensioned angles, each across the shorter of its legs, those of one vertex inside one another."""
+        found, vertices = {}, list[str]()
         for letter, *corners in self.found.angles:
             vertex, start, end = (self.spots[name] for name in corners)
             legs = start - vertex, end - vertex
             share = NEAR if corners[0] in self.found.design.circles else SHARE
-            radius = share * min(map(abs, legs))
+            radius = share * APART_BY ** vertices.count(corners[0]) * min(map(abs, legs))
+            vertices.append(corners[0])
             found[letter] = TurnArrow(vertex, radius, cmath.phase(legs[0]), cmath.phase(legs[1] / legs[0]))
         return found
 

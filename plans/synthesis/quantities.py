@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import zip_longest
 from typing import Any
 
@@ -12,7 +12,7 @@ import numpy as np
 from geometry.board import Board, behind
 from plans.analytic.synthesis import analysed, region_of
 from plans.explanation import Explanation, NoMark, explained_by
-from plans.model.synthesis.design import ANALYSIS, EPS, Design, Synthesis, unit_of
+from plans.model.synthesis.design import ANALYSIS, EPS, Design, Synthesis, TaskReading, unit_of
 from plans.quantity import Comparison, Numbers, Quantity, pairs
 from plans.study import Study
 from plans.synthesis.chord import SYNTHESIS
@@ -30,10 +30,19 @@ def compare_synthesis(study: SynthesisStudy) -> Comparison:
     findings = [
         finding
         for number, (drawn, known) in enumerate(zip(study.drawn, theirs.readings, strict=True))
-        for k, (made, other) in enumerate(zip_longest(drawn.found, known.found))
+        for k, (made, other) in enumerate(_taken_first(drawn.found, known.found, study.synthesis.readings[number]))
         for finding in _findings(drawn.board, made, other, suffix(number, k))
     ]
     return Comparison(study.synthesis, theirs, (*findings, *_best(study, theirs)))
+
+
+def _taken_first(
+    drawn: Sequence[DrawnDesign], known: Sequence[Design], reading: TaskReading
+) -> list[tuple[DrawnDesign | None, Design | None]]:
+    """Put the mechanisms of a reading by both roads beside each other, that which is shown before the others."""
+    pairs = [*zip_longest(drawn, known)]
+    best = reading.best if reading.found else 0
+    return [*pairs[best : best + 1], *pairs[:best], *pairs[best + 1 :]]
 
 
 def _best(study: SynthesisStudy, theirs: Synthesis) -> Iterator[Quantity]:

@@ -70,7 +70,7 @@ def mechanism(made: Design) -> MechanismText:
 
 def notes(task: RockerTask) -> Iterator[str]:
     """Name what the sheet says of the place of O."""
-    yield "synthesis best" if task.best else "synthesis free"
+    yield "synthesis best" if task.best else "synthesis free" if task.frame is None else "synthesis framed"
     if task.overlap:
         yield "synthesis barred"
     yield "synthesis read"

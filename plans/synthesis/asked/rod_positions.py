@@ -118,7 +118,7 @@ def mechanism(made: Design) -> MechanismText:
 
 def notes(task: RodTask) -> Iterator[str]:
     """Name what the sheet says of how the pivots were found."""
-    yield "synthesis bisectors" if task.hinges else "synthesis inverted"
+    yield "synthesis bisectors" if task.hinges else "synthesis seen pivots"
     if task.poles:
         yield "synthesis poles"
     if len(task.poles) < math.comb(len(task.places), 2):
