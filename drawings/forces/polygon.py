@@ -29,6 +29,7 @@ from plans.forces.cut import CutGroup, ForcePlan
 from plans.model.motion import NOTHING
 
 SHORT = 0.6  # sizes of a letter: a side of a plan of the least size that even twice as large has no room for its own
+CROWDED = 2.0  # sizes of a letter: a side that has no room beside its own letter for that of a short one next to it
 STUB = 0.2  # of a detail's size: how far the sides on either side of it are followed
 HEADED = 1.5 * SEEN  # mm: a side whose head, two thirds of it, is seen
 DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its letters large, and at most
@@ -37,13 +38,16 @@ DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its 
 def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int) -> tuple[ForcePolygon, ...]:
     """Give the details of a force plan: of each run of short sides of which one is not seen at the plan's least size.
 
-    Of a lone one the sheet lists the name. `before` details of other plans have the first letters.
+    A lone one has a detail with a side next to it that would crowd its letter; else, where it is not seen, the sheet
+    lists its name. `before` details of other plans have the first letters.
     """
     least = max(room.wide, room.high) / room.least if room.least else 0.0
     letters = drafting.word("detail letters")
     sides = [force for force in shown.forces if force.kind != WHOLE]
-    short = (run for run in _runs(sides, SHORT * drafting.hand.letter * least) if len(run) > 1)
-    runs = (run for run in short if min(abs(sides[k].value) for k in run) < SEEN * least)
+    sizes, unit = [abs(force.value) for force in sides], drafting.hand.letter * least
+    runs = (run for run in _runs(sizes, drafting.hand.letter, least) if len(run) > 1)
+    ends = ((run, min(sizes[k] for k in run), max(sizes[k] for k in run)) for run in runs)
+    runs = (run for run, low, high in ends if low < SEEN * least or high >= SHORT * unit)
     named = zip(letters[before:], runs, strict=False)
     return tuple(
         shown._replace(forces=tuple(sides[k] for k in run), rays=tuple(_stubs(sides, run)), detail=letter)
@@ -51,9 +55,15 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
     )
 
 
-def _runs(sides: Sequence[ShownVector], least: float) -> Iterator[list[int]]:
-    runs = groupby(range(len(sides)), lambda k: abs(sides[k].value) < least)
-    yield from ([*run] for small, run in runs if small)
+def _runs(sizes: Sequence[float], letter: float, least: float) -> Iterator[list[int]]:
+    """Give the runs of short sides, a lone one with the shorter side next to it, if a detail shows both."""
+    small = {k for k, size in enumerate(sizes) if size < SHORT * letter * least}
+    for k in [k for k in sorted(small) if not {k - 1, k + 1} & small]:
+        near = min({k - 1, k + 1} & {*range(len(sizes))}, key=lambda one: sizes[one], default=k)
+        if sizes[near] < letter * min(CROWDED * least, sizes[k] * WIDEST / HEADED):
+            small.add(near)
+    runs = groupby(range(len(sizes)), small.__contains__)
+    yield from ([*run] for short, run in runs if short)
 
 
 def _stubs(sides: Sequence[ShownVector], run: Sequence[int]) -> Iterator[Segment]:
