@@ -259,6 +259,9 @@ def test_the_written_scene_does_what_was_asked(tmp_path, task) -> None:
     made = study(task).family.mechanism(one)
     path.write_text(written(made, "", "task.toml", {"language": "en"}), encoding="utf-8")
     for road in ("construction", "analysis"):
+        guided = Study(read_scene(path), ["positions"]).numbers("linkage", road).plain()["points"]["B"]["r"]
+        if "e" in one.sizes:  # its guide is left of the way from O on, or the other stroke is the working one
+            assert np.allclose([spot[1] for spot in guided], one.sizes["e"], rtol=1e-12, atol=1e-15)
         found = Study(read_scene(path), ["extremes"]).numbers("linkage", road).plain()["extremes"]
         wanted = task.swing if isinstance(task, RockerTask) else task.stroke
         assert math.isclose(found["stroke"], wanted, rel_tol=1e-12)

@@ -111,6 +111,12 @@ def test_a_rocker_slider_has_what_was_asked(task) -> None:
     assert len(found) == _tried_swings(task)
 
 
+def test_ratio_and_pressure_angle_are_each_a_reading() -> None:
+    asked = RockerSliderTask(0.15, LEAN, 0.5, tuple(map(math.radians, (8, 30))))
+    alone = [designs(asked._replace(**{name: None})) for name in ("pressure", "ratio")]
+    assert [one.sizes for one in designs(asked)] == [one.sizes for one in chain(*alone)]
+
+
 def _tried_swings(task) -> int:
     """Count by trial the shapes whose slider goes one way: of rods leaning alike, or to either side of the rocker."""
     if task.angles is None:
