@@ -53,8 +53,7 @@ def data(study: LinkageStudy) -> Iterator[str]:
     yield from _places(study, letters)
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
     drive = study.mechanism.drive
-    rates = course(drive, study.rates)._asdict()
-    texts = {name: span(np.ravel(rate), study.language) for name, rate in rates.items()}
+    texts = {name: span(np.ravel(rate), study.language) for name, rate in course(drive, study.rates)._asdict().items()}
     texts |= {} if drive.pushed else {"taken": taken(study, study.language)}
     yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **texts)
     if drive.ram is not None:
