@@ -143,16 +143,10 @@ def eased(cam: Cam, least: Callable[[Cam], complex]) -> complex:
     (low, below), (high, above), found = (0.0, -1.0), (1.0, base / abs(full) - 1), full
     for _ in range(HALVINGS if above > 0 else 0):
         share = high - above * (high - low) / (above - below)
-        if share in (low, high):
+        found, last = off(share), above
+        low, below = (high, last) if (above := base / abs(found) - 1) * last < 0 else (low, below / 2)
+        if abs(share - high) <= SETTLED * share:
             break
-        found, last = off(share), high
-        value = base / abs(found) - 1
-        if value * above < 0:
-            low, below = high, above
-        else:
-            below /= 2
-        high, above = share, value
-        if abs(share - last) <= SETTLED * share:
-            break
+        high = share
     found = found if abs(found) < math.inf else full
     return found * base / abs(found)

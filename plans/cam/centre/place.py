@@ -9,24 +9,11 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import NamedTuple, TypeAlias
 
-import numpy as np
-
 from geometry.board import Board, Mark
 from geometry.meet import EPS, cross, dot
-from plans.cam.centre.bounds import (
-    Bound,
-    Limit,
-    PressureBound,
-    RulerTouch,
-    SlopeDiagram,
-    limit,
-    pressure_bounds,
-    side_of,
-)
-from plans.cam.profile.touch import closed_in
+from plans.cam.centre.bounds import Bound, Limit, PressureBound, RulerTouch, SlopeDiagram, limit, side_of
 from plans.model.cam import LEAST_BASE, Cam, Limits
 from plans.model.cam_motion import CamSizes, no_region, vanishing
-from plans.model.motion import Floats
 from plans.words.words import because
 
 PARALLEL = 1e-9  # sine of the angle of two lines that touch one curve at one place: they have no meeting of their own
@@ -195,32 +182,6 @@ def axis(board: Board) -> tuple[Mark, Mark, Mark]:
     start = board.given("A", 0j, because("cam_start"))
     way = board.given("S", 1j, because("cam_way"))
     return start, way, board.parallel("AS", start, way, because("cam_way"))
-
-
-def eased(diagram: SlopeDiagram, limits: Limits, found: CentrePlace, start: complex = 0j) -> CentrePlace:
-    """Give by trial the place at the given R0 where all pressure angles keep to the least share of their limits."""
-    cam, base = diagram.cam, diagram.cam.given.base
-    if not cam.eased or base is None or abs(found.centre - start) >= base:
-        return found
-
-    def tried(share: float) -> CentrePlace | None:
-        """Give the place of the least R0 for a share of the limits: the smaller, the larger that is."""
-        bounds = tuple(pressure_bounds(diagram, limits.shared(share)))
-        return place(bounds, start, nearest(start), max(cam.way, base))
-
-    def spare(shares: Floats) -> Floats:
-        tries = (tried(share) for share in shares.tolist())
-        return np.array([-1.0 if spot is None else base / abs(spot.centre - start) - 1 for spot in tries])
-
-    share = closed_in(spare, np.zeros(1), whole := np.ones(1), -whole, spare(whole))
-    return tried(float(share[0])) or found
-
-
-def on_ray(board: Board, name: str, start: Mark, corner: Mark, base: float) -> Mark:
-    """Give O at R0 from the start, towards where two limiting lines meet."""
-    ray = board.join(name, start, corner)
-    ray = board.turn("R_0", ray, base / abs(complex(ray.point)), because("cam_base"))
-    return board.lay_off("O", start, ray, because("cam_on_ray"))
 
 
 def required(cam: Cam, limits: Limits, found: CentrePlace | None, start: complex = 0j) -> CentrePlace:

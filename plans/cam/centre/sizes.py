@@ -24,11 +24,9 @@ from plans.cam.centre.place import (
     Sizing,
     axis,
     bound_by,
-    eased,
     met,
     nearest,
     on_circle,
-    on_ray,
     place,
     required,
     rocker_sizes,
@@ -37,6 +35,7 @@ from plans.cam.centre.place import (
     under,
 )
 from plans.cam.course import FollowerCourse, positions
+from plans.cam.profile.touch import closed_in
 from plans.model.cam import Cam, Limits, limits_of
 from plans.model.cam_motion import CamSizes, Points, no_triangle, still, too_far
 from plans.model.motion import Floats
@@ -74,13 +73,32 @@ def _translating(course: FollowerCourse) -> Sizing:
         return laid_end(board, diagram, start, touch.motion, name)[1], way
 
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
-    spot = eased(diagram, limits, found)
-    trial = lines[: len(found.limits)] if spot is found else tangents(board, diagram, (), spot.limits, laid, "'")
-    centre = _centre(board, cam, start, way, trial)
+    centre = _centre(board, cam, start, way, _found_by(board, diagram, found, 0j, lines, laid))
     at = complex(centre.point)
     offset = 0.0 - cam.sense * at.real if offset is None else offset
     sizes = CamSizes(abs(at) if cam.given.base is None else cam.given.base, offset)
     return Sizing(cam, limits, sizes, board, start, start, tip, end, centre, bound_by(cam, lines), bounds)
+
+
+def _found_by(
+    board: Board, diagram: SlopeDiagram, found: CentrePlace, start: complex, lines: Sequence[SizeTangent], laid: Laid
+) -> Sequence[SizeTangent]:
+    """Give the tangents that O is found by: at a given R0 by trial, of the least share of the limits."""
+    cam, base = diagram.cam, diagram.cam.given.base or 0.0
+    if not cam.eased or abs(found.centre - start) >= base:
+        return lines[: len(found.limits)]
+
+    def tried(share: float) -> CentrePlace | None:
+        """Give the place of the least R0 for a share of the limits: the smaller, the larger that is."""
+        bounds = tuple(pressure_bounds(diagram, limits_of(cam).shared(share)))
+        return place(bounds, start, nearest(start), max(cam.way, base))
+
+    def spare(shares: Floats) -> Floats:
+        tries = (tried(share) for share in shares.tolist())
+        return np.array([-1.0 if spot is None else base / abs(spot.centre - start) - 1 for spot in tries])
+
+    share = closed_in(spare, np.zeros(1), whole := np.ones(1), -whole, spare(whole))
+    return tangents(board, diagram, (), (tried(float(share[0])) or found).limits, laid, "'")
 
 
 Motion: TypeAlias = "tuple[Floats | float, Floats | float]"  # S and S'
@@ -125,7 +143,7 @@ def _centre(board: Board, cam: Cam, start: Mark, way: Mark, lines: Sequence[Size
     corner = met(board, "O" if base is None else "O'", lines, start, "cam_centre")
     if base is None:
         return corner
-    return on_ray(board, "AO'", start, corner, base)
+    return _on_ray(board, "AO'", start, corner, base)
 
 
 def _beside(board: Board, cam: Cam, start: Mark, way: Mark, offset: float, lines: Sequence[SizeTangent]) -> Mark:
@@ -138,6 +156,13 @@ def _beside(board: Board, cam: Cam, start: Mark, way: Mark, offset: float, lines
         raise too_far(cam, offset, cam.given.base)
     arc = board.arc("R_0", start, cam.given.base, because("cam_base"))
     return board.meet("O", beside, arc, side=-1, why=because("cam_given_centre"))
+
+
+def _on_ray(board: Board, name: str, start: Mark, corner: Mark, base: float) -> Mark:
+    """Give O at R0 from the start, towards where two limiting lines meet."""
+    ray = board.join(name, start, corner)
+    ray = board.turn("R_0", ray, base / abs(complex(ray.point)), because("cam_base"))
+    return board.lay_off("O", start, ray, because("cam_on_ray"))
 
 
 def _rocking(course: FollowerCourse) -> Sizing:
@@ -159,9 +184,8 @@ def _rocking(course: FollowerCourse) -> Sizing:
         return far, board.turn(f"u_{name}", board[f"ψ_{name}"], 1j * cam.rising, because("cam_way"))
 
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
-    spot = eased(diagram, limits, found, first)
-    trial = lines[: len(found.limits)] if spot is found else tangents(board, diagram, (), spot.limits, laid, "'")
-    centre = _rocker_centre(board, cam, (pivot, start), trial, found.centre)
+    by = _found_by(board, diagram, found, first, lines, laid)
+    centre = _rocker_centre(board, cam, (pivot, start), by, found.centre)
     chord = _chord(board, diagram, limits, (pivot, start), centre, laid) if found.limits else None
     sizes = rocker_sizes(cam, complex(centre.point), first)
     return Sizing(cam, limits, sizes, board, pivot, start, tip, end, centre, bound_by(cam, lines), bounds, chord)
@@ -195,7 +219,7 @@ def _rocker_centre(
     corner = met(board, "O" if base is None else "O*", lines, start, "cam_centre")
     if base is None:
         return corner
-    return on_ray(board, "K_0O*", start, corner, base)
+    return _on_ray(board, "K_0O*", start, corner, base)
 
 
 def _chord(
