@@ -308,10 +308,7 @@ def working(shown: Plate) -> Workings:
 def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
     if not shown.loop or shown.account.flywheel is None:
         return
-    drafting, frame = (
-        shown.drafting,
-        PlateFrame(shown, spot) if spot else None,
-    )  # where it stands is not known at first
+    drafting, frame = shown.drafting, PlateFrame(shown, spot) if spot else None  # at first it stands nowhere
     across, up = (frame.inertia_scale.mu, frame.energy_scale.mu) if frame else (math.nan, math.nan)
     k = drafting.notation == "K"
     over, under = ("K_{T}", "K_{J}") if k else ("μ_{J}", "μ_{T}")

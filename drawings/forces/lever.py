@@ -84,8 +84,8 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
         over += OUTSIDE * (not within(arrow.free, taken.box))
         others = {spot for rod in taken.rods for spot in rod if abs(spot - image) > SAME}
         passed = any(abs(spot - nearest(image, arrow.at, spot)) < APART for spot in others)
-        passed += sum(abs(spot - nearest(*run, spot)) < POINT for spot in others)  # marks that would hide it
-        return over + any(merging(run, rod) for rod in taken.rods) + AWAY * ((arrow.lead is not None) + passed)
+        hidden = sum(abs(spot - nearest(*run, spot)) < POINT for spot in others)  # under the marks of other images
+        return over + any(merging(run, rod) for rod in taken.rods) + AWAY * ((arrow.lead is not None) + passed + hidden)
 
     return min(tries, key=cost)
 

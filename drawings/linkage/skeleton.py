@@ -1,7 +1,6 @@
 """The skeleton of a linkage as it is drawn: bars and slots, masses, poses of its bodies (скелет механизма)."""
 
 import math
-from cmath import isnan
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -281,9 +280,8 @@ class Pairs(Joints):
 
     def _ways(self, name: str) -> Iterator[complex]:
         yield from super()._ways(name)
-        ends = cylinders(self.bones, self.bones.numbered) if name in self.bones.mechanism.cylinder[:1] else ()
-        runs = (end - start for start, end in ends)
-        yield from (run / abs(run) for run in runs if not isnan(run))
+        cylinder = self._cylinder if name in self.bones.mechanism.cylinder[:1] else ()
+        yield from ((point - foot) / abs(point - foot) for foot, point in cylinder)
 
 
 def cylinders(bones: Skeletons, poses: Poses) -> Iterator[Segment]:
