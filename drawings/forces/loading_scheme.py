@@ -6,12 +6,12 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property, lru_cache, partial
 from itertools import product
 
-from drawings.forces.arms import Leverage, aside, leverages
+from drawings.forces.arms import aside
 from drawings.forces.letters import KNOWN, PRESSING, letter_of
-from drawings.forces.scheme import UNSIZED, Scheme, coupled, drawn_circles, drawn_springs, fan, lengths, scheme
+from drawings.forces.scheme import UNSIZED, Scheme, coupled, drawn_circles, drawn_springs, fan, lengths
 from drawings.kinds.polygon import ShownVector
 from drawings.kinds.scheme import Joints, link_numbers, ties
 from drawings.layout.ink import Ink
@@ -22,10 +22,10 @@ from drawings.lettering.lettering import bounds, text_width
 from drawings.lettering.words import with_index
 from drawings.page.page import Drafting, Field, Scale
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Kind, Line, Statement, Stroke, Text
+from drawings.paper.strokes import Circle, Group, Kind, Line, Statement, Stroke, Text
 from drawings.paper.walk import stating, tied
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, ForceArrow, Gear, letter_each, not_to_scale
-from drawings.symbols.figure import LINE, Arm, Dimension, Subject, heading, plain_name, to_scale
+from drawings.symbols.figure import LINE, SQUARE, Arm, Dimension, Subject, heading, plain_name, to_scale
 from drawings.symbols.symbols import BLOCK, MASS, fit_dashes
 from plans.forces.drive import DRIVING
 
@@ -139,13 +139,16 @@ class SchemeLayout:
         if box is not None:
             box = box.inset(self.drafting.hand.letter)
         spots = [self.place.on(spot) for spot in self.shown.named.values()]
-        reaches = [(self._reach(force), self._inside(arrow)) for force, arrow in zip(forces, arrows, strict=True)]
+        reaches = [(self._reach(force), self._sides(force, arrow)) for force, arrow in zip(forces, arrows, strict=True)]
         return fan(arrows, reaches, self._around, spots, box, self.hand)
 
-    def _inside(self, arrow: ForceArrow) -> bool:
-        """Tell whether a force would run in a link's line, whichever end of it were at its point."""
+    def _sides(self, force: ShownVector, arrow: ForceArrow) -> list[int]:
+        """Give the sides to which a force may stand that would run in a link's line: none across a point of moments."""
         both = ((arrow.at, arrow.at + sign * arrow.length * arrow.direction) for sign in (1, -1))
-        return all(any(merging(line, rod) for rod in self.rods) for line in both)
+        if not all(any(merging(line, rod) for rod in self.rods) for line in both):
+            return []
+        pivots = [self.place.on(arm.pivot) - arrow.at for arm in self.shown.arms if arm.name == force.name]
+        return [side for side in (-1, 1) if all(side * (arrow.direction.conjugate() * to).imag < 0 for to in pivots)]
 
     def _arrow(self, force: ShownVector, length: float) -> ForceArrow:
         """Give a force's arrow at its point; that of a guide presses on its slider."""
@@ -195,6 +198,9 @@ class SchemeLayout:
         ink = Ink()
         for stroke, weight in self._around:
             ink.draw([stroke], weight)
+        apart, near = [arm for arm in self.arms if arm.aside], SQUARE * self.hand.symbol
+        ink.draw((stroke for arm in apart for stroke in arm.draw(self.hand)), THIN)
+        ink.draw((Circle(end, near) for arm in apart for end in arm.ends), BAR)  # heads and squares
         ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
         ink.draw((Line(arrow.lead, arrow.at) for arrow in self.arrows if arrow.lead is not None), THIN)
         return ink
@@ -253,8 +259,6 @@ class SchemeLayout:
         yield from [Group(couples)] if couples else []
 
 
-__all__ = ["Leverage", "Scheme", "draw", "leverages", "measure", "scheme"]
-
 NEAR = 4.0  # mm beyond its letter: lines that end so near to a point are lines at it
 LEAST = 14.0  # a scheme is drawn at least so many of its letters large: below, its forces hide it
 LETTERS, BESIDE = 1.6, 2.4  # letters' sizes below and above the lines of a scheme, and beside them
@@ -296,12 +300,23 @@ def _title(shown: Scheme, drafting: Drafting) -> str:
     return f"{drafting.word(key, group=shown.cut.label)}, {drafting.word('position', position=shown.column)}"
 
 
+@lru_cache(maxsize=16)
+def _layout(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeLayout:
+    place, box = room.place(*spot), spot.box
+    head = _head(drafting.hand, _further(shown, place.scale.mu, drafting))
+    return SchemeLayout(shown, place, drafting, box._replace(top=box.top - head))
+
+
+def drawn_aside(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> bool:
+    """Tell whether in the scheme's spot a force is drawn beside its line of action."""
+    return any(arrow.beside for arrow in _layout(shown, room, spot, drafting).arrows)
+
+
 def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
     place, hand = room.place(*spot), drafting.hand
     further = _further(shown, place.scale.mu, drafting)
-    box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand, further))
-    layout = SchemeLayout(shown, place, drafting, box)
+    layout = _layout(shown, room, spot, drafting)
     under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
     title = heading(spot.box, _title(shown, drafting), under, hand, *further)
     name = f"scheme-{shown.cut.label}-{shown.column}"

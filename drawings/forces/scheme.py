@@ -10,6 +10,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
+from operator import itemgetter
 from typing import NamedTuple
 
 from drawings.forces.acting import CutLinks, SchemeForces, acting, cut_links
@@ -93,7 +95,7 @@ class DrivingWheel(NamedTuple):
     flank: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Scheme:
     """The loading scheme of a cut in one position."""
 
@@ -218,8 +220,9 @@ CLEAR = 1.5  # mm from the end of an arrow at its point that are not felt: symbo
 STEP, STEPS = 4.0, 25  # mm by which an arrow may stand off its point on its line of action, and how often
 # What ending at the point costs, standing off it, and each mm of that; a crossed thin line costs 1.
 ENDING, OFF, FURTHER = 3.0, 4.0, 0.3
-# A force whose line of action runs in a link stands beside it, so many mm, on a thin line square to it: its cost.
-SIDE, PARALLEL = 8.0, 9.0
+# A force whose line of action runs in a link stands beside it, so many mm, on a thin line square to it, or aslant where
+# that would run along others: what it costs, and what more by the slant of the thin line.
+SIDE, PARALLEL, SLANTS = 8.0, 9.0, (0.0, 0.5, -0.5)
 PASSED, NEAR = 40.0, 3.0  # what a known force costs whose line to its point passes another point, so many mm near
 OUTSIDE = 10.0  # what each mm outside the figure's box costs
 ROUNDS = 2  # times that every arrow looks for its place among all others
@@ -251,7 +254,7 @@ def lengths(sizes: Sequence[float]) -> list[float]:
 
 def fan(
     arrows: Sequence[ForceArrow],
-    reaches: Sequence[tuple[float, bool]],
+    reaches: Sequence[tuple[float, Sequence[int]]],
     around: Iterable[tuple[Stroke, float]],
     spots: Sequence[complex],
     box: Field | None,
@@ -259,26 +262,28 @@ def fan(
 ) -> list[ForceArrow]:
     """Place arrows among the lines around, each with its weight, among the points, and among each other.
 
-    Each arrow is given at its point, as it would stand alone; symbols reach some mm from there; it may run in a link.
+    Each arrow is given at its point, as if alone: symbols reach some mm from there, and it may stand to some sides.
     """
     lines = list(around)
     standing = [_standing(one, reach, one.ending, 0.0, 0) for one, (reach, _) in zip(arrows, reaches, strict=True)]
     for _ in range(ROUNDS):
-        for k, (arrow, (reach, inside)) in enumerate(zip(arrows, reaches, strict=True)):
+        for k, (arrow, (reach, sides)) in enumerate(zip(arrows, reaches, strict=True)):
             ink = Ink()
             for stroke, weight in lines:
                 ink.draw([stroke], weight)
-            ink.draw((other.shaft for other in (*standing[:k], *standing[k + 1 :])), ARROW_LINES)
-            standing[k] = _best(arrow, reach, inside, _Room(ink, spots, box), hand)
+            others = (*standing[:k], *standing[k + 1 :])
+            ink.draw((other.shaft for other in others), ARROW_LINES)
+            ink.draw((Line(other.lead or 0j, other.at) for other in others if other.beside), ARROW_LINES)
+            standing[k] = _best(arrow, reach, sides, _Room(ink, spots, box), hand)
     return standing
 
 
-def _best(arrow: ForceArrow, reach: float, inside: bool, room: _Room, hand: Hand) -> ForceArrow:
+def _best(arrow: ForceArrow, reach: float, sides: Sequence[int], room: _Room, hand: Hand) -> ForceArrow:
     best, cheapest = None, math.inf
-    for least, ending, off, side in sorted(_places(arrow.ending, inside)):
+    for least, ending, off, way in sorted(_places(arrow.ending, sides), key=itemgetter(0)):
         if least >= cheapest:
             break
-        trial = _standing(arrow, reach, ending, off * hand.symbol, side)
+        trial = _standing(arrow, reach, ending, off * hand.symbol, way)
         cost = least + _cost(trial, room, hand) + (0.0 if arrow.unknown else PASSED * _passed(arrow, trial, room))
         if cost < cheapest:
             best, cheapest = trial, cost
@@ -286,20 +291,20 @@ def _best(arrow: ForceArrow, reach: float, inside: bool, room: _Room, hand: Hand
     return best
 
 
-def _places(pressing: bool, inside: bool) -> Iterator[tuple[float, bool, float, int]]:
-    """Give what each place costs at least: starting or ending at the point, mm off it, on its line or to a side."""
+def _places(pressing: bool, sides: Sequence[int]) -> Iterator[tuple[float, bool, float, complex]]:
+    """Give what each place costs at least: starting or ending at the point, mm off it, on its line or which way."""
     for ending in (False, True):
         turned = ENDING * (ending != pressing)
         yield turned, ending, 0.0, 0
         yield from ((turned + OFF + FURTHER * STEP * k, ending, STEP * k, 0) for k in range(1, STEPS + 1))
-        if inside:
-            yield from ((turned + PARALLEL, ending, SIDE, side) for side in (-1, 1))
+        for side, slant in product(sides, SLANTS):
+            yield turned + PARALLEL + abs(slant), ending, SIDE, (side * 1j + slant) / abs(1 + slant * 1j)
 
 
-def _standing(arrow: ForceArrow, reach: float, ending: bool, off: float, side: int) -> ForceArrow:
+def _standing(arrow: ForceArrow, reach: float, ending: bool, off: float, beside: complex) -> ForceArrow:
     """Stand an arrow at a place: starting or ending at its point's symbol, or off it on a thin line."""
     back = -arrow.direction if ending else arrow.direction
-    way = side * 1j * arrow.direction if side else back
+    way = beside * arrow.direction or back
     lead = arrow.at + way * reach if off else None
     return arrow._replace(at=arrow.at + way * (reach + off), ending=ending, lead=lead)
 
@@ -308,13 +313,18 @@ def _cost(arrow: ForceArrow, room: _Room, hand: Hand) -> float:
     """Weigh a place: the lines that an arrow crosses or runs beside, and what of it is outside the box."""
     far = -arrow.direction if arrow.ending else arrow.direction
     start, end = arrow.at + far * CLEAR * hand.symbol * (1 if arrow.lead is None else -1), arrow.free
-    length = abs(end - start)
-    across = 1j * far * BESIDE * hand.symbol
-    count = max(int(length / (RUNG * hand.symbol)), 1)
-    first = 1 if arrow.lead is None else 0
-    spots = [start + (end - start) * k / count for k in range(first, count + 1)]
-    felt: list[Stroke] = [Line(start, end), *(Line(spot - across, spot + across) for spot in spots)]
+    felt = _ladder(start, end, 1 if arrow.lead is None else 0, hand)
+    if arrow.lead is not None and arrow.beside:
+        felt += _ladder((arrow.lead + arrow.at) / 2, arrow.at, 0, hand)
     return room.ink.crossed_by(felt) + (0.0 if room.box is None else OUTSIDE * _beyond(end, room.box))
+
+
+def _ladder(start: complex, end: complex, first: int, hand: Hand) -> list[Stroke]:
+    """Give a line and the rungs by which it feels what runs along it."""
+    across = 1j * (end - start) / abs(end - start) * BESIDE * hand.symbol
+    count = max(int(abs(end - start) / (RUNG * hand.symbol)), 1)
+    spots = (start + (end - start) * k / count for k in range(first, count + 1))
+    return [Line(start, end), *(Line(spot - across, spot + across) for spot in spots)]
 
 
 def _passed(arrow: ForceArrow, trial: ForceArrow, room: _Room) -> bool:

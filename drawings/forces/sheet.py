@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, Final
@@ -17,6 +17,7 @@ from drawings.forces.lever import of_arm
 from drawings.forces.load_diagram import courses
 from drawings.forces.notes import notes
 from drawings.forces.report import drafting_of_forces
+from drawings.forces.scheme import Scheme, scheme
 from drawings.kinds import curve_graph, hodograph, working
 from drawings.kinds.axes import Part
 from drawings.kinds.working import Workings
@@ -114,13 +115,13 @@ class _ForceSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, equations, table and notes of the sheets."""
-        words = notes(self.statics, self.comparison, self.position, self.drafting.language)
+        words = tuple(notes(self.statics, self.comparison, self.position, self.drafting.language))
         columns = (figure for cut in self.plan.cuts for figure in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
         shows = (*columns, *loose, *self._motion(), *captions(self._workings()))
         later = partial(forces_by_hand, self.statics, self.position)
-        return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=later)
+        return Draft("forces", title, shows, (self._table(),), words, self._facts, later=later, remarks=self._remarks)
 
     @property
     def plan(self) -> ForcePlan:
@@ -137,7 +138,7 @@ class _ForceSheet:
         return self.statics.around(STEPS)
 
     def _column(self, cut: CutGroup) -> Iterator[Exhibit | Caption]:
-        yield from (self._scheme(cut), self._equations(cut))
+        yield from (self._schemes[cut.label][1], self._equations(cut))
         shown = self._polygons[cut.label]
         for figure in (*([shown] if shown.forces else []), *shown.details):
             yield exhibit(polygon, figure, self.drafting, together=cut.label)
@@ -151,10 +152,20 @@ class _ForceSheet:
             found[cut.label], before = shown._replace(details=details), before + len(details)
         return found
 
-    def _scheme(self, cut: CutGroup) -> Exhibit:
-        shown = loading_scheme.scheme(self.plan, cut, self.position)
-        largest = LARGEST if cut is self.plan.cuts[-1] else 0.0
-        return exhibit(loading_scheme, shown, self.drafting, largest, together=cut.label, scale="schemes")
+    @cached_property
+    def _schemes(self) -> dict[str, tuple[Scheme, Exhibit]]:
+        found = dict[str, tuple[Scheme, Exhibit]]()
+        for cut in self.plan.cuts:
+            shown, largest = scheme(self.plan, cut, self.position), LARGEST if cut is self.plan.cuts[-1] else 0.0
+            wants = {"together": cut.label, "scale": "schemes"}
+            found[cut.label] = shown, exhibit(loading_scheme, shown, self.drafting, largest, **wants)
+        return found
+
+    def _remarks(self, spots: Mapping[str, Spot]) -> tuple[str, ...]:
+        rooms = ((shown, drawn.panel.item) for shown, drawn in self._schemes.values())
+        placed = ((shown, room, spots[room.name]) for shown, room in rooms if isinstance(room, Picture))
+        aside = any(loading_scheme.drawn_aside(*each, self.drafting) for each in placed)
+        return (self.drafting.word("drawn aside"),) if aside else ()
 
     def _equations(self, cut: CutGroup) -> Caption:
         equations = SheetEquations(self.plan, cut, self.position, self.drafting, self.forces.nothing_at(self.position))

@@ -55,6 +55,12 @@ class ForceArrow(NamedTuple):
         """The end that is not at its point: there stands its letter."""
         return self.start if self.ending else self.tip
 
+    @property
+    def beside(self) -> bool:
+        """Whether it stands beside its line of action: the thin line leads across it."""
+        run = 0j if self.lead is None else (self.at - self.lead) / self.direction
+        return abs(run.imag) > abs(run.real)
+
     def draw(self, hand: Hand) -> Group:
         """Draw it: known in full lines with a filled head, unknown dashed with an open one."""
         if self.unknown:

@@ -160,7 +160,7 @@ def test_the_letter_of_an_arm_stands_on_the_side_away_from_a_near_one() -> None:
 
 def test_a_force_that_would_run_in_a_rod_stands_beside_it() -> None:
     rod, force = [(Line(-60j, 60j), 3.0)], not_to_scale("Φ_4", -1j, 0j, 16.0)
-    (inside,), (outside,) = (fan([force], [(2.0, rides)], rod, [0j], None, hand_of("A1")) for rides in (True, False))
+    (inside,), (outside,) = (fan([force], [(2.0, sides)], rod, [0j], None, hand_of("A1")) for sides in ([-1, 1], []))
     assert abs(inside.at.real) > 5 and inside.lead is not None and outside.at.real == 0.0
 
 

@@ -9,14 +9,17 @@ from types import MappingProxyType
 
 import pytest
 
-from drawings.forces.loading_scheme import leverages, scheme
-from drawings.forces.scheme import LONG, SHORT, lengths
+from drawings.forces.arms import leverages
+from drawings.forces.loading_scheme import SchemeLayout
+from drawings.forces.scheme import LONG, SHORT, lengths, scheme
 from drawings.grading.allowance import Allowance, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.onlooker import segments
 from drawings.grading.scheme_arrows import arrow_verdicts
+from drawings.layout.picture import Place
 from drawings.lettering.lettering import bounds
+from drawings.page.page import Drafting, Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line
 from drawings.pens.svg import svg
@@ -26,7 +29,8 @@ from geometry.board import at
 from plans.forces.cut import ForcePlan
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
-from plans.scene.scene import parse_scene
+from plans.scene.scene import parse_scene, read_scene
+from tests.gallery import GALLERY
 from tests.plans.force_cases import text_of
 
 HAND = hand_of("A1")
@@ -84,6 +88,18 @@ def test_a_guide_presses_where_the_moments_about_the_pin_balance() -> None:
     press = next(force for force in scheme(plan, cut, 0).acting.forces if force.name == "R_05")
     assert (press.at - pin).imag == pytest.approx(0, abs=1e-12)  # along the guide
     assert (press.at - pin).real * press.value.imag == pytest.approx(-moments, rel=1e-9)
+
+
+def test_a_force_drawn_beside_its_line_turns_about_each_point_of_moments_as_in_the_equation() -> None:
+    plan, turned = Statics(LinkageStudy(read_scene(GALLERY / "shaper-loaded.toml"))).drafts().plans.plan, 0
+    for shown in (scheme(plan, cut, k) for k in (3, 4) for cut in plan.cuts):
+        layout = SchemeLayout(shown, Place(0j, 0j, Scale(0.01, "l", "m")), Drafting(HAND), None)
+        drawn = dict(zip((force.name for force in shown.acting.forces), layout.arrows, strict=True))
+        for arm in (arm for arm in shown.arms if drawn[arm.name].beside):
+            arrow, turned = drawn[arm.name], turned + 1
+            moment = (arrow.at - layout.place.on(arm.pivot)).conjugate() * arrow.direction
+            assert moment.imag * arm.sense > 0, (shown.column, arm.name)
+    assert turned
 
 
 def test_larger_forces_have_longer_arrows_within_bounds() -> None:
