@@ -11,9 +11,9 @@ ROOT = Path(__file__).parents[1]
 PRODUCT = ("geometry", "plans", "drawings")
 # Lines at the most: of what is shipped, of what is checked when a sheet is drawn, of the tests with their cases.
 MOST: Mapping[str, tuple[int, tuple[str, ...]]] = {
-    "product": (111_220, tuple(f"{top}/**/*.py" for top in PRODUCT)),
+    "product": (111_230, tuple(f"{top}/**/*.py" for top in PRODUCT)),
     "self-check": (6_180, ("drawings/checks/**/*.py", "drawings/*/due*.py")),
-    "tests": (46_240, ("tests/**/*.py", "tests/**/*.toml", "tests/**/*.json")),
+    "tests": (46_242, ("tests/**/*.py", "tests/**/*.toml", "tests/**/*.json")),
 }
 LONGEST = 400  # lines of a file of the product
 

@@ -102,11 +102,17 @@ def _ends(study: LinkageStudy, drafts: Drafts, name: str) -> tuple[Mark, ...]:
     """Find the letter of a plan, or both letters at the ends of a vector, on the first plan that has them."""
     centres = unnamed(study.scene, study.mechanism.links)
     for plan in (drafts.positions, drafts.velocities, drafts.accelerations):
-        found = [_lettered(plan, centres, letter) for letter in name.split(" ")]
+        found = [_lettered(plan, centres, letter) or _placed(study, plan, letter) for letter in name.split(" ")]
         ends = tuple(mark for mark in found if mark is not None)
         if len(ends) == len(found):
             return ends
     return ()
+
+
+def _placed(study: LinkageStudy, plan: Plan, name: str) -> Mark | None:
+    """Find the end of a point's vector by its letter, which a plate of three leads has by its shape alone."""
+    point = next((one for one in letters(study) if plan.letter(one) == name), None)
+    return None if point is None else plan.point(point)
 
 
 def _lettered(plan: Plan, centres: Masses, name: str) -> Mark | None:
